@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index.h"
+#include "core/math/types.h"
+#include "core/shapes/shape.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+/// What integration does not change, one array a quantity, indexed by BodyIndex; walls have their entries
+/// too.
+struct Bodies {
+    std::vector<Shape> shape;
+    std::vector<double> mass;         ///< [kg], 0 for immobile bodies
+    std::vector<double> inverseMass;  ///< [1/kg], 0 for immobile bodies
+    std::vector<Vec3> inertia;        ///< principal, body axes [kg m²], 0 for immobile bodies
+    std::vector<Vec3> inverseInertia; ///< [1/(kg m²)], 0 for immobile bodies
+    std::vector<double> elastic, friction, rolling;
+    std::vector<std::uint8_t> mobile; ///< 1 where the body can move
+
+    std::vector<BodyIndex> mobileBodies; ///< ascending
+    std::vector<BodyIndex> walls;        ///< ascending
+    std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
+
+    std::size_t count() const { return shape.size(); }
+};
+
+} // namespace carom

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/source.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+// An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
+// and one line in effects.def.
+
+namespace carom {
+
+enum class EffectStatus : std::uint8_t {
+    On,              ///< simulated
+    Absent,          ///< proved absent: it costs nothing
+    NotSimulatedYet, ///< the scene calls for it, this version does not have it
+};
+
+/// "on", "absent", "not simulated yet".
+std::string_view nameOf(EffectStatus status);
+
+/// The compiler's decision on one effect.
+struct EffectDecision {
+    std::string_view effect; ///< a row's name
+    EffectStatus status = EffectStatus::Absent;
+    std::string reason;                ///< a sentence: why it is simulated, or why it cannot matter
+    std::optional<SourceRange> source; ///< what in the text calls for it
+};
+
+struct EffectRow {
+    std::string_view name;  ///< "rolling_resistance"
+    std::string_view title; ///< "Rolling resistance"
+    std::string_view help;  ///< one sentence
+    EffectDecision (*decide)(const Scene& scene) = nullptr;
+};
+
+/// Every effect, in the order of the report.
+std::span<const EffectRow> effects();
+
+} // namespace carom

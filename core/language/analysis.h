@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/language/syntax.h"
+#include "core/language/token.h"
+#include "core/scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The façade of the language: text in, everything anybody asks of it out. Pure: the same text gives the same
+// value; any bytes at all are taken, and it always returns.
+
+namespace carom {
+
+struct Analysis {
+    std::string text;
+    LineTable lines;
+    std::vector<Token> tokens; ///< comments included, white space not
+    SyntaxTree tree;
+    std::vector<Diagnostic> diagnostics; ///< lexer, parser and validator; ascending by place
+    Scene scene;                         ///< what could be built; faulty declarations are left out
+
+    SourcePosition positionOf(std::uint32_t offset) const { return lines.positionOf(text, offset); }
+};
+
+Analysis analyse(std::string text);
+
+/// "file:line:col: severity: message [code]", notes on lines of their own with severity "note".
+std::string formatDiagnostic(const Analysis& analysis, const Diagnostic& diagnostic, std::string_view file);
+
+} // namespace carom

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+SimulationSettings overridden(const SimulationSettings& base, const SimulationSettings& over) {
+    SimulationSettings result = base;
+    const auto take = [](auto& into, const auto& from) {
+        if (from) into = from;
+    };
+    take(result.step, over.step);
+    take(result.substeps, over.substeps);
+    take(result.method, over.method);
+    take(result.integrator, over.integrator);
+    take(result.broadphase, over.broadphase);
+    take(result.iterations, over.iterations);
+    take(result.tolerance, over.tolerance);
+    take(result.impacts, over.impacts);
+    take(result.preset, over.preset);
+    take(result.duration, over.duration);
+    take(result.threads, over.threads);
+    return result;
+}
+
+const ParameterSource* Scene::find(const DeclarationSource& source, std::string_view parameter) const {
+    for (std::uint32_t i = 0; i < source.parameterCount; ++i) {
+        const ParameterSource& candidate = parameterSources[source.firstParameter + i];
+        if (candidate.parameter == parameter) return &candidate;
+    }
+    return nullptr;
+}
+
+BodyIndex Scene::labelled(std::string_view label) const {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (!label.empty() && bodies[i].label == label) return static_cast<BodyIndex>(i);
+    return noBody;
+}
+
+std::string Scene::nameOf(BodyIndex body) const {
+    if (body == noBody) return "the world";
+    const Body& named = bodies[body];
+    if (!named.label.empty()) return "`" + named.label + "`";
+    return std::string(carom::nameOf(kindOf(named.shape))) + " " + std::to_string(body);
+}
+
+double pairRestitution(const Body& a, const Body& b) { return std::min(a.elastic, b.elastic); }
+
+double pairFriction(const Body& a, const Body& b) { return std::sqrt(a.friction) * std::sqrt(b.friction); }
+
+double pairRolling(const Body& a, const Body& b) { return std::max(a.rolling, b.rolling); }
+
+} // namespace carom

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index.h"
+#include "core/base/source.h"
+#include "core/math/pose.h"
+#include "core/shapes/shape.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What a scene is: plain data in SI units, each value knowing the place in the text that gave it. A Scene is
+// what a text means; how it is simulated is decided later, by the compiler of core/simulation.
+
+namespace carom {
+
+/// Where one parameter was written. The name points into the schema table and lives for ever.
+struct ParameterSource {
+    std::string_view parameter; ///< "friction"
+    SourceRange name;
+    SourceRange value;
+};
+
+/// The places of one declaration.
+struct DeclarationSource {
+    SourceRange declaration;          ///< from the type's name to the closing brace or semicolon
+    SourceRange type;                 ///< the type's name, e.g. `sphere`
+    SourceRange label;                ///< empty where there is none
+    std::uint32_t firstParameter = 0; ///< into Scene::parameterSources
+    std::uint32_t parameterCount = 0;
+};
+
+struct Body {
+    Shape shape;                         ///< walls carry their own place; their pose is the identity
+    Pose pose;                           ///< at the start
+    Vec3 velocity = Vec3::Zero();        ///< [m/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< [rad/s], world
+    double mass = 0;                     ///< [kg]; 0 for walls and for fixed bodies without one
+    bool fixed = false;                  ///< immobile; always true for walls
+    double elastic = 1;                  ///< restitution; a pair has the smaller of its two
+    double friction = 0;                 ///< Coulomb; a pair has the geometric mean
+    double rolling = 0;                  ///< rolling resistance, a lever arm [m]; a pair has the larger
+    Vec3 colour = Vec3::Ones();          ///< red, green, blue in 0..1
+    std::string label;                   ///< empty where there is none
+    DeclarationSource source;
+
+    bool mobile() const { return !fixed; }
+};
+
+struct Gravity {
+    Vec3 acceleration{0, -9.8, 0};           ///< [m/s²]
+    std::optional<DeclarationSource> source; ///< absent: nothing declared it, the reference's default holds
+};
+
+struct Spring {
+    BodyIndex from = noBody; ///< noBody is the world
+    BodyIndex to = noBody;
+    Vec3 fromAt = Vec3::Zero(); ///< [m], the body's own frame, or world coordinates for the world
+    Vec3 toAt = Vec3::Zero();
+    double stiffness = 0;         ///< [N/m]
+    double damping = 0;           ///< [N s/m]
+    std::optional<double> length; ///< at rest [m]; absent: the distance between its ends at the start
+    DeclarationSource source;
+};
+
+/// What a `simulation` declaration or a command line asks for; what is absent is left to the preset.
+struct SimulationSettings {
+    std::optional<double> step;        ///< one frame [s]
+    std::optional<int> substeps;       ///< equal substeps a frame
+    std::optional<std::string> method; ///< names of catalogue rows
+    std::optional<std::string> integrator;
+    std::optional<std::string> broadphase;
+    std::optional<int> iterations;
+    std::optional<double> tolerance; ///< relative contact residual
+    std::optional<std::string> impacts;
+    std::optional<std::string> preset;
+    std::optional<double> duration; ///< [s]
+    std::optional<int> threads;     ///< command line only
+    std::optional<DeclarationSource> source;
+};
+
+/// `over` wins wherever it says something.
+SimulationSettings overridden(const SimulationSettings& base, const SimulationSettings& over);
+
+struct CameraSettings {
+    std::optional<Vec3> position;      ///< [m]
+    std::optional<Vec3> target;        ///< [m]
+    std::optional<double> fieldOfView; ///< vertical [rad]
+    std::optional<DeclarationSource> source;
+};
+
+struct Scene {
+    std::vector<Body> bodies; ///< in the order of the text, walls included; BodyIndex points here
+    std::vector<Spring> springs;
+    Gravity gravity;
+    SimulationSettings simulation;
+    CameraSettings camera;
+    std::vector<ParameterSource> parameterSources;
+
+    /// Where a declaration gave a parameter; nothing if it did not.
+    const ParameterSource* find(const DeclarationSource& source, std::string_view parameter) const;
+    /// The body that carries a label, or noBody.
+    BodyIndex labelled(std::string_view label) const;
+    /// How messages name a body: "`cue`" by its label, else "sphere 4" by kind and index.
+    std::string nameOf(BodyIndex body) const;
+};
+
+/// How the parameters of two bodies combine.
+double pairRestitution(const Body& a, const Body& b);
+double pairFriction(const Body& a, const Body& b);
+double pairRolling(const Body& a, const Body& b);
+
+} // namespace carom

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+// The one table that knows the scene language's declarations. The validator, completion, hover help, the
+// formatter, the manual page and the language reference are all made from it: a new parameter is one new row.
+
+namespace carom {
+
+enum class ValueKind : std::uint8_t {
+    Number,      ///< one scalar
+    WholeNumber, ///< one scalar without a fraction
+    Vector,      ///< three scalars
+    Word,        ///< one of ParameterRow::words
+    Label,       ///< a body's label, or `world`
+    Colour,      ///< three scalars in 0..1, or one of the sixteen basic colour names
+};
+
+/// What a value must hold beyond its kind.
+enum class Constraint : std::uint8_t {
+    None,
+    Positive,      ///< > 0 (a number), each > 0 (a vector)
+    NotNegative,   ///< >= 0
+    NonzeroVector, ///< not 0,0,0
+    UnitRange,     ///< each component in 0..1
+    AtLeastOne,    ///< >= 1
+    FieldOfView,   ///< 0 < x < 180
+};
+
+/// How a message or the manual says it: "must be positive".
+std::string_view sentenceOf(Constraint constraint);
+
+/// A value that has passed its row's checks.
+struct CheckedValue {
+    double number = 0;
+    Vec3 vector = Vec3::Zero();
+    std::string_view word;   ///< Word: the row's own word; Label: as written
+    BodyIndex body = noBody; ///< Label: the body it names; noBody is the world
+};
+
+/// What one declaration builds, while its parameters are stored into it.
+using Declared = std::variant<Body, Spring, Gravity, SimulationSettings, CameraSettings>;
+
+enum class Layer : std::uint8_t { Reference, Carom };
+
+struct ParameterRow {
+    std::string_view name;
+    ValueKind kind = ValueKind::Number;
+    std::string_view unit; ///< "m", "rad/s", "" for none
+    bool required = false;
+    std::string_view defaultText; ///< as one would write it, or a phrase where it depends; "" where required
+    Constraint constraint = Constraint::None;
+    std::span<const std::string_view> words; ///< for ValueKind::Word
+    std::string_view help;                   ///< one line
+    Layer layer = Layer::Reference;
+    void (*store)(Declared& into, const CheckedValue& value) = nullptr;
+};
+
+struct DeclarationRow {
+    std::string_view name;
+    std::string_view help; ///< one line
+    Layer layer = Layer::Reference;
+    bool isBody = false; ///< may carry a label
+    bool once = false;   ///< a scene has at most one
+    std::vector<ParameterRow> parameters;
+    Declared (*begin)() = nullptr; ///< an empty one, defaults in place
+    std::string_view example;      ///< a snippet that validates by itself (with the bodies it names)
+
+    const ParameterRow* find(std::string_view parameter) const;
+};
+
+/// Every declaration of the language, in the order of the manual.
+std::span<const DeclarationRow> schema();
+const DeclarationRow* findDeclaration(std::string_view name);
+
+/// The sixteen basic colour names and their values.
+struct NamedColour {
+    std::string_view name;
+    Vec3 colour;
+};
+std::span<const NamedColour> namedColours();
+
+/// Words of `simulation`; the one place where the language and the catalogues of methods must agree (a test
+/// holds them to it).
+std::span<const std::string_view> methodWords();
+std::span<const std::string_view> integratorWords();
+std::span<const std::string_view> broadphaseWords();
+std::span<const std::string_view> impactsWords();
+std::span<const std::string_view> presetWords();
+
+} // namespace carom

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/cylinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+Aabb boundsOf(const Cylinder& cylinder, const Pose& worldFromBody) {
+    const Vec3 axis = axisOf(worldFromBody);
+    Vec3 half;
+    for (int i = 0; i < 3; ++i) {
+        const double across = std::sqrt(std::max(0.0, 1 - axis[i] * axis[i]));
+        half[i] = cylinder.halfHeight * std::abs(axis[i]) + cylinder.radius * across;
+    }
+    return {worldFromBody.position - half, worldFromBody.position + half};
+}
+
+Vec3 inertiaOf(const Cylinder& cylinder, double mass) {
+    const double r2 = cylinder.radius * cylinder.radius;
+    const double height = 2 * cylinder.halfHeight;
+    const double across = mass * (3 * r2 + height * height) / 12;
+    return {across, mass * r2 / 2, across};
+}
+
+Vec3 supportOf(const Cylinder& cylinder, const Vec3& direction) {
+    const double radial = std::hypot(direction.x(), direction.z());
+    const double y = direction.y() < 0 ? -cylinder.halfHeight : cylinder.halfHeight;
+    if (radial == 0) return {0, y, 0};
+    const double scale = cylinder.radius / radial;
+    return {scale * direction.x(), y, scale * direction.z()};
+}
+
+double halfThicknessOf(const Cylinder& cylinder) { return std::min(cylinder.radius, cylinder.halfHeight); }
+
+double boundingRadiusOf(const Cylinder& cylinder) { return std::hypot(cylinder.radius, cylinder.halfHeight); }
+
+} // namespace carom

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/shapes/shape.h"
+
+#include "core/base/assert.h"
+
+namespace carom {
+namespace {
+
+// Calls `function` with the bounded shape inside; walls are the caller's mistake.
+template<class Function>
+auto visitBounded(const Shape& shape, const Function& function) {
+    switch (kindOf(shape)) {
+    case ShapeKind::Cylinder:
+        return function(*std::get_if<Cylinder>(&shape));
+    case ShapeKind::Cuboid:
+        return function(*std::get_if<Cuboid>(&shape));
+    case ShapeKind::Sphere:
+    case ShapeKind::Wall:
+        break;
+    }
+    ASSERT(kindOf(shape) == ShapeKind::Sphere);
+    return function(*std::get_if<Sphere>(&shape));
+}
+
+} // namespace
+
+Aabb boundsOf(const Shape& shape, const Pose& worldFromBody) {
+    return visitBounded(shape, [&](const auto& s) { return boundsOf(s, worldFromBody); });
+}
+
+Vec3 inertiaOf(const Shape& shape, double mass) {
+    return visitBounded(shape, [&](const auto& s) { return inertiaOf(s, mass); });
+}
+
+Vec3 supportOf(const Shape& shape, const Vec3& direction) {
+    return visitBounded(shape, [&](const auto& s) { return supportOf(s, direction); });
+}
+
+double halfThicknessOf(const Shape& shape) {
+    return visitBounded(shape, [](const auto& s) { return halfThicknessOf(s); });
+}
+
+double boundingRadiusOf(const Shape& shape) {
+    return visitBounded(shape, [](const auto& s) { return boundingRadiusOf(s); });
+}
+
+} // namespace carom

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/shapes/cuboid.h"
+#include "core/shapes/cylinder.h"
+#include "core/shapes/sphere.h"
+#include "core/shapes/wall.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+// All shapes there are. A shape is registered by its place in this variant and nowhere else; whoever must
+// treat each kind does so by std::visit or by a table with one row a kind, so a forgotten kind does not
+// compile.
+
+namespace carom {
+
+using Shape = std::variant<Sphere, Wall, Cylinder, Cuboid>;
+
+enum class ShapeKind : std::uint8_t { Sphere, Wall, Cylinder, Cuboid };
+inline constexpr std::size_t shapeKindCount = std::variant_size_v<Shape>;
+static_assert(shapeKindCount == 4);
+
+inline ShapeKind kindOf(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
+
+/// The word of the scene language: "sphere", "wall", "cylinder", "cuboid".
+constexpr std::string_view nameOf(ShapeKind kind) {
+    constexpr std::array<std::string_view, shapeKindCount> names = {"sphere", "wall", "cylinder", "cuboid"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+inline bool isWall(const Shape& shape) { return std::holds_alternative<Wall>(shape); }
+
+/// The functions below treat every bounded shape; asking them of a Wall is a programmer's mistake.
+Aabb boundsOf(const Shape& shape, const Pose& worldFromBody);
+Vec3 inertiaOf(const Shape& shape, double mass);
+Vec3 supportOf(const Shape& shape, const Vec3& direction);
+double halfThicknessOf(const Shape& shape);
+double boundingRadiusOf(const Shape& shape);
+
+} // namespace carom

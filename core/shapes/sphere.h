@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/aabb.h"
+#include "core/math/pose.h"
+
+namespace carom {
+
+/// A solid ball of uniform density around the body's origin.
+struct Sphere {
+    double radius = 0; ///< [m] > 0
+};
+
+Aabb boundsOf(const Sphere& sphere, const Pose& worldFromBody);
+/// Principal moments of inertia about the centre [kg m²], body axes: 2/5 m r².
+Vec3 inertiaOf(const Sphere& sphere, double mass);
+/// The point of the shape furthest along `direction` (body coordinates, any length but zero).
+Vec3 supportOf(const Sphere& sphere, const Vec3& direction);
+/// Half the thinnest way through the shape [m].
+double halfThicknessOf(const Sphere& sphere);
+/// Radius of the smallest ball about the origin that contains the shape [m].
+double boundingRadiusOf(const Sphere& sphere);
+
+} // namespace carom

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/language/analysis.h"
+#include "core/simulation/pipeline.h"
+
+#include <memory>
+#include <string>
+
+namespace carom {
+
+/// Text to pipeline in one pure step: the one value the editor, the command line and the tests share.
+struct Build {
+    Analysis analysis;
+    std::vector<Diagnostic> diagnostics; ///< the analysis's and the pipeline's warnings, ascending by place
+    std::shared_ptr<const Pipeline>
+        pipeline; ///< never null: faulty declarations are left out, as in the reference
+
+    bool hasErrors() const { return carom::hasErrors(diagnostics); }
+};
+
+Build build(std::string text, const SimulationSettings& options = {});
+
+} // namespace carom

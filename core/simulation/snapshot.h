@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/pose.h"
+#include "core/simulation/health.h"
+#include "core/simulation/statistics.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+/// The state of a world at a frame, for whoever shows or writes it. A value: it shares nothing with the
+/// world.
+struct Snapshot {
+    std::int64_t frame = 0;
+    double time = 0;        ///< [s]
+    std::vector<Pose> pose; ///< by BodyIndex, walls included
+    std::vector<Vec3> velocity, angularVelocity;
+    FrameStatistics statistics; ///< of the step that led here; all zero at frame 0
+    Health health;
+};
+
+} // namespace carom

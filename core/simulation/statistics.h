@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/math/types.h"
+
+#include <cstdint>
+
+namespace carom {
+
+/// What one frame cost and held. Times are wall times [ms] of stepping only.
+struct FrameStatistics {
+    std::int64_t frame = 0; ///< the frame this step arrived at, from 1
+    double time = 0;        ///< [s], simulated
+
+    double simulate = 0;    ///< [ms] the whole step; at least the sum of the four below
+    double integrate = 0;   ///< [ms]
+    double broadphase = 0;  ///< [ms]
+    double narrowphase = 0; ///< [ms]
+    double respond = 0;     ///< [ms]
+
+    BroadphaseCounters broad;   ///< summed over the frame's substeps; pairs and memory are the last substep's
+    std::uint64_t contacts = 0; ///< pairs found touching or overlapping, summed over substeps
+
+    double kinetic = 0;           ///< [J]
+    double potential = 0;         ///< [J] of gravity and springs; height measured from the world's origin
+    Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies
+    double maxPenetration = 0;    ///< [m], the deepest overlap the narrow phase met in this frame
+};
+
+} // namespace carom

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/dynamics/state.h"
+#include "core/simulation/health.h"
+#include "core/simulation/pipeline.h"
+#include "core/simulation/snapshot.h"
+#include "core/simulation/statistics.h"
+#include "core/solvers/solver.h"
+
+#include <memory>
+
+namespace carom {
+
+/// A scene in motion: a constant Pipeline, the State, and what the algorithms remember between frames. One
+/// thread at a time may use it.
+class World {
+  public:
+    explicit World(std::shared_ptr<const Pipeline> pipeline);
+
+    /// Advances one frame (settings().step seconds). A world that is not healthy stays where it is.
+    void step();
+    /// Back to frame 0.
+    void reset();
+
+    const Pipeline& pipeline() const { return *m_pipeline; }
+    std::shared_ptr<const Pipeline> sharedPipeline() const { return m_pipeline; }
+    const State& state() const { return m_state; }
+    /// Of the last step; all zero but energy and momentum at frame 0.
+    const FrameStatistics& statistics() const { return m_statistics; }
+    const Health& health() const { return m_health; }
+    Snapshot snapshot() const;
+    /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
+    std::uint64_t stateHash() const;
+
+    /// Goes on with another broad-phase from the next step; the motion is the same to the bit.
+    void useBroadphase(const BroadphaseRow& row);
+    const BroadphaseRow& broadphaseRow() const { return *m_broadphaseRow; }
+    const Broadphase& broadphase() const { return *m_broadphase; }
+
+  private:
+    friend void stepWorld(World& world);
+
+    std::shared_ptr<const Pipeline> m_pipeline;
+    State m_state;
+    FrameStatistics m_statistics;
+    Health m_health;
+    const BroadphaseRow* m_broadphaseRow = nullptr;
+    std::unique_ptr<Broadphase> m_broadphase;
+    std::unique_ptr<Solver> m_solver;
+};
+
+} // namespace carom

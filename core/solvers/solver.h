@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+#include "core/math/types.h"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+// A solver is a method of motion: given the state and the forces of the scene it moves the bodies through one
+// substep, collisions and all. What a user chooses with `method`.
+
+namespace carom {
+
+/// What one substep cost and met; the step adds these up over a frame.
+struct SolverReport {
+    double integrate = 0;   ///< [ms]
+    double broadphase = 0;  ///< [ms]
+    double narrowphase = 0; ///< [ms]
+    double respond = 0;     ///< [ms]
+    std::uint64_t contacts = 0;
+    double maxPenetration = 0; ///< [m]
+};
+
+/// What a solver works on in one substep.
+struct SolverInput {
+    const Bodies& bodies;
+    Vec3 gravity;       ///< [m/s²]
+    double substep = 0; ///< [s]
+    Broadphase& broadphase;
+    State& state; ///< changed in place
+};
+
+class Solver {
+  public:
+    virtual ~Solver() = default;
+    virtual SolverReport advance(const SolverInput& input) = 0;
+};
+
+struct SolverRow {
+    std::string_view name; ///< "microcollisions"
+    std::string_view title;
+    std::string_view help;   ///< one sentence: what it does, what it costs
+    std::string_view source; ///< author, title, year
+    std::unique_ptr<Solver> (*create)(const Bodies& bodies) = nullptr;
+};
+
+std::span<const SolverRow> solvers();
+const SolverRow* findSolver(std::string_view name);
+
+} // namespace carom
