@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Shared by the scripts beside it; sourced, never run. Sets $top, the root of the project.
+
+set -euo pipefail
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf 'packaging: %s\n' "$*" >&2; }
+fail() {
+    say "$*"
+    exit 1
+}
+
+# The packages of packaging/packages that this machine lacks, one a line.
+missing_packages() {
+    local wanted installed
+    wanted=$(sed 's/#.*//; s/[[:space:]]//g; /^$/d' "$top/packaging/packages" | sort -u)
+    installed=$(dpkg-query -W -f '${binary:Package} ${db:Status-Status}\n' 2>/dev/null |
+        sed -n 's/^\([^: ]*\)[^ ]* installed$/\1/p' | sort -u)
+    comm -23 <(printf '%s\n' "$wanted") <(printf '%s\n' "$installed")
+}
+
+install_missing() {
+    command -v dpkg-query >/dev/null || fail "this needs Debian 12 (dpkg-query was not found)"
+    local missing
+    missing=$(missing_packages)
+    [ -n "$missing" ] || return 0
+    say "installing: $(printf '%s' "$missing" | tr '\n' ' ')"
+    local as_root=()
+    if [ "$(id -u)" != 0 ]; then
+        command -v sudo >/dev/null || fail "run this as root, or install sudo: packages are missing"
+        as_root=(sudo)
+    fi
+    local log
+    log=$(mktemp)
+    if ! { "${as_root[@]}" apt-get update &&
+        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+            apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1; then
+        tail -15 "$log" >&2
+        rm -f "$log"
+        fail "apt-get could not install the packages above"
+    fi
+    rm -f "$log"
+}
+
+# build_preset PRESET: configures where needed and builds; prints the compiler's words only if it fails.
+build_preset() {
+    local preset=$1 log="$top/build/$1.log"
+    mkdir -p "$top/build"
+    say "building build/$preset"
+    cd "$top"
+    if [ ! -f "build/$preset/build.ninja" ]; then
+        cmake --preset "$preset" >"$log" 2>&1 || { tail -30 "$log" >&2; fail "cmake could not configure $preset (build/$preset.log)"; }
+    fi
+    cmake --build --preset "$preset" >"$log" 2>&1 || {
+        grep -nE 'error|FAILED|warning' -A3 "$log" | head -60 >&2
+        fail "the build of $preset failed (build/$preset.log)"
+    }
+    cd - >/dev/null
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+// The house rules a compiler does not hold: which floor may include which, no Qt in core, no file without its
+// licence line, no file that has outgrown one reading. Works on the sources as they are.
+
+namespace {
+
+// The floors from the ground up. Rooms of one row are siblings: they do not include each other.
+const std::vector<QStringList> floors = {
+    {"core/base"},
+    {"core/math"},
+    {"core/shapes"},
+    {"core/scene"},
+    {"core/language", "core/generators", "core/broadphase", "core/narrowphase"},
+    {"core/dynamics"},
+    {"core/effects", "core/integrators", "core/solvers"},
+    {"core/simulation"},
+    {"core/study"},
+    {"ui"},
+    {"app"},
+};
+
+struct Room {
+    int floor = -1;
+    QString name;
+};
+
+Room roomOf(const QString& path) {
+    for (int floor = 0; floor < static_cast<int>(floors.size()); ++floor)
+        for (const QString& name : floors[static_cast<std::size_t>(floor)])
+            if (path.startsWith(name + '/')) return {floor, name};
+    return {};
+}
+
+QStringList filesBelow(const QStringList& folders, const QStringList& patterns) {
+    const QDir root(QStringLiteral(CAROM_SOURCE_DIR));
+    QStringList files;
+    for (const QString& folder : folders) {
+        QDirIterator walk(root.filePath(folder), patterns, QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext()) files << root.relativeFilePath(walk.next());
+    }
+    files.sort();
+    return files;
+}
+
+QString read(const QString& path) {
+    QFile file(QDir(QStringLiteral(CAROM_SOURCE_DIR)).filePath(path));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+struct Include {
+    bool quoted = false;
+    QString path;
+};
+
+std::vector<Include> includesOf(const QString& source) {
+    static const QRegularExpression line(R"(^\s*#\s*include\s*(["<])([^">]+)[">])",
+                                         QRegularExpression::MultilineOption);
+    std::vector<Include> includes;
+    QRegularExpressionMatchIterator found = line.globalMatch(source);
+    while (found.hasNext()) {
+        const QRegularExpressionMatch match = found.next();
+        includes.push_back({match.captured(1) == QLatin1String("\""), match.captured(2)});
+    }
+    return includes;
+}
+
+// The sentence about an include that breaks a rule, or nothing.
+QString complaintAbout(const QString& file, const Include& include) {
+    const Room from = roomOf(file);
+    const bool inCore = file.startsWith(QLatin1String("core/"));
+    static const QRegularExpression qt(R"(^(Q[A-Z]|Qt|Qsci|qcustomplot))");
+    if (inCore && qt.match(include.path).hasMatch()) return "core includes Qt: " + include.path;
+    if (include.path == QLatin1String("QtWidgets")) return "a whole module instead of single headers";
+    if (!include.quoted || include.path.endsWith(QLatin1String(".moc"))) return {};
+    const Room to = roomOf(include.path);
+    if (to.floor < 0) return "a path that does not start at a floor: " + include.path;
+    if (!QFile::exists(QDir(QStringLiteral(CAROM_SOURCE_DIR)).filePath(include.path)))
+        return "no such file: " + include.path;
+    if (to.name == from.name) return {};
+    if (to.floor > from.floor) return "includes upward: " + include.path;
+    if (to.floor == from.floor) return "includes a sibling: " + include.path;
+    return {};
+}
+
+} // namespace
+
+class HouseTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void floorsIncludeOnlyDownward() {
+        const QStringList files = filesBelow({"core", "ui", "app"}, {"*.h", "*.cpp", "*.def"});
+        QVERIFY2(files.size() > 40, "the sources were not found");
+        QStringList complaints;
+        for (const QString& file : files) {
+            QVERIFY2(roomOf(file).floor >= 0, qPrintable(file + " is in no room of the house"));
+            for (const Include& include : includesOf(read(file))) {
+                const QString complaint = complaintAbout(file, include);
+                if (!complaint.isEmpty()) complaints << file + ": " + complaint;
+            }
+        }
+        QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
+    }
+
+    void theCheckSeesWhatItMustSee_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("include");
+        QTest::addColumn<bool>("quoted");
+        QTest::addColumn<bool>("allowed");
+        QTest::newRow("down") << "core/shapes/x.cpp"
+                              << "core/math/types.h" << true << true;
+        QTest::newRow("same room") << "core/math/pose.h"
+                                   << "core/math/types.h" << true << true;
+        QTest::newRow("up") << "core/math/pose.h"
+                            << "core/shapes/shape.h" << true << false;
+        QTest::newRow("sibling") << "core/language/x.cpp"
+                                 << "core/broadphase/broadphase.h" << true << false;
+        QTest::newRow("Qt in core") << "core/base/x.h"
+                                    << "QString" << false << false;
+        QTest::newRow("Qt in ui") << "ui/window/x.h"
+                                  << "QString" << false << true;
+        QTest::newRow("relative") << "core/math/pose.h"
+                                  << "types.h" << true << false;
+        QTest::newRow("missing") << "core/shapes/x.cpp"
+                                 << "core/math/no_such.h" << true << false;
+    }
+    void theCheckSeesWhatItMustSee() {
+        QFETCH(QString, file);
+        QFETCH(QString, include);
+        QFETCH(bool, quoted);
+        QFETCH(bool, allowed);
+        QCOMPARE(complaintAbout(file, {quoted, include}).isEmpty(), allowed);
+    }
+
+    void everySourceOpensWithItsLicence() {
+        QStringList bare;
+        for (const QString& file : filesBelow({"core", "ui", "app", "tests"}, {"*.h", "*.cpp", "*.def"}))
+            if (!read(file).startsWith(QLatin1String("// SPDX-License-Identifier: GPL-3.0-or-later\n")))
+                bare << file;
+        QVERIFY2(bare.isEmpty(), qPrintable(bare.join('\n')));
+    }
+
+    void noFileHasOutgrownOneReading() {
+        constexpr qsizetype mostLines = 600;
+        QStringList outgrown;
+        for (const QString& file : filesBelow({"core", "ui", "app", "tests"}, {"*.h", "*.cpp"}))
+            if (read(file).count('\n') > mostLines) outgrown << file;
+        QVERIFY2(outgrown.isEmpty(), qPrintable(outgrown.join('\n')));
+    }
+
+    void everySourceIsBuilt() {
+        // An unlisted file would rot unseen: each .cpp stands in its folder's CMakeLists.txt or one above.
+        QStringList unlisted;
+        for (const QString& file : filesBelow({"core", "ui", "app"}, {"*.cpp"})) {
+            const QString name = file.section('/', -1);
+            const QString folder = file.section('/', 0, -2);
+            if (!read(folder + "/CMakeLists.txt").contains(name)) unlisted << file;
+        }
+        QVERIFY2(unlisted.isEmpty(), qPrintable(unlisted.join('\n')));
+    }
+};
+
+QTEST_GUILESS_MAIN(HouseTest)
+#include "house_test.moc"
