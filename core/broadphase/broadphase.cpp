@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/broadphase.h"
+
+#include "core/broadphase/all_pairs.h"
+#include "core/broadphase/sweep_and_sort.h"
+
+#include "core/base/catalogue.h"
+
+namespace carom {
+namespace {
+
+template<class Algorithm>
+std::unique_ptr<Broadphase> create() {
+    return std::make_unique<Algorithm>();
+}
+
+constexpr BroadphaseRow rows[] = {
+    {"all_pairs", "All pairs", "O(n^2) a frame, whatever happens",
+     "S. Stokes, Collision Detection in the Simulation of Rigid Body Motion, 2005, section 2.3.2",
+     create<AllPairs>},
+    {"sweep_and_sort", "Sweep and sort", "O(n + exchanges) a frame, O(n log n) the first",
+     "D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies, 1992", create<SweepAndSort>},
+};
+
+} // namespace
+
+std::span<const BroadphaseRow> broadphases() { return rows; }
+
+const BroadphaseRow* findBroadphase(std::string_view name) { return findByName(broadphases(), name); }
+
+} // namespace carom

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/sweep.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+// Moves an insertion sort may make for each box before a sort from scratch is the cheaper way.
+constexpr std::size_t patience = 16;
+
+double component(const Vec3& v, std::size_t axis) { return v[static_cast<Eigen::Index>(axis)]; }
+
+} // namespace
+
+std::size_t axisOfLargestVariance(std::span<const Aabb> boxes) {
+    if (boxes.empty()) return 0;
+    const double share = 1.0 / static_cast<double>(boxes.size());
+    Vec3 mean = Vec3::Zero(), variance = Vec3::Zero();
+    for (const Aabb& box : boxes) mean += share * box.centre();
+    for (const Aabb& box : boxes) variance += share * (box.centre() - mean).cwiseAbs2();
+    Eigen::Index axis = 0;
+    variance.maxCoeff(&axis);
+    return static_cast<std::size_t>(axis);
+}
+
+void Sweep::sortStarts(std::span<const Aabb> boxes, std::size_t axis) {
+    const bool fresh = m_starts.size() != boxes.size();
+    if (fresh) {
+        m_starts.resize(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) m_starts[i].entry = static_cast<std::uint32_t>(i);
+    }
+    for (Start& start : m_starts) start.at = component(boxes[start.entry].lower, axis);
+
+    const auto sortAll = [this] {
+        std::sort(m_starts.begin(), m_starts.end(),
+                  [](const Start& a, const Start& b) { return a.at < b.at; });
+    };
+    if (fresh) return sortAll();
+    std::size_t moves = 0;
+    for (std::size_t p = 1; p < m_starts.size(); ++p) {
+        const Start start = m_starts[p];
+        std::size_t q = p;
+        for (; q > 0 && start.at < m_starts[q - 1].at; --q) m_starts[q] = m_starts[q - 1];
+        m_starts[q] = start;
+        moves += p - q;
+        if (moves > patience * m_starts.size()) return sortAll();
+    }
+}
+
+std::uint64_t Sweep::collect(std::span<const Aabb> boxes, std::size_t axis, std::vector<PairKey>& pairs) {
+    const std::size_t count = boxes.size();
+    sortStarts(boxes, axis);
+    m_columns.resize(count);
+    m_hits.resize(count);
+    for (std::size_t p = 0; p < count; ++p) m_columns.set(p, boxes[m_starts[p].entry]);
+
+    std::uint64_t tested = 0;
+    const std::vector<double>& upper = m_columns.upper[axis];
+    for (std::size_t p = 0; p < count; ++p) {
+        const std::vector<Start>::const_iterator past =
+            std::upper_bound(m_starts.cbegin() + static_cast<std::ptrdiff_t>(p) + 1, m_starts.cend(),
+                             upper[p], [](double end, const Start& start) { return end < start.at; });
+        const std::size_t end = static_cast<std::size_t>(past - m_starts.cbegin());
+        const std::uint32_t entry = m_starts[p].entry;
+        const std::size_t found = overlapping(m_columns, boxes[entry], p + 1, end, m_hits.data());
+        for (std::size_t k = 0; k < found; ++k) pairs.push_back(pairKey(entry, m_starts[m_hits[k]].entry));
+        tested += end - (p + 1);
+    }
+    return tested;
+}
+
+std::size_t Sweep::bytes() const {
+    return m_starts.capacity() * sizeof(Start) + m_columns.bytes() +
+           m_hits.capacity() * sizeof(std::uint32_t);
+}
+
+} // namespace carom

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/box_columns.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace carom {
+
+/// A pair of entries of an input, a < b, as one number that sorts as the pair does.
+using PairKey = std::uint64_t;
+
+constexpr PairKey pairKey(std::uint32_t i, std::uint32_t j) {
+    return i < j ? (PairKey{i} << 32) | j : (PairKey{j} << 32) | i;
+}
+constexpr std::uint32_t firstOf(PairKey key) { return static_cast<std::uint32_t>(key >> 32); }
+constexpr std::uint32_t secondOf(PairKey key) { return static_cast<std::uint32_t>(key); }
+
+/// The axis along which the boxes' centres scatter most: the one a sweep meets the fewest others on.
+std::size_t axisOfLargestVariance(std::span<const Aabb> boxes);
+
+/// Sorts boxes by their lower ends along one axis and passes along them once: a box is compared with those
+/// that begin before it ends. The order is kept between sweeps, so a scene that moves little sorts quickly.
+class Sweep {
+  public:
+    /// Appends the keys of all overlapping pairs, mobile or not, to `pairs` in no particular order and
+    /// returns how many boxes were compared.
+    std::uint64_t collect(std::span<const Aabb> boxes, std::size_t axis, std::vector<PairKey>& pairs);
+
+    std::size_t bytes() const;
+
+  private:
+    struct Start {
+        double at;           ///< [m]
+        std::uint32_t entry; ///< of the input
+    };
+    void sortStarts(std::span<const Aabb> boxes, std::size_t axis);
+
+    std::vector<Start> m_starts; ///< ascending
+    BoxColumns m_columns;        ///< in the order of m_starts
+    std::vector<std::uint32_t> m_hits;
+};
+
+} // namespace carom
