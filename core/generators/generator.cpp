@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/generators/generator.h"
+
+#include "core/base/assert.h"
+#include "core/base/catalogue.h"
+#include "core/generators/request.h"
+#include "core/generators/scene_writer.h"
+
+#include <array>
+
+namespace carom {
+
+#define CAROM_GENERATOR(function) GeneratorRow function();
+#include "core/generators/generators.def"
+#undef CAROM_GENERATOR
+
+std::span<const GeneratorRow> generators() {
+    static const std::array rows = {
+#define CAROM_GENERATOR(function) function(),
+#include "core/generators/generators.def"
+#undef CAROM_GENERATOR
+    };
+    return rows;
+}
+
+const GeneratorRow* findGenerator(std::string_view name) { return findByName(generators(), name); }
+
+std::optional<std::string> checkRequest(const GeneratorRow& row, const GeneratorRequest& request) {
+    const std::string who = std::string("`").append(row.name).append("`");
+    if (request.n && row.defaultN == 0) return who + " takes no --n; its number of bodies is fixed";
+    if (request.n && (*request.n < row.minimumN || *request.n > row.maximumN))
+        return "--n is " + std::to_string(*request.n) + "; for " + who + " it must be from " +
+               std::to_string(row.minimumN) + " to " + std::to_string(row.maximumN);
+    for (const auto& [name, value] : request.options) {
+        const GeneratorOption* option = findByName(row.options, name);
+        if (!option) {
+            const std::optional<std::string_view> near = nearestRow(name, row.options);
+            return who + " has no option --" + name +
+                   (near ? "; did you mean --" + std::string(*near) + "?" : std::string());
+        }
+        if (!(value >= option->minimum && value <= option->maximum))
+            return "--" + name + " is " + shortest(value) + "; it must be from " + shortest(option->minimum) +
+                   " to " + shortest(option->maximum) +
+                   std::string(option->unit.empty() ? "" : " ").append(option->unit);
+    }
+    return std::nullopt;
+}
+
+std::string generate(const GeneratorRow& row, const GeneratorRequest& request) {
+    ASSERT(!checkRequest(row, request));
+    return row.generate(request);
+}
+
+std::int64_t countOf(const GeneratorRow& row, const GeneratorRequest& request) {
+    return request.n.value_or(row.defaultN);
+}
+
+double optionOf(const GeneratorRow& row, const GeneratorRequest& request, std::string_view name) {
+    const auto given = request.options.find(name);
+    if (given != request.options.end()) return given->second;
+    const GeneratorOption* option = findByName(row.options, name);
+    ASSERT(option);
+    return option->defaultValue;
+}
+
+std::string commandOf(const GeneratorRow& row, const GeneratorRequest& request) {
+    std::string command = "carom generate " + std::string(row.name);
+    if (row.defaultN != 0) command += " --n " + std::to_string(countOf(row, request));
+    command += " --seed " + std::to_string(request.seed);
+    for (const auto& [name, value] : request.options) command += " --" + name + " " + shortest(value);
+    return command;
+}
+
+} // namespace carom

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/generators/scene_writer.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace carom {
+
+std::string shortest(double value) {
+    std::array<char, 32> buffer; // the longest double takes 24
+    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+double toMillionths(double value) {
+    const double rounded = std::round(value * 1e6) / 1e6;
+    return rounded == 0 ? 0.0 : rounded; // no "-0" in a text
+}
+
+Vec3 toMillionths(const Vec3& value) {
+    return {toMillionths(value.x()), toMillionths(value.y()), toMillionths(value.z())};
+}
+
+void SceneWriter::comment(std::string_view text) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        m_text += end > begin ? "// " : "//";
+        m_text += text.substr(begin, end - begin);
+        m_text += '\n';
+        begin = end + 1;
+    }
+}
+
+void SceneWriter::gravity(const Vec3& acceleration) {
+    open("gravity");
+    parameter("accel", acceleration);
+    close();
+}
+
+void SceneWriter::simulation(std::string_view parameters) {
+    open("simulation");
+    m_text += ' ';
+    m_text += parameters;
+    close();
+}
+
+void SceneWriter::camera(const Vec3& position, const Vec3& target, double fieldOfView) {
+    open("camera");
+    parameter("position", position);
+    parameter("target", target);
+    parameter("fov", fieldOfView);
+    close();
+}
+
+void SceneWriter::wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour) {
+    open("wall");
+    parameter("normal", normal);
+    parameter("toOrig", toOrigin);
+    if (elastic != 1) parameter("elastic", elastic);
+    parameter("colour", colour);
+    close();
+}
+
+void SceneWriter::sphere(double radius, const WrittenBody& body) {
+    open("sphere", body.label);
+    parameter("radius", radius);
+    common(body);
+    close();
+}
+
+void SceneWriter::cylinder(double radius, double height, const Vec3& axis, const Vec3& spin,
+                           const WrittenBody& body) {
+    open("cylinder", body.label);
+    parameter("radius", radius);
+    parameter("height", height);
+    parameter("axis", axis);
+    if (spin != Vec3::Zero()) parameter("angvel", spin);
+    common(body);
+    close();
+}
+
+void SceneWriter::common(const WrittenBody& body) {
+    parameter("mass", body.mass);
+    parameter("centre", body.centre);
+    if (body.velocity != Vec3::Zero()) parameter("vel", body.velocity);
+    if (body.elastic != 1) parameter("elastic", body.elastic);
+    if (body.colour != "white") parameter("colour", body.colour);
+}
+
+void SceneWriter::open(std::string_view type, std::string_view label) {
+    m_text += type;
+    if (!label.empty()) {
+        m_text += ' ';
+        m_text += label;
+    }
+    m_text += " {";
+}
+
+void SceneWriter::parameter(std::string_view name, double value) { parameter(name, shortest(value)); }
+
+void SceneWriter::parameter(std::string_view name, const Vec3& value) {
+    const Vec3 positiveZeros = value + Vec3::Zero(); // -0 + 0 = 0
+    std::string text = shortest(positiveZeros.x());
+    for (Eigen::Index k = 1; k < 3; ++k) text += ", " + shortest(positiveZeros[k]);
+    parameter(name, text);
+}
+
+void SceneWriter::parameter(std::string_view name, std::string_view word) {
+    m_text += ' ';
+    m_text += name;
+    m_text += ' ';
+    m_text += word;
+}
+
+void SceneWriter::close() { m_text += " }\n"; }
+
+} // namespace carom

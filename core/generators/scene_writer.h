@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/types.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+// Writes the scene language, one declaration a line, in the canonical layout. Numbers are the shortest that
+// read back exactly (std::to_chars), so equal values are equal bytes on every machine.
+
+namespace carom {
+
+/// What every body takes; what equals the language's default is left out of the text.
+struct WrittenBody {
+    std::string label{};
+    Vec3 centre = Vec3::Zero();   ///< [m]
+    Vec3 velocity = Vec3::Zero(); ///< [m/s]
+    double mass = 1;              ///< [kg]
+    double elastic = 1;
+    std::string_view colour = "white"; ///< one of the basic colour names, or three components
+};
+
+class SceneWriter {
+  public:
+    /// One comment line for each line of `text`.
+    void comment(std::string_view text);
+    void blankLine() { m_text += '\n'; }
+    void gravity(const Vec3& acceleration);
+    void simulation(std::string_view parameters);
+    void camera(const Vec3& position, const Vec3& target, double fieldOfView);
+    void wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour);
+    void sphere(double radius, const WrittenBody& body);
+    void cylinder(double radius, double height, const Vec3& axis, const Vec3& spin, const WrittenBody& body);
+
+    std::string take() { return std::move(m_text); }
+
+  private:
+    void open(std::string_view type, std::string_view label = {});
+    void parameter(std::string_view name, double value);
+    void parameter(std::string_view name, const Vec3& value);
+    void parameter(std::string_view name, std::string_view word);
+    void common(const WrittenBody& body);
+    void close();
+
+    std::string m_text;
+};
+
+/// The shortest decimal that reads back as `value`.
+std::string shortest(double value);
+
+/// The nearest multiple of a millionth: what random draws are rounded to, so that texts stay readable.
+double toMillionths(double value);
+Vec3 toMillionths(const Vec3& value);
+
+} // namespace carom

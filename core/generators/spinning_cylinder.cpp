@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/generators/request.h"
+#include "core/generators/scene_writer.h"
+#include "core/math/random.h"
+
+#include <array>
+
+// Seen from above, x to the right, z towards the reader; nothing falls.
+//
+//                o white            the cylinder turns anticlockwise: its right end
+//                                   goes away from the reader and strikes `white`
+//     ========================
+//                         ^
+//                         |
+//                         O red     arrives later and strikes the end that now lies here
+
+namespace carom {
+
+GeneratorRow spinningCylinderGenerator();
+
+namespace {
+
+constexpr std::array<GeneratorOption, 2> options = {{
+    {.name = "jitter",
+     .unit = "m",
+     .defaultValue = 0,
+     .minimum = 0,
+     .maximum = 0.05,
+     .help = "standard deviation of each sphere's place, per component"},
+    {.name = "spin",
+     .unit = "rad/s",
+     .defaultValue = 4,
+     .minimum = 0.5,
+     .maximum = 20,
+     .help = "angular speed of the cylinder"},
+}};
+
+std::string generateSpinningCylinder(const GeneratorRequest& request) {
+    const GeneratorRow row = spinningCylinderGenerator();
+    const double jitter = optionOf(row, request, "jitter");
+    const double spin = optionOf(row, request, "spin");
+
+    SceneWriter scene;
+    scene.comment(
+        "Spinning cylinder: what turns can push, and what pushes can stop a turn.\n" +
+        commandOf(row, request) +
+        "\n\n"
+        "What to look for: the cylinder, which only turns, drives the white sphere away and begins to\n"
+        "drift; then the heavier red sphere runs into the cylinder, takes most of its spin and carries it "
+        "along.\n"
+        "Nothing falls here, so the total momentum and angular momentum must stay.");
+    scene.blankLine();
+    scene.camera({0, 4.2, 2.4}, {0, 0, 0}, 45);
+    scene.gravity(Vec3::Zero());
+    scene.simulation("substeps 4");
+    scene.blankLine();
+    Random random(request.seed);
+    const auto jittered = [&](const Vec3& place) {
+        Vec3 result = place;
+        for (Eigen::Index k = 0; k < 3; ++k) result[k] = toMillionths(place[k] + random.gaussian(0, jitter));
+        return result;
+    };
+    scene.cylinder(0.15, 2, Vec3::UnitX(), {0, spin, 0}, {.label = "bar", .mass = 2, .colour = "aqua"});
+    scene.sphere(0.2, {.label = "white", .centre = jittered({0.4, 0, -0.75}), .mass = 0.5});
+    scene.sphere(
+        0.3,
+        {.label = "red", .centre = jittered({3, 0, 3}), .velocity = {-2, 0, -2}, .mass = 2, .colour = "red"});
+    return scene.take();
+}
+
+} // namespace
+
+GeneratorRow spinningCylinderGenerator() {
+    return {.name = "spinning_cylinder",
+            .help = "a turning cylinder drives a sphere away, then a heavier one stops its turning",
+            .options = options,
+            .generate = generateSpinningCylinder};
+}
+
+} // namespace carom
