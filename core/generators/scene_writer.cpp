@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/generators/scene_writer.h"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
-
-std::string shortest(double value) {
-    std::array<char, 32> buffer; // the longest double takes 24
-    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
-}
 
 double toMillionths(double value) {
     const double rounded = std::round(value * 1e6) / 1e6;

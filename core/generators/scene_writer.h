@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
 #include "core/math/types.h"
 
 #include <optional>
@@ -46,9 +47,6 @@ class SceneWriter {
 
     std::string m_text;
 };
-
-/// The shortest decimal that reads back as `value`.
-std::string shortest(double value);
 
 /// The nearest multiple of a millionth: what random draws are rounded to, so that texts stay readable.
 double toMillionths(double value);

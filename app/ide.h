@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace carom {
+
+/// What `carom [SCENE] [-n FRAMES] [--play] [--screenshot FILE]` asks of the IDE.
+struct IdeRequest {
+    std::string program = "carom";         ///< the program's own name, argv[0]
+    std::optional<std::string> scene;      ///< a file; absent: the welcome page or the last session
+    std::optional<std::int64_t> frames;    ///< leave after this many rendered frames, print the timing
+    bool play = false;                     ///< start playing at once
+    std::optional<std::string> screenshot; ///< save the window here before leaving (PNG)
+};
+
+/// Opens the IDE; returns the program's exit code. In app/ide.cpp, the only file here that knows Qt.
+int runIde(const IdeRequest& request);
+
+} // namespace carom
