@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/math/types.h"
+#include "core/scene/scene.h"
 #include "core/shapes/shape.h"
 
 #include <cstdint>
@@ -18,14 +19,25 @@ struct Bodies {
     std::vector<double> inverseMass;  ///< [1/kg], 0 for immobile bodies
     std::vector<Vec3> inertia;        ///< principal, body axes [kg m²], 0 for immobile bodies
     std::vector<Vec3> inverseInertia; ///< [1/(kg m²)], 0 for immobile bodies
+    std::vector<double>
+        boundingRadius; ///< [m], of the ball about the centre that holds the body; 0 for walls
     std::vector<double> elastic, friction, rolling;
     std::vector<std::uint8_t> mobile; ///< 1 where the body can move
 
     std::vector<BodyIndex> mobileBodies; ///< ascending
     std::vector<BodyIndex> walls;        ///< ascending
     std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
+    /// Mobile bodies whose orientation can change, ascending: those that spin at the start, and those that
+    /// are no spheres and can be hit. A frictionless impulse passes through a sphere's centre and never turns
+    /// it.
+    std::vector<BodyIndex> rotating;
 
     std::size_t count() const { return shape.size(); }
 };
+
+Bodies bodiesOf(const Scene& scene);
+
+/// Whether a body's orientation can ever change; the rule behind Bodies::rotating.
+bool canRotate(const Scene& scene, const Body& body);
 
 } // namespace carom

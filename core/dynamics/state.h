@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/index.h"
+#include "core/dynamics/bodies.h"
 #include "core/math/pose.h"
+#include "core/scene/scene.h"
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace carom {
@@ -17,5 +21,19 @@ struct State {
     std::int64_t frame = 0;
     double time = 0; ///< [s] = frame · step
 };
+
+/// The state a scene begins in. What cannot move has no velocity, whatever the scene says.
+State initialStateOf(const Scene& scene);
+
+/// Which number ceased to be one. No body is named while the state is finite.
+struct Loss {
+    BodyIndex body = noBody;
+    std::string_view quantity; ///< "position", "velocity", "orientation", "angular velocity"
+
+    explicit operator bool() const { return body != noBody; }
+};
+
+/// The first mobile body with a quantity that is infinite or not a number.
+Loss findLoss(const Bodies& bodies, const State& state);
 
 } // namespace carom

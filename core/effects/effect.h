@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
 // and one line in effects.def.
@@ -28,8 +29,11 @@ std::string_view nameOf(EffectStatus status);
 struct EffectDecision {
     std::string_view effect; ///< a row's name
     EffectStatus status = EffectStatus::Absent;
-    std::string reason;                ///< a sentence: why it is simulated, or why it cannot matter
-    std::optional<SourceRange> source; ///< what in the text calls for it
+    std::string reason = {};                ///< a sentence: why it is simulated, or why it cannot matter
+    std::optional<SourceRange> source = {}; ///< what in the text calls for it, or rules it out
+    /// Places that ask in so many words for what is not simulated yet (`friction 0.3`), source among them:
+    /// each deserves a warning. Empty where the scene only implies it.
+    std::vector<SourceRange> unmet = {};
 };
 
 struct EffectRow {
@@ -41,5 +45,6 @@ struct EffectRow {
 
 /// Every effect, in the order of the report.
 std::span<const EffectRow> effects();
+const EffectRow* findEffect(std::string_view name);
 
 } // namespace carom

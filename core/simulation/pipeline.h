@@ -6,9 +6,8 @@
 #include "core/dynamics/state.h"
 #include "core/effects/effect.h"
 #include "core/scene/scene.h"
+#include "core/simulation/settings.h"
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,28 +16,10 @@
 
 namespace carom {
 
-struct BroadphaseRow;
-struct SolverRow;
-struct IntegratorRow;
-
-/// Every setting of a run, with nothing left open.
-struct RunSettings {
-    double step = 1.0 / 60; ///< one frame [s]
-    int substeps = 1;
-    const SolverRow* method = nullptr;
-    const IntegratorRow* integrator = nullptr;
-    const BroadphaseRow* broadphase = nullptr;
-    std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for
-    int iterations = 0;
-    double tolerance = 0;
-    int threads = 1;
-    std::optional<double> duration; ///< [s]
-};
-
 class Pipeline {
   public:
     /// Compiles a scene; `options` (the command line's) win over the scene's own `simulation` declaration.
-    Pipeline(const Scene& scene, const SimulationSettings& options = {});
+    explicit Pipeline(const Scene& scene, const SimulationSettings& options = {});
 
     const Scene& scene() const { return m_scene; }
     const RunSettings& settings() const { return m_settings; }
@@ -46,16 +27,19 @@ class Pipeline {
     const State& initialState() const { return m_initialState; }
     const std::vector<EffectDecision>& effects() const { return m_effects; }
     bool simulates(std::string_view effect) const;
-    /// What the scene asks for and this version does not do, as warnings at the lines that ask.
+    /// The acceleration of every mobile body [m/s²]; zero where gravity is absent.
+    Vec3 gravity() const;
+    /// What the scene asks for and this version does not do, and what would go wrong in the run, as warnings
+    /// at the lines in question.
     const std::vector<Diagnostic>& warnings() const { return m_warnings; }
 
   private:
+    std::vector<Diagnostic> m_warnings; // first: the others add to it while they are made
     Scene m_scene;
     RunSettings m_settings;
     Bodies m_bodies;
     State m_initialState;
     std::vector<EffectDecision> m_effects;
-    std::vector<Diagnostic> m_warnings;
 };
 
 } // namespace carom

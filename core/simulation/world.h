@@ -7,11 +7,20 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
 #include "core/simulation/statistics.h"
+
+#include "core/integrators/integrator.h"
 #include "core/solvers/solver.h"
 
 #include <memory>
 
 namespace carom {
+
+class World;
+
+/// Advances a world one frame: the whole of the simulation, from above.
+void stepWorld(World& world);
+/// Energy and momentum of a state, into the statistics.
+void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame);
 
 /// A scene in motion: a constant Pipeline, the State, and what the algorithms remember between frames. One
 /// thread at a time may use it.
@@ -20,14 +29,15 @@ class World {
     explicit World(std::shared_ptr<const Pipeline> pipeline);
 
     /// Advances one frame (settings().step seconds). A world that is not healthy stays where it is.
-    void step();
+    void step() { stepWorld(*this); }
     /// Back to frame 0.
     void reset();
 
     const Pipeline& pipeline() const { return *m_pipeline; }
     std::shared_ptr<const Pipeline> sharedPipeline() const { return m_pipeline; }
     const State& state() const { return m_state; }
-    /// Of the last step; all zero but energy and momentum at frame 0.
+    /// Of the last step; all zero but energy and momentum at frame 0. A step that lost its state keeps the
+    /// energy and momentum of the one before.
     const FrameStatistics& statistics() const { return m_statistics; }
     const Health& health() const { return m_health; }
     Snapshot snapshot() const;
@@ -49,6 +59,7 @@ class World {
     const BroadphaseRow* m_broadphaseRow = nullptr;
     std::unique_ptr<Broadphase> m_broadphase;
     std::unique_ptr<Solver> m_solver;
+    Workers m_workers;
 };
 
 } // namespace carom

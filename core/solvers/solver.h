@@ -3,6 +3,8 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/parallel.h"
+#include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 
@@ -23,20 +25,28 @@ struct SolverReport {
     double respond = 0;     ///< [ms]
     std::uint64_t contacts = 0;
     double maxPenetration = 0; ///< [m]
+    Loss loss;                 ///< the substep was broken off where a body is named
 };
 
 /// What a solver works on in one substep.
 struct SolverInput {
     const Bodies& bodies;
+    const SmoothMotion& motion;
     Vec3 gravity;       ///< [m/s²]
     double substep = 0; ///< [s]
     Broadphase& broadphase;
+    Workers& workers;
     State& state; ///< changed in place
 };
 
 class Solver {
   public:
     virtual ~Solver() = default;
+    Solver() = default;
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    /// Checks that the state is finite after the smooth motion and again after the collisions.
     virtual SolverReport advance(const SolverInput& input) = 0;
 };
 
@@ -48,6 +58,7 @@ struct SolverRow {
     std::unique_ptr<Solver> (*create)(const Bodies& bodies) = nullptr;
 };
 
+/// Every method, the reference's first.
 std::span<const SolverRow> solvers();
 const SolverRow* findSolver(std::string_view name);
 

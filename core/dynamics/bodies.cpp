@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/bodies.h"
+
+namespace carom {
+namespace {
+
+void append(Bodies& bodies, const Body& body, bool rotates) {
+    const BodyIndex index = static_cast<BodyIndex>(bodies.count());
+    const bool wall = isWall(body.shape);
+    const bool mobile = body.mobile() && !wall;
+    const Vec3 inertia = mobile ? inertiaOf(body.shape, body.mass) : Vec3::Zero();
+
+    bodies.shape.push_back(body.shape);
+    bodies.mass.push_back(mobile ? body.mass : 0);
+    bodies.inverseMass.push_back(mobile ? 1 / body.mass : 0);
+    bodies.inertia.push_back(inertia);
+    bodies.inverseInertia.push_back(mobile ? Vec3(inertia.cwiseInverse()) : Vec3::Zero());
+    bodies.boundingRadius.push_back(wall ? 0 : boundingRadiusOf(body.shape));
+    bodies.elastic.push_back(body.elastic);
+    bodies.friction.push_back(body.friction);
+    bodies.rolling.push_back(body.rolling);
+    bodies.mobile.push_back(mobile ? 1 : 0);
+
+    (wall ? bodies.walls : bodies.bounded).push_back(index);
+    if (!mobile) return;
+    bodies.mobileBodies.push_back(index);
+    if (rotates) bodies.rotating.push_back(index);
+}
+
+} // namespace
+
+Bodies bodiesOf(const Scene& scene) {
+    Bodies bodies;
+    for (const Body& body : scene.bodies) append(bodies, body, canRotate(scene, body));
+    return bodies;
+}
+
+bool canRotate(const Scene& scene, const Body& body) {
+    if (!body.mobile() || isWall(body.shape)) return false;
+    if (body.angularVelocity != Vec3::Zero()) return true;
+    return scene.bodies.size() > 1 && kindOf(body.shape) != ShapeKind::Sphere;
+}
+
+} // namespace carom

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+
+namespace carom {
+
+/// What a closed system keeps, summed over mobile bodies.
+struct Invariants {
+    double kinetic = 0;           ///< [J] = Σ m v²/2 + ω·Iω/2
+    double potential = 0;         ///< [J] = −Σ m g·x, zero at the world's origin
+    Vec3 momentum = Vec3::Zero(); ///< [kg m/s] = Σ m v
+};
+
+/// `gravity` is the acceleration g [m/s²]. Summed in the order of the bodies: the same bits every time.
+Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity);
+
+/// Angular momentum about the world's origin [kg m²/s] = Σ x × m v + Iω.
+Vec3 angularMomentumOf(const Bodies& bodies, const State& state);
+
+} // namespace carom

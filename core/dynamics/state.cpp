@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/state.h"
+
+#include <cmath>
+
+namespace carom {
+namespace {
+
+// 0 while every summand is finite, else not a number: 0 · inf and 0 · NaN are NaN. One addition a number,
+// where a test of each would be a branch a number.
+double traceOfLoss(const Pose& pose, const Vec3& velocity, const Vec3& angularVelocity) {
+    const Quat& q = pose.orientation;
+    const Vec3 sum = 0.0 * pose.position + 0.0 * velocity + 0.0 * angularVelocity + 0.0 * q.vec();
+    return sum.x() + sum.y() + sum.z() + 0.0 * q.w();
+}
+
+std::string_view lostQuantity(const State& state, BodyIndex body) {
+    if (!state.pose[body].position.allFinite()) return "position";
+    if (!state.velocity[body].allFinite()) return "velocity";
+    if (!state.pose[body].orientation.coeffs().allFinite()) return "orientation";
+    return "angular velocity";
+}
+
+} // namespace
+
+State initialStateOf(const Scene& scene) {
+    State state;
+    state.pose.reserve(scene.bodies.size());
+    state.velocity.reserve(scene.bodies.size());
+    state.angularVelocity.reserve(scene.bodies.size());
+    for (const Body& body : scene.bodies) {
+        const bool mobile = body.mobile() && !isWall(body.shape);
+        state.pose.push_back(body.pose);
+        state.velocity.push_back(mobile ? body.velocity : Vec3::Zero());
+        state.angularVelocity.push_back(mobile ? body.angularVelocity : Vec3::Zero());
+    }
+    return state;
+}
+
+Loss findLoss(const Bodies& bodies, const State& state) {
+    double trace = 0;
+    for (const BodyIndex i : bodies.mobileBodies)
+        trace += traceOfLoss(state.pose[i], state.velocity[i], state.angularVelocity[i]);
+    if (trace == 0) return {};
+    for (const BodyIndex i : bodies.mobileBodies)
+        if (traceOfLoss(state.pose[i], state.velocity[i], state.angularVelocity[i]) != 0)
+            return {i, lostQuantity(state, i)};
+    return {};
+}
+
+} // namespace carom

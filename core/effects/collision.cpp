@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+#include "core/base/figures.h"
+
+// Bodies are rigid and do not pass through each other. How they part again is the method's business.
+
+namespace carom {
+namespace {
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "collision"};
+    const Body* mobile = firstMobile(scene);
+    if (mobile == nullptr) {
+        decision.reason = "no body can move";
+    } else if (scene.bodies.size() < 2) {
+        decision.reason = "there is only one body";
+    } else {
+        std::size_t count = 0;
+        for (const Body& body : scene.bodies) count += body.mobile() ? 1 : 0;
+        decision.status = EffectStatus::On;
+        decision.source = placeOf(scene, mobile->source, "");
+        decision.reason = counted(count, "mobile body", "mobile bodies") + " among " +
+                          std::to_string(scene.bodies.size()) + " can meet the others";
+    }
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow collisionRow;
+constinit const EffectRow collisionRow = {
+    .name = "collision",
+    .title = "Collision",
+    .help = "Bodies that meet push each other apart.",
+    .decide = decide,
+};
+
+} // namespace carom

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+
+#include "core/base/catalogue.h"
+
+#include <array>
+
+namespace carom {
+
+#define CAROM_EFFECT(row) extern const EffectRow row;
+#include "core/effects/effects.def"
+#undef CAROM_EFFECT
+
+std::span<const EffectRow> effects() {
+    static const std::array rows = {
+#define CAROM_EFFECT(row) row,
+#include "core/effects/effects.def"
+#undef CAROM_EFFECT
+    };
+    return rows;
+}
+
+const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }
+
+std::string_view nameOf(EffectStatus status) {
+    switch (status) {
+    case EffectStatus::On:
+        return "on";
+    case EffectStatus::Absent:
+        return "absent";
+    case EffectStatus::NotSimulatedYet:
+        return "not simulated yet";
+    }
+    return "on";
+}
+
+} // namespace carom

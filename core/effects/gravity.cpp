@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+#include "core/base/figures.h"
+
+// Uniform gravity: every mobile body has the acceleration g, whatever its mass. The reference's only force;
+// it took 9.8 m/s² downwards, and so does a scene that declares none. Its energy is −m g·x.
+
+namespace carom {
+namespace {
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "gravity"};
+    const Gravity& gravity = scene.gravity;
+    if (gravity.source) decision.source = placeOf(scene, *gravity.source, "accel");
+    if (gravity.acceleration == Vec3::Zero()) {
+        decision.reason = "the acceleration is zero";
+    } else if (firstMobile(scene) == nullptr) {
+        decision.reason = "no body can move";
+    } else {
+        decision.status = EffectStatus::On;
+        const std::string size = figure(gravity.acceleration.norm()) + " m/s²";
+        decision.reason = gravity.source
+                              ? "the scene declares " + size
+                              : "the scene declares no `gravity`; without one it is " + size + " downwards";
+    }
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow gravityRow;
+constinit const EffectRow gravityRow = {
+    .name = "gravity",
+    .title = "Gravity",
+    .help = "Accelerates every mobile body by the same constant vector.",
+    .decide = decide,
+};
+
+} // namespace carom

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/bodies.h"
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+#include <cmath>
+
+// Euler's equation for a free body, I ω' = −ω × I ω (L. Euler, 1758): where the three moments differ, a
+// constant angular momentum means a changing angular velocity. The reference kept ω constant between
+// collisions, and so does the method `microcollisions`.
+
+namespace carom {
+namespace {
+
+/// Moments whose relative difference is less are equal: a cylinder's with height √3 radius, in doubles.
+constexpr double equalMoments = 1e-14;
+
+bool isotropic(const Vec3& inertia) {
+    return inertia.maxCoeff() - inertia.minCoeff() <= equalMoments * inertia.maxCoeff();
+}
+
+// Spin about a principal axis stays there: ω × I ω = 0.
+bool spinsAboutPrincipalAxis(const Body& body) {
+    const Vec3 spin = body.pose.directionToBody(body.angularVelocity);
+    const Vec3 torque = spin.cross(inertiaOf(body.shape, 1).cwiseProduct(spin));
+    return torque.norm() <= equalMoments * inertiaOf(body.shape, 1).maxCoeff() * spin.squaredNorm();
+}
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "gyroscopic_term"};
+    const Body* possible = nullptr; // could come to spin askew
+    for (const Body& body : scene.bodies) {
+        if (!canRotate(scene, body) || isotropic(inertiaOf(body.shape, body.mass))) continue;
+        if (possible == nullptr) possible = &body;
+        if (spinsAboutPrincipalAxis(body)) continue;
+        decision.unmet.push_back(placeOf(scene, body.source, "angvel").value_or(SourceRange{}));
+        if (decision.unmet.size() == 1) possible = &body;
+    }
+    if (possible == nullptr) {
+        decision.reason = "no body that can turn has moments of inertia that differ";
+        return decision;
+    }
+    decision.status = EffectStatus::NotSimulatedYet;
+    decision.source = placeOf(scene, possible->source, "angvel");
+    decision.reason =
+        scene.nameOf(indexOf(scene, *possible)) + (decision.unmet.empty() ? " may come to spin" : " spins") +
+        " askew to its axes; its angular velocity is kept constant between collisions, as in the "
+        "reference";
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow gyroscopicTermRow;
+constinit const EffectRow gyroscopicTermRow = {
+    .name = "gyroscopic_term",
+    .title = "Gyroscopic term",
+    .help = "The angular velocity of a free body precesses where its moments of inertia differ.",
+    .decide = decide,
+};
+
+} // namespace carom

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+#include "core/base/figures.h"
+
+#include <algorithm>
+
+// Newton's law of restitution: bodies part with e times the speed they met at, along the normal (I. Newton,
+// Principia, 1687, scholium to the laws of motion). e of a pair is the smaller `elastic` of the two. An
+// impact of masses mA and mB loses (1 − e²) of the energy of the relative motion along the normal.
+
+namespace carom {
+namespace {
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "restitution"};
+    if (!anyCanMeet(scene)) {
+        decision.reason = "no two bodies can meet";
+        return decision;
+    }
+    const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.elastic > 0; });
+    if (!pair) {
+        decision.reason = "in every pair that can meet, one body has `elastic 0`";
+        return decision;
+    }
+    decision.status = EffectStatus::On;
+    decision.source = placeOf(scene, pair.second->source, "elastic");
+    decision.reason = scene.nameOf(indexOf(scene, *pair.first)) + " and " +
+                      scene.nameOf(indexOf(scene, *pair.second)) + " part with " +
+                      figure(std::min(pair.first->elastic, pair.second->elastic)) +
+                      " times the speed they meet at";
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow restitutionRow;
+constinit const EffectRow restitutionRow = {
+    .name = "restitution",
+    .title = "Restitution",
+    .help = "Bodies part with a share of the speed they met at.",
+    .decide = decide,
+};
+
+} // namespace carom

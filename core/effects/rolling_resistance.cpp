@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+// Rolling resistance: a moment against rolling of at most the lever arm times the normal force; the arm of a
+// pair is the larger of its two. This version does not simulate it.
+
+namespace carom {
+namespace {
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "rolling_resistance"};
+    if (anyCanMeet(scene)) {
+        for (const Body& body : scene.bodies)
+            if (body.rolling > 0)
+                decision.unmet.push_back(placeOf(scene, body.source, "rolling").value_or(SourceRange{}));
+    }
+    if (decision.unmet.empty()) {
+        decision.reason = "the lever arm is 0 for every pair that can meet";
+        return decision;
+    }
+    for (const Body& body : scene.bodies) {
+        if (body.rolling <= 0) continue;
+        decision.status = EffectStatus::NotSimulatedYet;
+        decision.source = placeOf(scene, body.source, "rolling");
+        decision.reason = scene.nameOf(indexOf(scene, body)) + " has rolling resistance; it rolls without it";
+        break;
+    }
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow rollingResistanceRow;
+constinit const EffectRow rollingResistanceRow = {
+    .name = "rolling_resistance",
+    .title = "Rolling resistance",
+    .help = "Resists rolling by a moment of at most the lever arm times the normal force.",
+    .decide = decide,
+};
+
+} // namespace carom

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/bodies.h"
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+// Orientation, angular velocity and inertia. A frictionless impulse on a sphere passes through its centre, so
+// a sphere's spin never changes and never matters to anything else; it is followed only where the scene gives
+// one, so that what is drawn and written is right. Everything else that can be hit can be set spinning.
+
+namespace carom {
+namespace {
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "rotation"};
+    if (firstMobile(scene) == nullptr) {
+        decision.reason = "no body can move";
+        return decision;
+    }
+    for (const Body& body : scene.bodies) {
+        if (!canRotate(scene, body)) continue;
+        const std::string name = scene.nameOf(indexOf(scene, body));
+        decision.status = EffectStatus::On;
+        decision.source = placeOf(scene, body.source, "angvel");
+        decision.reason = body.angularVelocity != Vec3::Zero()
+                              ? name + " spins from the start"
+                              : name + " is not a sphere and can be hit beside its centre";
+        return decision;
+    }
+    decision.reason =
+        "no body spins at the start, and impulses without friction pass through a sphere's centre";
+    if (scene.bodies.size() == 1) decision.reason = "the only body does not spin and can touch nothing";
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow rotationRow;
+constinit const EffectRow rotationRow = {
+    .name = "rotation",
+    .title = "Rotation",
+    .help = "Bodies turn, and impulses beside their centres set them turning.",
+    .decide = decide,
+};
+
+} // namespace carom

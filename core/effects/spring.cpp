@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+// Springs with dampers: a force k (length − rest) + c · rate along the line between two points of bodies.
+// This version does not simulate them.
+
+namespace carom {
+namespace {
+
+bool movable(const Scene& scene, BodyIndex body) { return body != noBody && scene.bodies[body].mobile(); }
+
+EffectDecision decide(const Scene& scene) {
+    EffectDecision decision{.effect = "spring"};
+    for (const Spring& spring : scene.springs) {
+        if (!movable(scene, spring.from) && !movable(scene, spring.to)) continue;
+        decision.unmet.push_back(placeOf(scene, spring.source, "").value_or(SourceRange{}));
+        if (decision.status == EffectStatus::NotSimulatedYet) continue;
+        decision.status = EffectStatus::NotSimulatedYet;
+        decision.source = placeOf(scene, spring.source, "");
+        decision.reason = "a spring joins " + scene.nameOf(spring.from) + " and " + scene.nameOf(spring.to) +
+                          "; it exerts no force";
+    }
+    if (decision.unmet.empty())
+        decision.reason = scene.springs.empty() ? "none is declared" : "no spring has an end that can move";
+    return decision;
+}
+
+} // namespace
+
+extern const EffectRow springRow;
+constinit const EffectRow springRow = {
+    .name = "spring",
+    .title = "Springs",
+    .help = "Pull and damp along the line between two points of bodies.",
+    .decide = decide,
+};
+
+} // namespace carom

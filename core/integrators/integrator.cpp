@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/integrators/integrator.h"
+
+#include "core/base/catalogue.h"
+
+#include <array>
+
+namespace carom {
+
+#define CAROM_INTEGRATOR(row) extern const IntegratorRow row;
+#include "core/integrators/integrators.def"
+#undef CAROM_INTEGRATOR
+
+std::span<const IntegratorRow> integrators() {
+    static const std::array rows = {
+#define CAROM_INTEGRATOR(row) row,
+#include "core/integrators/integrators.def"
+#undef CAROM_INTEGRATOR
+    };
+    return rows;
+}
+
+const IntegratorRow* findIntegrator(std::string_view name) { return findByName(integrators(), name); }
+
+} // namespace carom

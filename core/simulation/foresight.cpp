@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/foresight.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/narrowphase/narrowphase.h"
+
+#include "core/base/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr std::size_t mostOfAKind = 50;
+
+/// Depth below which bodies count as touching, relative to the smaller body's half thickness: far above
+/// rounding, far below what anybody would see. Scenes stack bodies face on face.
+constexpr double touching = 1e-9;
+
+SourceRange placeOf(const Scene& scene, BodyIndex body, std::string_view parameter) {
+    const DeclarationSource& source = scene.bodies[body].source;
+    const ParameterSource* given = scene.find(source, parameter);
+    return given != nullptr ? given->value : source.type;
+}
+
+double thicknessOf(const Scene& scene, BodyIndex body) {
+    return isWall(scene.bodies[body].shape) ? HUGE_VAL : halfThicknessOf(scene.bodies[body].shape);
+}
+
+// Bodies behind walls and overlaps, each found at most so often.
+class Overlaps {
+  public:
+    explicit Overlaps(const Scene& scene) : m_scene(scene) {}
+
+    void findAll(const BroadphaseRow& row) {
+        const Bodies bodies = bodiesOf(m_scene);
+        for (const BodyIndex wall : bodies.walls)
+            for (const BodyIndex body : bodies.mobileBodies) againstWall(wall, body);
+
+        std::vector<Aabb> boxes;
+        std::vector<std::uint8_t> mobile;
+        for (const BodyIndex i : bodies.bounded) {
+            boxes.push_back(boundsOf(bodies.shape[i], m_scene.bodies[i].pose));
+            mobile.push_back(bodies.mobile[i]);
+        }
+        const std::unique_ptr<Broadphase> broadphase = row.create();
+        broadphase->update({boxes, bodies.bounded, mobile});
+        for (const BodyPair pair : broadphase->pairs()) between(pair.a, pair.b);
+    }
+
+    std::vector<Diagnostic> diagnostics;
+
+  private:
+    void againstWall(BodyIndex wallIndex, BodyIndex body) {
+        const Wall& wall = *std::get_if<Wall>(&m_scene.bodies[wallIndex].shape);
+        const double height = distanceTo(wall, m_scene.bodies[body].pose.position);
+        if (height > boundingRadiusOf(m_scene.bodies[body].shape)) return;
+        if (height >= 0) {
+            between(wallIndex, body);
+        } else if (m_behind++ < mostOfAKind) {
+            diagnostics.push_back({.code = DiagnosticCode::OutsideWalls,
+                                   .range = placeOf(m_scene, body, "centre"),
+                                   .message = "the centre of " + m_scene.nameOf(body) + " is " +
+                                              figure(-height) + " m behind " + m_scene.nameOf(wallIndex) +
+                                              "; the free side is the one the normal points to",
+                                   .notes = {{m_scene.bodies[wallIndex].source.type, "the wall is here"}},
+                                   .fixIt = {}});
+        }
+    }
+
+    void between(BodyIndex a, BodyIndex b) {
+        if (m_overlaps >= mostOfAKind) return;
+        const Body& bodyA = m_scene.bodies[a];
+        const Body& bodyB = m_scene.bodies[b];
+        if (!collide({&bodyA.shape, &bodyA.pose}, {&bodyB.shape, &bodyB.pose}, 0, m_manifold)) return;
+        const double depth = -m_manifold.deepest().separation;
+        if (depth <= touching * std::min(thicknessOf(m_scene, a), thicknessOf(m_scene, b))) return;
+        ++m_overlaps;
+        // The later one of the text is named first: it is the one that was put into the other.
+        const BodyIndex later = isWall(bodyB.shape) ? a : b;
+        const BodyIndex earlier = later == a ? b : a;
+        diagnostics.push_back(
+            {.code = DiagnosticCode::OverlapAtStart,
+             .range = placeOf(m_scene, later, "centre"),
+             .message = m_scene.nameOf(later) + " overlaps " + m_scene.nameOf(earlier) + " by " +
+                        figure(depth) + " m at the start; move them apart by at least that",
+             .notes = {{m_scene.bodies[earlier].source.type, m_scene.nameOf(earlier) + " is here"}},
+             .fixIt = {}});
+    }
+
+    const Scene& m_scene;
+    Manifold m_manifold;
+    std::size_t m_overlaps = 0;
+    std::size_t m_behind = 0;
+};
+
+// A body that passes its own half-extent between two looks can be in front of a thin body at the one and
+// behind it at the other.
+std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settings) {
+    std::vector<Diagnostic> found;
+    if (scene.bodies.size() < 2) return found;
+    for (BodyIndex i = 0; i < scene.bodies.size() && found.size() < mostOfAKind; ++i) {
+        const Body& body = scene.bodies[i];
+        if (!body.mobile()) continue;
+        const double half = halfThicknessOf(body.shape);
+        const double passed = body.velocity.norm() * settings.substep();
+        if (passed <= half) continue;
+        const double factor = std::ceil(passed / half); // of substeps that are needed
+        std::string message = scene.nameOf(i) + " moves " + figure(passed) +
+                              " m a substep, more than its half-extent of " + figure(half) +
+                              " m, and may pass through what it meets; ";
+        constexpr double mostSubsteps = 10000; // beyond, nobody would run it
+        if (std::isfinite(factor) && factor * settings.substeps <= mostSubsteps)
+            message += "`substeps " + figure(factor * settings.substeps, 6) + "` would hold it";
+        else
+            message += "it is too fast for any sensible step";
+        found.push_back({.code = DiagnosticCode::Tunnelling,
+                         .range = placeOf(scene, i, "vel"),
+                         .message = std::move(message),
+                         .notes = {},
+                         .fixIt = {}});
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings) {
+    std::vector<Diagnostic> found = tunnelling(scene, settings);
+    Overlaps overlaps(scene);
+    overlaps.findAll(*settings.broadphase);
+    for (Diagnostic& diagnostic : overlaps.diagnostics) found.push_back(std::move(diagnostic));
+    return found;
+}
+
+} // namespace carom

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/settings.h"
+
+#include "core/integrators/integrator.h"
+#include "core/solvers/solver.h"
+
+#include "core/base/catalogue.h"
+#include "core/broadphase/broadphase.h"
+
+#include <algorithm>
+#include <array>
+
+namespace carom {
+namespace {
+
+/// One setting as somebody asked for it.
+struct Asked {
+    const Scene& scene;
+    std::string_view parameter;
+    bool onCommandLine = false;
+
+    SourceRange place() const {
+        if (onCommandLine || !scene.simulation.source) return {};
+        const ParameterSource* given = scene.find(*scene.simulation.source, parameter);
+        return given != nullptr ? given->value : scene.simulation.source->type;
+    }
+
+    void warn(std::string message, std::vector<Diagnostic>& warnings) const {
+        if (onCommandLine) message += " (asked for on the command line)";
+        warnings.push_back({.code = DiagnosticCode::NotSimulatedYet,
+                            .range = place(),
+                            .message = std::move(message),
+                            .notes = {},
+                            .fixIt = {}});
+    }
+};
+
+// The row that was asked for, or the fallback with a warning.
+template<class Row>
+const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> rows, const Row* fallback,
+                  const Asked& asked, std::vector<Diagnostic>& warnings) {
+    if (!name) return fallback;
+    if (const Row* row = findByName(rows, *name)) return row;
+    asked.warn(std::string(asked.parameter) + " `" + *name + "` is not simulated yet; `" +
+                   std::string(fallback->name) + "` runs in its place",
+               warnings);
+    return fallback;
+}
+
+constexpr std::string_view defaultPreset = "default";
+constexpr std::string_view automatic = "auto";
+
+} // namespace
+
+std::span<const PresetRow> presets() {
+    static constexpr std::array rows = {
+        PresetRow{"fast", "One substep a frame, the least work there is.", 1},
+        PresetRow{"default", "One substep a frame, as the reference did.", 1},
+        PresetRow{"accurate", "Eight substeps a frame: an eighth of the default's error of order one.", 8},
+    };
+    return rows;
+}
+
+RunSettings settledSettings(const Scene& scene, const SimulationSettings& options,
+                            std::vector<Diagnostic>& warnings) {
+    const SimulationSettings wanted = overridden(scene.simulation, options);
+    const PresetRow* preset = findByName(presets(), wanted.preset.value_or(std::string(defaultPreset)));
+    if (preset == nullptr) preset = findByName(presets(), defaultPreset);
+
+    RunSettings settings;
+    if (wanted.step) settings.step = *wanted.step;
+    settings.substeps = std::max(1, wanted.substeps.value_or(preset->substeps));
+    settings.method = rowFor(wanted.method, solvers(), solvers().data(),
+                             {scene, "method", options.method.has_value()}, warnings);
+    settings.integrator = rowFor(wanted.integrator, integrators(), integrators().data(),
+                                 {scene, "integrator", options.integrator.has_value()}, warnings);
+    settings.threads = std::max(1, wanted.threads.value_or(1));
+    settings.duration = wanted.duration;
+
+    const std::string method(settings.method->name);
+    if (wanted.impacts == "simultaneous")
+        Asked{scene, "impacts", options.impacts.has_value()}.warn(
+            "impacts `simultaneous` is not simulated yet; method `" + method +
+                "` treats impacts one after the other",
+            warnings);
+    if (wanted.iterations)
+        Asked{scene, "iterations", options.iterations.has_value()}.warn(
+            "`iterations` has no effect yet; method `" + method + "` treats every pair once a substep",
+            warnings);
+    if (wanted.tolerance)
+        Asked{scene, "tolerance", options.tolerance.has_value()}.warn(
+            "`tolerance` has no effect yet; method `" + method + "` does not iterate", warnings);
+    return settings;
+}
+
+void settleBroadphase(const Scene& scene, const SimulationSettings& options, const Bodies& bodies,
+                      RunSettings& settings, std::vector<Diagnostic>& warnings) {
+    std::vector<Aabb> boxes;
+    std::vector<std::uint8_t> mobile;
+    boxes.reserve(bodies.bounded.size());
+    mobile.reserve(bodies.bounded.size());
+    for (const BodyIndex i : bodies.bounded) {
+        boxes.push_back(boundsOf(bodies.shape[i], scene.bodies[i].pose));
+        mobile.push_back(bodies.mobile[i]);
+    }
+    const BroadphaseChoice choice = chooseBroadphase({boxes, bodies.bounded, mobile});
+
+    std::optional<std::string> name = options.broadphase ? options.broadphase : scene.simulation.broadphase;
+    if (name == automatic) name.reset();
+    settings.broadphase = rowFor(name, broadphases(), choice.row,
+                                 {scene, "broadphase", options.broadphase.has_value()}, warnings);
+    if (!name || findBroadphase(*name) == nullptr) settings.broadphaseReason = choice.reason;
+}
+
+} // namespace carom

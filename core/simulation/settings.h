@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+#include "core/scene/scene.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace carom {
+
+struct BroadphaseRow;
+struct SolverRow;
+struct IntegratorRow;
+
+/// Every setting of a run, with nothing left open.
+struct RunSettings {
+    double step = 1.0 / 60; ///< one frame [s]
+    int substeps = 1;
+    const SolverRow* method = nullptr;
+    const IntegratorRow* integrator = nullptr;
+    const BroadphaseRow* broadphase = nullptr;
+    std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for
+    int iterations = 0;           ///< 0: the method does not iterate
+    double tolerance = 0;         ///< 0: the method does not iterate
+    int threads = 1;
+    std::optional<double> duration; ///< [s]
+
+    double substep() const { return step / substeps; } ///< [s]
+};
+
+/// What `preset` sets where nothing else does.
+struct PresetRow {
+    std::string_view name;
+    std::string_view help;
+    int substeps = 1;
+};
+std::span<const PresetRow> presets();
+
+/// Settles what the scene and the options (which win) say, then the preset. What this version does not have
+/// is replaced by what it has, with a warning at the value that asks for it.
+RunSettings settledSettings(const Scene& scene, const SimulationSettings& options,
+                            std::vector<Diagnostic>& warnings);
+
+/// Fills in the broad-phase: the one asked for, or the best for the bodies as they start.
+void settleBroadphase(const Scene& scene, const SimulationSettings& options, const Bodies& bodies,
+                      RunSettings& settings, std::vector<Diagnostic>& warnings);
+
+} // namespace carom

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/world.h"
+
+#include "core/base/clock.h"
+#include "core/dynamics/energy.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+// Counts add up over a frame's substeps; what the broad-phase holds is what it held last.
+void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCounters& broad) {
+    frame.integrate += report.integrate;
+    frame.broadphase += report.broadphase;
+    frame.narrowphase += report.narrowphase;
+    frame.respond += report.respond;
+    frame.contacts += report.contacts;
+    frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
+
+    frame.broad.boxes += broad.boxes;
+    frame.broad.tested += broad.tested;
+    frame.broad.swaps += broad.swaps;
+    frame.broad.added += broad.added;
+    frame.broad.removed += broad.removed;
+    frame.broad.cells += broad.cells;
+    frame.broad.pairs = broad.pairs;
+    frame.broad.memoryBytes = broad.memoryBytes;
+}
+
+} // namespace
+
+void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame) {
+    const Invariants invariants = invariantsOf(pipeline.bodies(), state, pipeline.gravity());
+    frame.kinetic = invariants.kinetic;
+    frame.potential = invariants.potential;
+    frame.momentum = invariants.momentum;
+}
+
+// One frame: `substeps` times the method's smooth motion, pairs, contacts and responses; then the accounts.
+void stepWorld(World& world) {
+    if (!world.m_health.finite) return;
+    const Stopwatch wholeStep;
+    const Pipeline& pipeline = *world.m_pipeline;
+    const RunSettings& settings = pipeline.settings();
+    State& state = world.m_state;
+    FrameStatistics& frame = world.m_statistics;
+
+    const Invariants before{frame.kinetic, frame.potential, frame.momentum};
+    frame = {};
+    ++state.frame;
+    state.time = static_cast<double>(state.frame) * settings.step;
+    frame.frame = state.frame;
+    frame.time = state.time;
+
+    const SolverInput input{.bodies = pipeline.bodies(),
+                            .motion = settings.integrator->motion,
+                            .gravity = pipeline.gravity(),
+                            .substep = settings.substep(),
+                            .broadphase = *world.m_broadphase,
+                            .workers = world.m_workers,
+                            .state = state};
+    Loss loss;
+    for (int substep = 0; substep < settings.substeps && !loss; ++substep) {
+        const SolverReport report = world.m_solver->advance(input);
+        add(frame, report, world.m_broadphase->counters());
+        loss = report.loss;
+    }
+
+    if (loss) { // energy and momentum of a lost state are no numbers: those of the last frame stand
+        world.m_health = {false, loss.body, state.frame, loss.quantity};
+        frame.kinetic = before.kinetic;
+        frame.potential = before.potential;
+        frame.momentum = before.momentum;
+    } else {
+        account(pipeline, state, frame);
+    }
+    frame.simulate = wholeStep.elapsed();
+}
+
+} // namespace carom

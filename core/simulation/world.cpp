@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/world.h"
+
+#include "core/base/assert.h"
+#include "core/base/hash.h"
+
+#include <utility>
+
+namespace carom {
+
+World::World(std::shared_ptr<const Pipeline> pipeline)
+    : m_pipeline(std::move(pipeline)), m_broadphaseRow(m_pipeline->settings().broadphase),
+      m_workers(m_pipeline->settings().threads) {
+    reset();
+}
+
+// Algorithms start anew as well: what they remember depends on the way there.
+void World::reset() {
+    m_state = m_pipeline->initialState();
+    m_health = {};
+    m_statistics = {};
+    account(*m_pipeline, m_state, m_statistics);
+    m_broadphase = m_broadphaseRow->create();
+    m_solver = m_pipeline->settings().method->create(m_pipeline->bodies());
+}
+
+void World::useBroadphase(const BroadphaseRow& row) {
+    m_broadphaseRow = &row;
+    m_broadphase = row.create();
+}
+
+Snapshot World::snapshot() const {
+    return {.frame = m_state.frame,
+            .time = m_state.time,
+            .pose = m_state.pose,
+            .velocity = m_state.velocity,
+            .angularVelocity = m_state.angularVelocity,
+            .statistics = m_statistics,
+            .health = m_health};
+}
+
+std::uint64_t World::stateHash() const {
+    Hash64 hash;
+    hash.add(static_cast<std::uint64_t>(m_state.frame));
+    const auto addAll = [&hash](const auto& vector) {
+        hash.add(std::span<const double>(vector.data(), static_cast<std::size_t>(vector.size())));
+    };
+    for (const BodyIndex i : m_pipeline->bodies().mobileBodies) {
+        addAll(m_state.pose[i].position);
+        addAll(m_state.pose[i].orientation.coeffs());
+        addAll(m_state.velocity[i]);
+        addAll(m_state.angularVelocity[i]);
+    }
+    return hash.value();
+}
+
+} // namespace carom

@@ -1,4 +1,0 @@
-uniform vec4 flatColour;
-out vec4 colour;
-
-void main() { colour = flatColour; }
