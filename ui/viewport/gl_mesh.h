@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/viewport/instances.h"
+
+#include <QOpenGLBuffer>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVertexArrayObject>
+
+#include <vector>
+
+namespace carom {
+
+/// A corner of a mesh in -1..1.
+struct MeshVertex {
+    float position[3];
+    float normal[3];
+};
+
+struct MeshData {
+    std::vector<MeshVertex> vertices;
+    std::vector<std::uint16_t> triangles; ///< three indices each, counter-clockwise from outside
+};
+
+/// A square in the xy plane, for billboards.
+MeshData squareMesh();
+/// A cube with flat faces.
+MeshData cubeMesh();
+/// A cylinder about y with a round side and flat caps; at least three segments.
+MeshData cylinderMesh(int segments);
+
+/// A mesh on the graphics card, drawn once for each instance of a range. Needs a current context.
+class GlMesh {
+  public:
+    void create(QOpenGLFunctions_3_3_Core& gl, const MeshData& data, QOpenGLBuffer& instances);
+    void draw(QOpenGLFunctions_3_3_Core& gl, QOpenGLBuffer& instances, InstanceRange range);
+
+  private:
+    QOpenGLVertexArrayObject m_array;
+    QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
+    QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
+    int m_indexCount = 0;
+};
+
+} // namespace carom

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/viewport/camera.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace carom {
+
+/// One body as the graphics card reads it (resources/shaders/instance.glsl), 64 bytes.
+struct Instance {
+    float position[3];    ///< [m]
+    float pattern;        ///< strength of the markings that show spin, 0..1
+    float orientation[4]; ///< quaternion x, y, z, w
+    float halfSize[3];    ///< [m]; a sphere's radius, a cylinder's radius, half height, radius
+    float unused;
+    float colour[4]; ///< as displayed, 0..1; alpha unused
+};
+static_assert(sizeof(Instance) == 64);
+
+/// A part of an array of instances.
+struct InstanceRange {
+    int first = 0;
+    int count = 0;
+};
+
+/// All bounded bodies of a scene, kind by kind, rewritten for every picture.
+class InstanceTable {
+  public:
+    void build(const Scene& scene);
+    /// Writes the poses. Spheres come back to front: their edges are blended. A body whose orientation is
+    /// not the one it started with is marked as spinning from then on.
+    void place(std::span<const Pose> poses, const Camera& camera);
+
+    std::span<const Instance> all() const { return m_instances; }
+    InstanceRange spheres() const { return m_spheres; }
+    InstanceRange cylinders() const { return m_cylinders; }
+    InstanceRange cuboids() const { return m_cuboids; }
+    /// Where a body stands in all(); -1 for walls. Changes with place().
+    int indexOf(BodyIndex body) const;
+    /// The box of all bounded bodies at the last place(); around the origin where there are none.
+    const Aabb& bounds() const { return m_bounds; }
+
+  private:
+    struct Source {
+        BodyIndex body = noBody;
+        Instance instance;
+        Quat start;        ///< orientation at time 0
+        double radius = 0; ///< of the ball around it [m]
+        double depth = 0;  ///< along the line of sight [m]
+    };
+
+    std::vector<Source> m_sources;
+    std::vector<Instance> m_instances;
+    std::vector<int> m_indexOf;
+    InstanceRange m_spheres, m_cylinders, m_cuboids;
+    Aabb m_bounds;
+};
+
+/// The box of all bounded bodies in these poses; a unit box around the origin where there are none.
+Aabb boundsOf(const Scene& scene, std::span<const Pose> poses);
+
+} // namespace carom

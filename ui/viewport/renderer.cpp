@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/renderer.h"
+
+#include "core/math/rotation.h"
+#include "ui/widgets/resources.h"
+
+#include <QOpenGLContext>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace carom {
+
+namespace {
+
+constexpr int shadowMapSize = 1024; ///< texels along a side
+constexpr int cylinderSegments = 96;
+constexpr float outlineWidth = 3;       ///< [px]
+constexpr float wallFromBehind = 0.05F; ///< opacity
+constexpr GLuint frameBinding = 0;
+/// A face counts as a floor, which shows contact shadows, within 45 degrees of level.
+constexpr double floorNormalY = 0.7;
+
+/// Towards the lights; the first stands over the left shoulder of the usual camera.
+const Vec3 keyDirection = Vec3(-0.38, 0.80, 0.46).normalized();
+const Vec3 fillDirection = Vec3(0.72, 0.35, -0.45).normalized();
+
+/// Mirrors the block of resources/shaders/frame.glsl (std140: matrices and vectors of four only).
+struct FrameUniforms {
+    Eigen::Matrix4f clipFromWorld, shadowFromWorld;
+    Eigen::Vector4f eye, forward, up, keyDirection, keyColour, fillDirection, fillColour;
+    Eigen::Vector4f skyTop, skyHorizon, ground, floorTint, roomCentre, picture, accent;
+};
+static_assert(sizeof(FrameUniforms) == 2 * 64 + 14 * 16);
+
+struct WallVertex {
+    float position[3], normal[3], colour[3], along[2];
+};
+
+Eigen::Vector4f four(const Vec3& v, double w) {
+    const Eigen::Vector3f f = v.cast<float>();
+    return {f.x(), f.y(), f.z(), static_cast<float>(w)};
+}
+
+Eigen::Vector4f four(const Eigen::Vector3f& v, float w = 0) { return {v.x(), v.y(), v.z(), w}; }
+
+/// 1, 2 or 5 times a power of ten, near x.
+double roundNumber(double x) {
+    const double power = std::pow(10, std::floor(std::log10(x)));
+    const double digit = x / power;
+    return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
+
+/// The directional light as an orthographic camera that sees a ball.
+Camera lightCamera(const Vec3& centre, double radius) {
+    Camera light;
+    light.orthographic = true;
+    light.target = centre;
+    light.distance = radius;
+    light.fieldOfView = std::numbers::pi / 2;
+    light.pitch = std::asin(keyDirection.y());
+    light.yaw = std::atan2(keyDirection.x(), keyDirection.z());
+    return light;
+}
+
+} // namespace
+
+bool Renderer::compile(Program program, std::initializer_list<const char*> vertex,
+                       std::initializer_list<const char*> fragment) {
+    const auto source = [](std::initializer_list<const char*> files) {
+        QByteArray text = "#version 330 core\n";
+        for (const char* file : files)
+            text += "#line 1\n" + resource(QStringLiteral("shaders/") + QLatin1StringView(file));
+        return text;
+    };
+    QOpenGLShaderProgram& built = m_programs[program];
+    if (!built.addShaderFromSourceCode(QOpenGLShader::Vertex, source(vertex)) ||
+        !built.addShaderFromSourceCode(QOpenGLShader::Fragment, source(fragment)) || !built.link()) {
+        m_problem = QStringLiteral("the shader %1 does not compile: %2")
+                        .arg(QLatin1StringView(*(fragment.end() - 1)), built.log());
+        return false;
+    }
+    const GLuint block = glGetUniformBlockIndex(built.programId(), "Frame");
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(built.programId(), block, frameBinding);
+    return true;
+}
+
+bool Renderer::initialise() {
+    if (!initializeOpenGLFunctions()) {
+        m_problem = QStringLiteral("this display offers no OpenGL 3.3 core");
+        return false;
+    }
+    if (!compile(Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}) ||
+        !compile(WallFace, {"frame.glsl", "wall.vert"}, {"frame.glsl", "light.glsl", "wall.frag"}) ||
+        !compile(Contact, {"frame.glsl", "instance.glsl", "contact.vert"}, {"frame.glsl", "contact.frag"}) ||
+        !compile(SphereLit, {"frame.glsl", "instance.glsl", "sphere.vert"},
+                 {"frame.glsl", "light.glsl", "sphere_surface.glsl", "sphere.frag"}) ||
+        !compile(SphereFlat, {"frame.glsl", "instance.glsl", "sphere.vert"},
+                 {"frame.glsl", "sphere_surface.glsl", "sphere_flat.frag"}) ||
+        !compile(MeshLit, {"frame.glsl", "instance.glsl", "mesh.vert"},
+                 {"frame.glsl", "light.glsl", "mesh.frag"}) ||
+        !compile(MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}))
+        return false;
+
+    m_instances.create();
+    m_instances.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    m_square.create(*this, squareMesh(), m_instances);
+    m_cube.create(*this, cubeMesh(), m_instances);
+    m_cylinder.create(*this, cylinderMesh(cylinderSegments), m_instances);
+    m_emptyArray.create();
+
+    m_walls.create();
+    m_wallArray.create();
+    const QOpenGLVertexArrayObject::Binder bound(&m_wallArray);
+    m_walls.bind();
+    const int sizes[] = {3, 3, 3, 2};
+    std::size_t offset = 0;
+    for (GLuint i = 0; i < 4; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, sizes[i], GL_FLOAT, GL_FALSE, sizeof(WallVertex),
+                              reinterpret_cast<const void*>(offset));
+        offset += static_cast<std::size_t>(sizes[i]) * sizeof(float);
+    }
+
+    glGenBuffers(1, &m_frameBuffer);
+    glGenTextures(1, &m_shadowTexture);
+    glBindTexture(GL_TEXTURE_2D, m_shadowTexture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, shadowMapSize, shadowMapSize, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    GLint outer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &outer);
+    glGenFramebuffers(1, &m_shadowTarget);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_shadowTarget);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_shadowTexture, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
+    return true;
+}
+
+void Renderer::show(const Scene& scene, const Room& room) {
+    m_table.build(scene);
+    m_room = room;
+    m_gridSpacing = roundNumber(room.extent / 90);
+    std::vector<WallVertex> vertices;
+    for (const RoomFace& face : room.faces) {
+        const Tangents tangents = tangentsOf(face.wall.normal);
+        const auto vertex = [&](const Vec3& corner) {
+            const Eigen::Vector3f position = corner.cast<float>();
+            const Eigen::Vector3f normal = face.wall.normal.cast<float>();
+            const Eigen::Vector3f colour = scene.bodies[face.body].colour.cast<float>();
+            WallVertex v{};
+            std::copy_n(position.data(), 3, v.position);
+            std::copy_n(normal.data(), 3, v.normal);
+            std::copy_n(colour.data(), 3, v.colour);
+            v.along[0] = static_cast<float>(tangents.first.dot(corner));
+            v.along[1] = static_cast<float>(tangents.second.dot(corner));
+            return v;
+        };
+        for (std::size_t i = 2; i < face.polygon.size(); ++i)
+            for (const std::size_t corner : {std::size_t{0}, i - 1, i})
+                vertices.push_back(vertex(face.polygon[corner]));
+    }
+    m_wallVertices = static_cast<int>(vertices.size());
+    m_walls.bind();
+    m_walls.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(WallVertex)));
+}
+
+QOpenGLShaderProgram& Renderer::use(Program program) {
+    m_programs[program].bind();
+    return m_programs[program];
+}
+
+void Renderer::useFrame(const Camera& camera, const PictureOptions& options, const Eigen::Matrix4f& clip) {
+    const ViewTheme& theme = options.theme;
+    const double tangent = std::tan(camera.fieldOfView / 2);
+    const double pixel = 2 * tangent / options.size.height * (camera.orthographic ? camera.distance : 1);
+    FrameUniforms frame;
+    frame.clipFromWorld = clip;
+    frame.shadowFromWorld = m_shadowFromWorld;
+    frame.eye = four(camera.eye(), camera.orthographic ? 1 : 0);
+    frame.forward = four(camera.forward(), pixel);
+    frame.up = four(camera.up(), static_cast<double>(theme.shadow));
+    frame.keyDirection = four(keyDirection, m_shadowTexel);
+    frame.keyColour = four(theme.keyLight);
+    frame.fillDirection = four(fillDirection, 0);
+    frame.fillColour = four(theme.fillLight);
+    frame.skyTop = four(theme.skyTop);
+    frame.skyHorizon = four(theme.skyHorizon);
+    frame.ground = four(theme.ground);
+    frame.floorTint = four(theme.floorTint, theme.grid);
+    frame.roomCentre = four(m_room.centre, m_room.extent);
+    frame.picture = {static_cast<float>(options.size.width), static_cast<float>(options.size.height),
+                     static_cast<float>(m_gridSpacing), options.dimmed ? 0.75F : 0.0F};
+    frame.accent = four(theme.accent);
+    glBindBuffer(GL_UNIFORM_BUFFER, m_frameBuffer);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, m_frameBuffer);
+}
+
+void Renderer::drawRange(Program sphere, Program mesh, float growth, const InstanceRange* only) {
+    const auto part = [&](InstanceRange range) {
+        if (!only) return range;
+        const bool inside = only->first >= range.first && only->first < range.first + range.count;
+        return inside ? *only : InstanceRange{};
+    };
+    const InstanceRange cylinders = part(m_table.cylinders());
+    const InstanceRange cuboids = part(m_table.cuboids());
+    const InstanceRange spheres = part(m_table.spheres());
+    if (cylinders.count + cuboids.count > 0) {
+        use(mesh).setUniformValue("growth", growth);
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        m_cylinder.draw(*this, m_instances, cylinders);
+        m_cube.draw(*this, m_instances, cuboids);
+        glDisable(GL_CULL_FACE);
+    }
+    if (spheres.count > 0) {
+        use(sphere).setUniformValue("growth", growth);
+        m_square.draw(*this, m_instances, spheres);
+    }
+}
+
+void Renderer::drawShadowMap(const PictureOptions& options) {
+    const Vec3 reach = Vec3::Constant(m_room.extent);
+    const Aabb bounds{m_table.bounds().lower.cwiseMax(m_room.centre - reach),
+                      m_table.bounds().upper.cwiseMin(m_room.centre + reach)};
+    const double radius = std::max(bounds.size().norm() / 2, 1e-6) * (1 + 4.0 / shadowMapSize);
+    const Camera light = lightCamera(bounds.centre(), radius);
+    PictureOptions asLight = options;
+    asLight.size = {shadowMapSize, shadowMapSize};
+    m_shadowTexel = 2 * radius / shadowMapSize;
+    const Mat4 clip = projectionMatrix(light, asLight.size, 0, 2 * radius) * viewMatrix(light);
+    Mat4 texture = Mat4::Identity();
+    texture.block<3, 3>(0, 0) *= 0.5;
+    texture.block<3, 1>(0, 3).setConstant(0.5);
+    m_shadowFromWorld = (texture * clip).cast<float>();
+    useFrame(light, asLight, clip.cast<float>());
+
+    GLint outer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &outer);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_shadowTarget);
+    glViewport(0, 0, shadowMapSize, shadowMapSize);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    drawRange(SphereFlat, MeshFlat, 0, nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
+}
+
+void Renderer::drawSky(const Eigen::Matrix4f& clip) {
+    const Eigen::Matrix4f inverse = clip.cast<double>().inverse().cast<float>();
+    QOpenGLShaderProgram& program = use(Sky);
+    glUniformMatrix4fv(program.uniformLocation("worldFromClip"), 1, GL_FALSE, inverse.data());
+    const QOpenGLVertexArrayObject::Binder bound(&m_emptyArray);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::drawWalls(bool fromBehind) {
+    if (m_wallVertices == 0) return;
+    use(WallFace).setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
+    const QOpenGLVertexArrayObject::Binder bound(&m_wallArray);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glDepthMask(fromBehind ? GL_FALSE : GL_TRUE);
+    glEnable(GL_CULL_FACE);
+    glCullFace(fromBehind ? GL_FRONT : GL_BACK);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, fromBehind ? GL_KEEP : GL_REPLACE);
+    glDrawArrays(GL_TRIANGLES, 0, m_wallVertices);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+}
+
+void Renderer::drawContactShadows() {
+    if (m_table.spheres().count == 0) return;
+    QOpenGLShaderProgram& program = use(Contact);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1, -4);
+    glEnable(GL_STENCIL_TEST); // on walls only, never on the sky beyond their edges
+    glStencilFunc(GL_EQUAL, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    for (const RoomFace& face : m_room.faces) {
+        if (face.wall.normal.y() < floorNormalY) continue;
+        const Eigen::Vector4f plane = four(face.wall.normal, face.wall.offset);
+        program.setUniformValue("floorPlane", plane.x(), plane.y(), plane.z(), plane.w());
+        m_square.draw(*this, m_instances, m_table.spheres());
+    }
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDepthMask(GL_TRUE);
+}
+
+void Renderer::drawBodies() { drawRange(SphereLit, MeshLit, 0, nullptr); }
+
+void Renderer::drawOutline(const PictureOptions& options) {
+    const int index = m_table.indexOf(options.selected);
+    if (index < 0) return;
+    const InstanceRange one{index, 1};
+    const Eigen::Vector3f& accent = options.theme.accent;
+    for (const Program program : {SphereFlat, MeshFlat})
+        use(program).setUniformValue("flatColour", accent.x(), accent.y(), accent.z(), 1.0F);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_STENCIL_TEST);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glStencilFunc(GL_ALWAYS, 2, 2);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    drawRange(SphereFlat, MeshFlat, 0, &one);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilFunc(GL_NOTEQUAL, 2, 2);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    drawRange(SphereFlat, MeshFlat, outlineWidth, &one);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) {
+    m_table.place(poses, options.camera);
+    m_instances.bind();
+    m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
+
+    drawShadowMap(options);
+
+    const Camera& camera = options.camera;
+    const double away = (camera.eye() - m_room.centre).norm();
+    const double bodies =
+        (m_table.bounds().centre() - camera.eye()).norm() + m_table.bounds().size().norm() / 2;
+    const double farDepth = 1.01 * std::max({away + 1.5 * m_room.extent, bodies, camera.distance * 2});
+    // A twenty-thousandth of the far depth leaves 24 bits fine enough to part touching bodies.
+    const double nearDepth =
+        camera.orthographic ? -farDepth : std::min(farDepth / 20000, camera.distance / 10);
+    const Eigen::Matrix4f clip =
+        (projectionMatrix(camera, options.size, nearDepth, farDepth) * viewMatrix(camera)).cast<float>();
+    useFrame(camera, options, clip);
+
+    glViewport(0, 0, static_cast<GLsizei>(options.size.width), static_cast<GLsizei>(options.size.height));
+    glClearStencil(0);
+    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, m_shadowTexture);
+    glDepthFunc(GL_LEQUAL);
+    // The picture stays opaque whatever is blended: alpha of what is there is kept.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+
+    drawSky(clip);
+    drawWalls(false);
+    drawContactShadows();
+    drawBodies();
+    drawWalls(true);
+    drawOutline(options);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace carom

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/viewport.h"
+
+#include "core/base/clock.h"
+#include "ui/viewport/instances.h"
+#include "ui/viewport/renderer.h"
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace carom {
+
+namespace {
+
+constexpr double orbitPerPixel = 0.008; ///< [rad]
+constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel is 120 units
+constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
+constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
+
+bool same(const CameraSettings& a, const CameraSettings& b) {
+    return a.position == b.position && a.target == b.target && a.fieldOfView == b.fieldOfView;
+}
+
+bool declared(const CameraSettings& camera) { return camera.position || camera.target; }
+
+} // namespace
+
+Viewport::Viewport(QWidget* parent)
+    : QOpenGLWidget(parent), m_renderer(std::make_unique<Renderer>()), m_badge(new QLabel(this)) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    setFormat(format);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(120, 90);
+    setAccessibleName(tr("Viewport"));
+    m_badge->setObjectName(QStringLiteral("viewportBadge"));
+    m_badge->setStyleSheet(
+        QStringLiteral("background: rgba(170, 60, 30, 220); color: white; padding: 5px 10px;"
+                       "border-radius: 4px;"));
+    m_badge->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_badge->hide();
+}
+
+Viewport::~Viewport() {
+    // The renderer's buffers belong to the context, which the base class is about to destroy.
+    makeCurrent();
+    m_renderer.reset();
+    doneCurrent();
+}
+
+void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
+    const bool first = !m_pipeline;
+    m_pipeline = std::move(pipeline);
+    m_snapshot.reset();
+    m_startPoses.clear();
+    m_sceneChanged = true;
+    update();
+    if (!m_pipeline) {
+        m_room = {};
+        m_selected = noBody;
+        return;
+    }
+    const Scene& scene = m_pipeline->scene();
+    for (const Body& body : scene.bodies) m_startPoses.push_back(body.pose);
+    m_room = roomOf(scene, boundsOf(scene, m_startPoses));
+    if (m_selected != noBody && m_selected >= scene.bodies.size()) m_selected = noBody;
+    if (first) {
+        m_camera = Camera{};
+        m_cameraMoved = false;
+        frameAll();
+    }
+    if (first || !same(scene.camera, m_declaredCamera)) {
+        apply(m_camera, scene.camera);
+        if (declared(scene.camera)) m_cameraMoved = true;
+    }
+    m_declaredCamera = scene.camera;
+}
+
+void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
+    if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
+    m_snapshot = std::move(snapshot);
+    update();
+}
+
+void Viewport::setSelectedBody(BodyIndex body) {
+    if (m_selected == body) return;
+    m_selected = body;
+    update();
+}
+
+void Viewport::setDimmed(bool dimmed, const QString& badge) {
+    m_dimmed = dimmed;
+    m_badge->setText(badge);
+    m_badge->setVisible(dimmed && !badge.isEmpty());
+    placeBadge();
+    update();
+}
+
+void Viewport::setDarkTheme(bool dark) {
+    m_dark = dark;
+    update();
+}
+
+void Viewport::setCamera(const Camera& camera) {
+    m_camera = camera;
+    moveCamera();
+}
+
+void Viewport::moveCamera() {
+    m_cameraMoved = true;
+    update();
+}
+
+PictureSize Viewport::pictureSize() const {
+    return {std::max(1.0, static_cast<double>(width())), std::max(1.0, static_cast<double>(height()))};
+}
+
+std::span<const Pose> Viewport::poses() const {
+    if (m_snapshot) return m_snapshot->pose;
+    return m_startPoses;
+}
+
+Ray Viewport::rayAt(const QPointF& position) const {
+    Ray ray = rayThrough(m_camera, pictureSize(), {position.x(), position.y()});
+    // An orthographic picture also shows what lies behind the plane of the eye.
+    if (m_camera.orthographic) ray.origin -= 4 * (m_room.extent + m_camera.distance) * ray.direction;
+    return ray;
+}
+
+Hit Viewport::hitAt(const QPointF& position) const {
+    if (!m_pipeline) return {};
+    return pick(rayAt(position), m_pipeline->scene(), poses(), m_room);
+}
+
+void Viewport::frameBox(const Aabb& box) {
+    frame(m_camera, pictureSize(), box);
+    update();
+}
+
+void Viewport::frameSelection() {
+    if (!m_pipeline || m_selected == noBody || isWall(m_pipeline->scene().bodies[m_selected].shape))
+        return frameAll();
+    const Vec3& centre = poses()[m_selected].position;
+    const double radius = boundingRadiusOf(m_pipeline->scene().bodies[m_selected].shape);
+    m_cameraMoved = true;
+    frameBox(grown({centre, centre}, selectionRadii * radius));
+}
+
+void Viewport::frameAll() {
+    if (m_pipeline) frameBox(boundsOf(m_pipeline->scene(), poses()));
+}
+
+void Viewport::lookFrom(double yaw, double pitch) {
+    m_camera.yaw = yaw;
+    m_camera.pitch = pitch;
+    moveCamera();
+}
+
+void Viewport::initializeGL() {
+    m_ready = m_renderer->initialise();
+    m_sceneChanged = true;
+    if (!m_ready) Q_EMIT failed(m_renderer->problem());
+}
+
+void Viewport::resizeGL(int, int) {
+    if (!m_cameraMoved) frameAll();
+}
+
+void Viewport::paintGL() {
+    if (!m_ready) return;
+    const Stopwatch watch;
+    static const Scene nothing;
+    if (m_sceneChanged) m_renderer->show(m_pipeline ? m_pipeline->scene() : nothing, m_room);
+    m_sceneChanged = false;
+    const double scale = devicePixelRatioF();
+    const PictureSize size = pictureSize();
+    m_renderer->draw(poses(), {.size = {std::round(size.width * scale), std::round(size.height * scale)},
+                               .camera = m_camera,
+                               .theme = viewTheme(m_dark),
+                               .selected = m_selected,
+                               .dimmed = m_dimmed});
+    // OpenGL only queues the work; the time that counts is the one until it is done.
+    m_renderer->finish();
+    m_lastRenderTime = watch.elapsed();
+    ++m_framesRendered;
+    Q_EMIT frameRendered(m_lastRenderTime);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    m_pressedAt = m_lastAt = event->position();
+    m_dragging = false;
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - m_lastAt;
+    if (!m_dragging && (event->position() - m_pressedAt).manhattanLength() < dragStarts) return;
+    m_dragging = true;
+    m_lastAt = event->position();
+    const bool panning = event->buttons().testAnyFlags(Qt::RightButton | Qt::MiddleButton) ||
+                         event->modifiers().testFlag(Qt::ShiftModifier);
+    if (panning)
+        pan(m_camera, pictureSize(), {moved.x(), moved.y()});
+    else if (event->buttons().testFlag(Qt::LeftButton))
+        orbit(m_camera, -orbitPerPixel * moved.x(), orbitPerPixel * moved.y());
+    moveCamera();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_dragging || event->button() != Qt::LeftButton) return;
+    const Hit hit = hitAt(event->position());
+    setSelectedBody(hit.body);
+    Q_EMIT bodyClicked(hit.body);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    const Ray ray = rayAt(event->position());
+    const Hit hit = hitAt(event->position());
+    // Over the sky, the plane through the target square to the line of sight takes the place of a surface.
+    const Vec3 forward = m_camera.forward();
+    const double toPlane = (m_camera.target - ray.origin).dot(forward) / ray.direction.dot(forward);
+    const Vec3 point = ray.origin + (hit ? hit.distance : toPlane) * ray.direction;
+    zoomAt(m_camera, point, std::pow(zoomPerNotch, event->angleDelta().y() / 120.0));
+    moveCamera();
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    constexpr double quarter = std::numbers::pi / 2;
+    const bool pad = event->modifiers().testFlag(Qt::KeypadModifier);
+    if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier)
+        frameSelection();
+    else if (event->key() == Qt::Key_Home)
+        frameAll();
+    else if (pad && event->key() == Qt::Key_7)
+        lookFrom(0, quarter);
+    else if (pad && event->key() == Qt::Key_1)
+        lookFrom(0, 0);
+    else if (pad && event->key() == Qt::Key_3)
+        lookFrom(quarter, 0);
+    else if (pad && event->key() == Qt::Key_5) {
+        m_camera.orthographic = !m_camera.orthographic;
+        moveCamera();
+    } else
+        QOpenGLWidget::keyPressEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+    QOpenGLWidget::resizeEvent(event);
+    placeBadge();
+}
+
+void Viewport::placeBadge() {
+    m_badge->adjustSize();
+    m_badge->move((width() - m_badge->width()) / 2, 12);
+}
+
+} // namespace carom

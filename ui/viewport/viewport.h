@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/pipeline.h"
+#include "core/simulation/snapshot.h"
+#include "ui/viewport/camera.h"
+#include "ui/viewport/picking.h"
+#include "ui/viewport/room.h"
+
+#include <QOpenGLWidget>
+#include <QPointF>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+class QLabel;
+
+namespace carom {
+
+class Renderer;
+
+/// Shows one scene in its newest state. Left drag orbits, right or middle drag pans, the wheel zooms at the
+/// cursor, a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the
+/// top, the front, the right, and 5 changes between perspective and orthographic.
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+
+  public:
+    explicit Viewport(QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// A new scene at its start. The camera stays, unless this is the first scene since the last clearing or
+    /// the scene's own `camera` declaration has changed. Null clears.
+    void showPipeline(std::shared_ptr<const Pipeline> pipeline);
+    /// The newest state of the scene shown; a state of another scene is not taken.
+    void showSnapshot(std::shared_ptr<const Snapshot> snapshot);
+    /// Outlines a body; noBody clears.
+    void setSelectedBody(BodyIndex body);
+    BodyIndex selectedBody() const { return m_selected; }
+    /// Greys the picture and shows why, while the text does not build.
+    void setDimmed(bool dimmed, const QString& badge);
+    void setDarkTheme(bool dark);
+
+    const Camera& camera() const { return m_camera; }
+    void setCamera(const Camera& camera);
+    /// What a click at a point of the widget would select [px].
+    Hit hitAt(const QPointF& position) const;
+
+    std::int64_t framesRendered() const { return m_framesRendered; }
+    double lastRenderTime() const { return m_lastRenderTime; } ///< [ms], until the picture was complete
+
+    QSize sizeHint() const override { return {800, 600}; }
+
+  public Q_SLOTS:
+    /// Everything, where nothing is selected.
+    void frameSelection();
+    void frameAll();
+
+  Q_SIGNALS:
+    /// noBody: the background.
+    void bodyClicked(carom::BodyIndex body);
+    void frameRendered(double milliseconds);
+    /// The picture cannot be drawn, and why.
+    void failed(const QString& problem);
+
+  protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    PictureSize pictureSize() const;
+    std::span<const Pose> poses() const;
+    Ray rayAt(const QPointF& position) const;
+    void frameBox(const Aabb& box);
+    void lookFrom(double yaw, double pitch);
+    void placeBadge();
+    void moveCamera();
+
+    std::unique_ptr<Renderer> m_renderer;
+    std::shared_ptr<const Pipeline> m_pipeline;
+    std::shared_ptr<const Snapshot> m_snapshot;
+    std::vector<Pose> m_startPoses;
+    Room m_room;
+    Camera m_camera;
+    CameraSettings m_declaredCamera;
+    bool m_ready = false;       ///< OpenGL works
+    bool m_sceneChanged = true; ///< the renderer has not seen m_pipeline yet
+    bool m_cameraMoved = false; ///< by the user: resizing no longer frames the scene anew
+    bool m_dark = true;
+    bool m_dimmed = false;
+    BodyIndex m_selected = noBody;
+    QLabel* m_badge = nullptr;
+    QPointF m_pressedAt, m_lastAt;
+    bool m_dragging = false;
+    std::int64_t m_framesRendered = 0;
+    double m_lastRenderTime = 0;
+};
+
+} // namespace carom
