@@ -32,6 +32,12 @@ struct Proximity {
     Vec3 onA = Vec3::Zero();
     Vec3 onB = Vec3::Zero();
 };
+/// Two walls are infinitely far apart.
 Proximity proximityOf(const PlacedShape& a, const PlacedShape& b);
+
+/// The same seen from the other side.
+inline Proximity flipped(const Proximity& found) {
+    return {found.distance, -found.normal, found.onB, found.onA};
+}
 
 } // namespace carom
