@@ -2,7 +2,9 @@
 #include "core/broadphase/broadphase.h"
 
 #include "core/broadphase/all_pairs.h"
+#include "core/broadphase/single_axis_sweep.h"
 #include "core/broadphase/sweep_and_sort.h"
+#include "core/broadphase/uniform_grid.h"
 
 #include "core/base/catalogue.h"
 
@@ -20,6 +22,11 @@ constexpr BroadphaseRow rows[] = {
      create<AllPairs>},
     {"sweep_and_sort", "Sweep and sort", "O(n + exchanges) a frame, O(n log n) the first",
      "D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies, 1992", create<SweepAndSort>},
+    {"single_axis_sweep", "Single-axis sweep", "O(n log n + n^(5/3)) a frame in a gas, O(n) in a line",
+     "C. Ericson, Real-Time Collision Detection, 2005, section 7.5.2", create<SingleAxisSweep>},
+    {"uniform_grid", "Uniform grid", "O(n + pairs) a frame",
+     "M. Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects, 2003",
+     create<UniformGrid>},
 };
 
 } // namespace

@@ -2,21 +2,13 @@
 #pragma once
 
 #include "core/broadphase/box_columns.h"
+#include "core/broadphase/pair_keys.h"
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace carom {
-
-/// A pair of entries of an input, a < b, as one number that sorts as the pair does.
-using PairKey = std::uint64_t;
-
-constexpr PairKey pairKey(std::uint32_t i, std::uint32_t j) {
-    return i < j ? (PairKey{i} << 32) | j : (PairKey{j} << 32) | i;
-}
-constexpr std::uint32_t firstOf(PairKey key) { return static_cast<std::uint32_t>(key >> 32); }
-constexpr std::uint32_t secondOf(PairKey key) { return static_cast<std::uint32_t>(key); }
 
 /// The axis along which the boxes' centres scatter most: the one a sweep meets the fewest others on.
 std::size_t axisOfLargestVariance(std::span<const Aabb> boxes);

@@ -1,22 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/sweep_and_sort.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace carom {
 namespace {
 
-bool isUpper(std::uint32_t code) { return (code & 1U) != 0; }
+constexpr std::uint32_t isUpper(std::uint32_t code) { return code & 1U; }
 
-// Insertion sort is quadratic when everything is somewhere else (a teleport, a rewind). After this many
-// exchanges for each box and each doubling of their number a fresh sort has long been the cheaper way, so the
-// update gives up and starts anew; what it reports is the same. Frames of ordinary motion stay far below.
-constexpr double patience = 64;
+// Insertion sort is quadratic when everything is somewhere else (a teleport, a rewind, a very large and fast
+// gas). After this many exchanges for each box and each doubling of their number an update gives up and
+// starts anew, which costs about as much as 22 of them (measured at 10,000 boxes); what it reports is the
+// same.
+constexpr double patience = 32;
+// A frame that far from the last is seldom alone: each failure doubles the updates that do not even try.
+constexpr int mostUntried = 32;
 
 std::uint64_t mostExchanges(std::size_t boxes) {
     const double count = static_cast<double>(boxes);
     return static_cast<std::uint64_t>(patience * count * (1 + std::log2(1 + count)));
+}
+
+// An interval on an axis is one word: the place of its lower end in the high half, last - place of its upper
+// end in the low half. Two intervals overlap if each begins before the other ends:
+//
+//   lower_j <= upper_i - 1     and     last - upper_j <= last - (lower_i + 1)
+//
+// With the two right-hand sides and a guard bit above each in one word, one subtraction does both
+// comparisons: a guard bit survives where its half does not borrow. Millions of exchanges a second go through
+// here.
+constexpr std::uint32_t last = 0x7fff'ffff;
+constexpr std::uint64_t guards = 0x8000'0000'8000'0000;
+
+constexpr std::uint64_t interval(std::uint32_t lower, std::uint32_t upper) {
+    return (std::uint64_t{lower} << 32) | (last - upper);
+}
+/// What overlaps(probe, interval) compares with; the interval must not be the first two places.
+constexpr std::uint64_t probeOf(std::uint64_t interval) {
+    const std::uint64_t lower = interval >> 32, upper = last - (interval & last);
+    return guards | ((upper - 1) << 32) | (last - lower - 1);
+}
+constexpr std::uint64_t overlaps(std::uint64_t probe, std::uint64_t interval) {
+    return (probe - interval) & guards;
+}
+
+// The first place of the sorted at[0 .. end) whose coordinate is above `value`, looked for from the end:
+// whole strides first, then the rest of one without a branch.
+CAROM_WIDE std::size_t firstAbove(const double* at, std::size_t end, double value) {
+    constexpr std::size_t stride = 16;
+    while (end >= stride && at[end - stride] > value) end -= stride;
+    const std::size_t rest = std::min(end, stride);
+    std::int64_t above = 0;
+    if (rest == stride)
+        for (std::size_t k = 1; k <= stride; ++k) above += std::int64_t(at[end - k] > value);
+    else
+        for (std::size_t k = 1; k <= rest; ++k) above += std::int64_t(at[end - k] > value);
+    return end - static_cast<std::size_t>(above);
 }
 
 } // namespace
@@ -26,36 +68,48 @@ void SweepAndSort::update(const BroadphaseInput& input) {
     m_counters.boxes = input.boxes.size();
     m_changes.clear();
 
-    bool sorted = m_places.size() == input.boxes.size();
-    for (std::size_t axis = 0; axis < 3 && sorted; ++axis) sorted = resort(input, axis);
-    if (sorted)
+    if (follows(input))
         applyChanges();
     else
         restart(input);
     publish(input);
 }
 
-// At equal coordinates a lower end comes before an upper one, so boxes that touch overlap. Ends of the same
-// kind never exchange places at equal coordinates: resting bodies cost nothing.
+// Whether the sequences could be brought from the last frame to this one.
+bool SweepAndSort::follows(const BroadphaseInput& input) {
+    if (m_places.size() != input.boxes.size()) return false;
+    if (m_untried > 0) return --m_untried, false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (resort(input, axis)) continue;
+        m_untried = m_untriedNext;
+        m_untriedNext = std::min(2 * m_untriedNext + 1, mostUntried);
+        return false;
+    }
+    m_untriedNext = 0;
+    return true;
+}
+
+// Insertion sort. At equal coordinates a lower end comes before an upper one, so boxes that touch overlap.
+// Ends of the same kind never exchange places at equal coordinates: resting bodies cost nothing. The ends a
+// moving one passes are shifted at once instead of one by one; every one of them is an exchange all the same.
 bool SweepAndSort::resort(const BroadphaseInput& input, std::size_t axis) {
-    std::vector<EndPoint>& sequence = m_sequences[axis];
-    const Eigen::Index component = static_cast<Eigen::Index>(axis);
+    std::vector<double>& at = m_sequences[axis].at;
+    std::vector<std::uint32_t>& code = m_sequences[axis].code;
     const std::uint64_t limit = mostExchanges(input.boxes.size());
-    for (std::size_t p = 0; p < sequence.size(); ++p) {
-        EndPoint moving = sequence[p];
-        const std::uint32_t box = moving.code >> 1;
-        const bool upper = isUpper(moving.code);
-        moving.at = upper ? input.boxes[box].upper[component] : input.boxes[box].lower[component];
-        std::size_t q = p;
-        for (; q > 0; --q) {
-            const EndPoint& other = sequence[q - 1];
-            const bool otherUpper = isUpper(other.code);
-            const bool inOrder = other.at < moving.at || (other.at == moving.at && (upper || !otherUpper));
-            if (inOrder) break;
-            if (upper != otherUpper) exchanged(input, axis, box, other.code >> 1);
-            sequence[q] = other;
-        }
-        sequence[q] = moving;
+    renewCoordinates(input, axis);
+    for (std::size_t p = 1; p < at.size(); ++p) {
+        const double moving = at[p];
+        const std::uint32_t movingCode = code[p];
+        if (at[p - 1] < moving) continue;
+        std::size_t q = at[p - 1] > moving ? firstAbove(at.data(), p, moving) : p;
+        if (!isUpper(movingCode))
+            while (q > 0 && at[q - 1] == moving && isUpper(code[q - 1])) --q;
+        if (q == p) continue;
+        noteExchanges(input, axis, q, p);
+        std::copy_backward(at.begin() + q, at.begin() + p, at.begin() + p + 1);
+        std::copy_backward(code.begin() + q, code.begin() + p, code.begin() + p + 1);
+        at[q] = moving;
+        code[q] = movingCode;
         m_counters.swaps += p - q;
         if (m_counters.swaps > limit) return false;
     }
@@ -63,29 +117,44 @@ bool SweepAndSort::resort(const BroadphaseInput& input, std::size_t axis) {
     return true;
 }
 
-// The other two axes are judged by the places in their sequences, not by the new coordinates: then the set
-// always holds exactly the pairs that overlap in the order all three sequences have at that moment, and
-// no pair is missed that moves apart on two axes in one frame. Whether the pair enters or leaves need not be
-// told: it changes sides.
-void SweepAndSort::exchanged(const BroadphaseInput& input, std::size_t axis, std::uint32_t i,
-                             std::uint32_t j) {
-    ++m_counters.tested;
-    if (!overlapOn((axis + 1) % 3, i, j) || !overlapOn((axis + 2) % 3, i, j)) return;
-    if (input.mobile[i] | input.mobile[j]) m_changes.push_back(pairKey(i, j));
+void SweepAndSort::renewCoordinates(const BroadphaseInput& input, std::size_t axis) {
+    Sequence& sequence = m_sequences[axis];
+    const Eigen::Index component = static_cast<Eigen::Index>(axis);
+    for (std::size_t p = 0; p < sequence.at.size(); ++p) {
+        const Aabb& box = input.boxes[sequence.code[p] >> 1];
+        sequence.at[p] = isUpper(sequence.code[p]) ? box.upper[component] : box.lower[component];
+    }
 }
 
-bool SweepAndSort::overlapOn(std::size_t axis, std::uint32_t i, std::uint32_t j) const {
-    return m_places[i].lower[axis] < m_places[j].upper[axis] &&
-           m_places[j].lower[axis] < m_places[i].upper[axis];
+// The end at `to` is about to move down to `from`, passing all between. The other two axes are judged by the
+// places in their sequences, not by the new coordinates: then the set always holds exactly the pairs that
+// overlap in the order all three sequences have at that moment, and no pair is missed that moves apart on two
+// axes in one frame. Whether the pair enters or leaves need not be told: it changes sides.
+void SweepAndSort::noteExchanges(const BroadphaseInput& input, std::size_t axis, std::size_t from,
+                                 std::size_t to) {
+    const std::uint32_t* const code = m_sequences[axis].code.data();
+    const Places* const places = m_places.data();
+    const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
+    const std::uint32_t moving = code[to], i = moving >> 1;
+    const std::uint64_t secondProbe = probeOf(places[i][second]), thirdProbe = probeOf(places[i][third]);
+    std::uint64_t tested = 0;
+    for (std::size_t p = from; p < to; ++p) {
+        const std::uint32_t j = code[p] >> 1, otherKind = (code[p] ^ moving) & 1U;
+        const std::uint64_t both =
+            overlaps(secondProbe, places[j][second]) & overlaps(thirdProbe, places[j][third]);
+        tested += otherKind;
+        if ((both == guards) & (otherKind != 0) && (input.mobile[i] | input.mobile[j]))
+            m_changes.push_back(pairKey(i, j));
+    }
+    m_counters.tested += tested;
 }
 
 void SweepAndSort::renewPlaces(std::size_t axis) {
-    const std::vector<EndPoint>& sequence = m_sequences[axis];
-    for (std::uint32_t p = 0; p < sequence.size(); ++p) {
-        const std::uint32_t code = sequence[p].code;
-        Places& places = m_places[code >> 1];
-        (isUpper(code) ? places.upper : places.lower)[axis] = p;
-    }
+    const std::vector<std::uint32_t>& code = m_sequences[axis].code;
+    m_ends.resize(code.size());
+    for (std::uint32_t p = 0; p < code.size(); ++p) m_ends[code[p]] = p;
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+        m_places[i][axis] = interval(m_ends[2 * i], m_ends[2 * i + 1]);
 }
 
 // A pair may have changed sides more than once; only an odd number of times counts. The set and the changes
@@ -116,25 +185,27 @@ void SweepAndSort::restart(const BroadphaseInput& input) {
     m_places.resize(count);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Eigen::Index component = static_cast<Eigen::Index>(axis);
-        std::vector<EndPoint>& sequence = m_sequences[axis];
-        sequence.clear();
-        sequence.reserve(2 * std::size_t{count});
+        m_fresh.clear();
         for (std::uint32_t i = 0; i < count; ++i) {
-            sequence.push_back({input.boxes[i].lower[component], 2 * i});
-            sequence.push_back({input.boxes[i].upper[component], 2 * i + 1});
+            m_fresh.push_back({input.boxes[i].lower[component], 2 * i});
+            m_fresh.push_back({input.boxes[i].upper[component], 2 * i + 1});
         }
-        std::sort(sequence.begin(), sequence.end(), [](const EndPoint& a, const EndPoint& b) {
+        std::sort(m_fresh.begin(), m_fresh.end(), [](const EndPoint& a, const EndPoint& b) {
             return a.at < b.at || (a.at == b.at && isUpper(a.code) < isUpper(b.code));
         });
+        Sequence& sequence = m_sequences[axis];
+        sequence.at.resize(m_fresh.size());
+        sequence.code.resize(m_fresh.size());
+        for (std::size_t p = 0; p < m_fresh.size(); ++p) {
+            sequence.at[p] = m_fresh[p].at;
+            sequence.code[p] = m_fresh[p].code;
+        }
         renewPlaces(axis);
     }
 
     m_found.clear();
     m_counters.tested += m_sweep.collect(input.boxes, axisOfLargestVariance(input.boxes), m_found);
-    std::erase_if(m_found, [&input](PairKey key) {
-        return !(input.mobile[firstOf(key)] | input.mobile[secondOf(key)]);
-    });
-    std::sort(m_found.begin(), m_found.end());
+    m_order.tidy(m_found, input);
 
     std::swap(m_before, m_overlapping);
     m_overlapping.assign(m_found.begin(), m_found.end());
@@ -147,16 +218,15 @@ void SweepAndSort::restart(const BroadphaseInput& input) {
 }
 
 void SweepAndSort::publish(const BroadphaseInput& input) {
-    m_pairs.clear();
-    for (const PairKey key : m_overlapping)
-        m_pairs.push_back({input.bodies[firstOf(key)], input.bodies[secondOf(key)]});
-
+    translate(m_overlapping, input, m_pairs);
     m_counters.pairs = m_pairs.size();
     std::size_t bytes = m_places.capacity() * sizeof(Places) + m_pairs.capacity() * sizeof(BodyPair);
-    for (const std::vector<EndPoint>& sequence : m_sequences) bytes += sequence.capacity() * sizeof(EndPoint);
+    for (const Sequence& sequence : m_sequences)
+        bytes += sequence.at.capacity() * sizeof(double) + sequence.code.capacity() * sizeof(std::uint32_t);
+    bytes += m_fresh.capacity() * sizeof(EndPoint) + m_ends.capacity() * sizeof(std::uint32_t);
     for (const std::vector<PairKey>* keys : {&m_overlapping, &m_before, &m_changes, &m_found})
         bytes += keys->capacity() * sizeof(PairKey);
-    m_counters.memoryBytes = bytes + m_sweep.bytes();
+    m_counters.memoryBytes = bytes + m_sweep.bytes() + m_order.bytes();
 }
 
 } // namespace carom

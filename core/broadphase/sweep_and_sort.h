@@ -26,29 +26,37 @@ class SweepAndSort final : public Broadphase {
     void update(const BroadphaseInput& input) override;
 
   private:
+    /// The end points of all boxes along one axis, ascending.
+    struct Sequence {
+        std::vector<double> at;          ///< [m]
+        std::vector<std::uint32_t> code; ///< twice the box's entry, plus one for its upper end
+    };
     struct EndPoint {
-        double at;          ///< [m]
-        std::uint32_t code; ///< twice the box's entry, plus one for its upper end
+        double at;
+        std::uint32_t code;
     };
-    /// Places of a box's end points in the three sequences.
-    struct Places {
-        std::array<std::uint32_t, 3> lower, upper;
-    };
+    /// Where a box's two ends stand in the three sequences, by axis; see `interval` in the source.
+    using Places = std::array<std::uint64_t, 3>;
 
+    bool follows(const BroadphaseInput& input);
     void restart(const BroadphaseInput& input);
     bool resort(const BroadphaseInput& input, std::size_t axis);
-    void exchanged(const BroadphaseInput& input, std::size_t axis, std::uint32_t i, std::uint32_t j);
-    bool overlapOn(std::size_t axis, std::uint32_t i, std::uint32_t j) const;
+    void noteExchanges(const BroadphaseInput& input, std::size_t axis, std::size_t from, std::size_t to);
+    void renewCoordinates(const BroadphaseInput& input, std::size_t axis);
     void renewPlaces(std::size_t axis);
     void applyChanges();
     void publish(const BroadphaseInput& input);
 
-    std::array<std::vector<EndPoint>, 3> m_sequences;
-    std::vector<Places> m_places;
+    std::array<Sequence, 3> m_sequences;
+    std::vector<Places> m_places;             ///< by entry
     std::vector<PairKey> m_overlapping;       ///< ascending
     std::vector<PairKey> m_before, m_changes; ///< scratch
+    std::vector<EndPoint> m_fresh;            ///< scratch of a restart
     std::vector<PairKey> m_found;             ///< scratch of a restart
+    std::vector<std::uint32_t> m_ends;        ///< scratch: places by code
     Sweep m_sweep;                            ///< finds the first pairs
+    PairOrder m_order;
+    int m_untried = 0, m_untriedNext = 0; ///< updates to start anew at once: now, and after the next failure
 };
 
 } // namespace carom

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace carom {
+
+/// Two entries of an input, a < b, as one number that sorts as the pair does.
+using PairKey = std::uint64_t;
+
+constexpr PairKey pairKey(std::uint32_t i, std::uint32_t j) {
+    return i < j ? (PairKey{i} << 32) | j : (PairKey{j} << 32) | i;
+}
+constexpr std::uint32_t firstOf(PairKey key) { return static_cast<std::uint32_t>(key >> 32); }
+constexpr std::uint32_t secondOf(PairKey key) { return static_cast<std::uint32_t>(key); }
+
+/// Brings pairs found in any order into the order all algorithms share, in O(boxes + pairs): they are dealt
+/// into one bin a first entry, and the bins, which are short, are sorted.
+class PairOrder {
+  public:
+    /// Sorts `keys` and leaves out repetitions and pairs of two immobile boxes.
+    void tidy(std::vector<PairKey>& keys, const BroadphaseInput& input);
+
+    std::size_t bytes() const;
+
+  private:
+    std::vector<std::uint32_t> m_binEnds; ///< by first entry
+    std::vector<PairKey> m_binned;
+};
+
+/// The pairs of bodies that ordered keys stand for.
+void translate(const std::vector<PairKey>& keys, const BroadphaseInput& input, std::vector<BodyPair>& pairs);
+
+} // namespace carom

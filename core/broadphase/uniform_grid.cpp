@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/uniform_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+// Slots of the table for each box: fewer make cells meet by chance, more cost time to clear.
+constexpr std::size_t slotsPerBox = 4;
+// A level of at most so many boxes is not worth a grid: they are compared with everything finer.
+constexpr std::uint32_t looseBoxes = 8;
+// The levels there can be; beyond them, sizes over a range of more than 2^16, the finest shares its cells.
+constexpr std::size_t mostLevels = 16;
+// The level that stands for no grid at all.
+constexpr std::uint8_t loose = 0xff;
+constexpr std::uint32_t noSlot = 0xffff'ffff;
+// Cells are this much wider than the widest box, so that rounding of a cell's index cannot part neighbours
+// ...
+constexpr double slack = 1.002;
+// ... as long as indices stay below 2^40: far from the origin cells are widened to that.
+constexpr double mostCells = 1.0995e12;
+
+double halfWidth(const Aabb& box) { return (0.5 * box.upper - 0.5 * box.lower).maxCoeff(); }
+Vec3 centreOf(const Aabb& box) { return 0.5 * box.lower + 0.5 * box.upper; } // cannot overflow
+
+std::size_t exponentOf(double halfWidth) {
+    return static_cast<std::size_t>(std::bit_cast<std::uint64_t>(halfWidth) >> 52) & 0x7ff;
+}
+
+std::int64_t floorOf(double value) {
+    const std::int64_t towardsZero = static_cast<std::int64_t>(value);
+    return towardsZero - static_cast<std::int64_t>(value < static_cast<double>(towardsZero));
+}
+
+// overlap() without branches: which of the six comparisons fails cannot be foreseen between neighbours.
+bool overlapWithoutBranches(const Aabb& a, const Aabb& b) {
+    int all = 1;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+        all &= int(a.lower[axis] <= b.upper[axis]) & int(b.lower[axis] <= a.upper[axis]);
+    return all != 0;
+}
+
+} // namespace
+
+void UniformGrid::update(const BroadphaseInput& input) {
+    m_counters = {};
+    m_found.clear();
+    makeLevels(input);
+    place(input);
+    for (std::uint32_t p = 0; p < m_inTable; ++p) {
+        compareWithNeighbours(p);
+        if (m_placed[p].level > 0) compareWithCoarser(p);
+    }
+    for (std::uint32_t p = m_inTable; p < m_placed.size(); ++p) compareRange(p, 0, p);
+    m_order.tidy(m_found, input);
+    translate(m_found, input, m_pairs);
+
+    m_counters.boxes = input.boxes.size();
+    m_counters.pairs = m_pairs.size();
+    m_counters.memoryBytes = m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) +
+                             m_levelOf.capacity() +
+                             (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
+                             m_placed.capacity() * sizeof(Placed) + m_found.capacity() * sizeof(PairKey) +
+                             m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
+}
+
+// From the widest down: a class of widths (one binary exponent) joins the level above if it is next to it and
+// not much more numerous, or if it is so few that wide cells do not matter; else it opens a level.
+void UniformGrid::makeLevels(const BroadphaseInput& input) {
+    m_byExponent.assign(exponents, {});
+    m_levelOf.assign(exponents, loose);
+    std::size_t least = exponents, most = 0;
+    double farthest = 0;
+    for (const Aabb& box : input.boxes) {
+        const double half = halfWidth(box);
+        const std::size_t exponent = exponentOf(half);
+        Level& widths = m_byExponent[exponent];
+        widths.largest = std::max(widths.largest, half);
+        ++widths.boxes;
+        least = std::min(least, exponent);
+        most = std::max(most, exponent);
+        farthest = std::max({farthest, -box.lower.minCoeff(), box.upper.maxCoeff()});
+    }
+
+    m_levels.clear();
+    std::size_t top = 0;
+    for (std::size_t exponent = most + 1; exponent-- > least;) {
+        const Level& widths = m_byExponent[exponent];
+        if (widths.boxes == 0) continue;
+        const bool joins =
+            !m_levels.empty() && ((exponent + 1 == top && widths.boxes / 4 <= m_levels.back().boxes) ||
+                                  widths.boxes <= m_levels.back().boxes / 8 || m_levels.size() == mostLevels);
+        if (joins) {
+            m_levels.back().boxes += widths.boxes;
+        } else if (widths.boxes > looseBoxes) {
+            m_levels.push_back(widths);
+            top = exponent;
+        } else {
+            continue;
+        }
+        m_levelOf[exponent] = static_cast<std::uint8_t>(m_levels.size() - 1);
+    }
+    for (Level& level : m_levels) {
+        const double side = std::max(
+            {2 * slack * level.largest, farthest / mostCells, std::numeric_limits<double>::min() * 4});
+        level.inverseSide = 1 / side;
+    }
+}
+
+// A counting sort by slot.
+void UniformGrid::place(const BroadphaseInput& input) {
+    const std::size_t count = input.boxes.size();
+    const std::size_t slots = std::bit_ceil(std::max<std::size_t>(64, slotsPerBox * count));
+    m_mask = slots - 1;
+    // Fractions of the table that no small multiples bring close together (powers of the plastic number).
+    m_strideY = static_cast<std::uint64_t>(0.7548776662466927 * static_cast<double>(slots)) | 1;
+    m_strideZ = static_cast<std::uint64_t>(0.5698402909980532 * static_cast<double>(slots)) | 1;
+
+    m_slots.resize(count);
+    m_starts.assign(slots + 2, 0); // shifted by one more while filling
+    m_placed.resize(count);
+    std::size_t atEnd = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Aabb& box = input.boxes[i];
+        const std::uint8_t level = m_levelOf[exponentOf(halfWidth(box))];
+        if (level == loose) {
+            m_placed[--atEnd] = {box, static_cast<std::uint32_t>(i), loose};
+            m_slots[i] = noSlot;
+            continue;
+        }
+        const std::uint64_t slot = slotOf(cellOf(centreOf(box), m_levels[level]), level);
+        m_slots[i] = static_cast<std::uint32_t>(slot);
+        ++m_starts[slot + 2];
+    }
+    m_inTable = static_cast<std::uint32_t>(atEnd);
+    for (std::size_t slot = 2; slot < m_starts.size(); ++slot) m_starts[slot] += m_starts[slot - 1];
+    for (std::size_t i = 0; i < count; ++i) {
+        if (m_slots[i] == noSlot) continue;
+        const Aabb& box = input.boxes[i];
+        m_placed[m_starts[m_slots[i] + 1]++] = {box, static_cast<std::uint32_t>(i),
+                                                m_levelOf[exponentOf(halfWidth(box))]};
+    }
+}
+
+UniformGrid::Cell UniformGrid::cellOf(const Vec3& point, const Level& level) {
+    return {floorOf(point.x() * level.inverseSide), floorOf(point.y() * level.inverseSide),
+            floorOf(point.z() * level.inverseSide)};
+}
+
+std::uint64_t UniformGrid::slotOf(const Cell& cell, std::uint32_t level) const {
+    // Levels begin at different places of the table, or the middle of all would crowd the same slots.
+    return (static_cast<std::uint64_t>(cell.x) + static_cast<std::uint64_t>(cell.y) * m_strideY +
+            static_cast<std::uint64_t>(cell.z) * m_strideZ + level * (m_strideY >> 3)) &
+           m_mask;
+}
+
+// The rest of its own row, and those four of the eight neighbouring rows from which it is not itself found.
+void UniformGrid::compareWithNeighbours(std::uint32_t place) {
+    const Placed& placed = m_placed[place];
+    const std::uint64_t slot = m_slots[placed.entry];
+    compareRange(place, place + 1, m_starts[slot + 1]);
+    compareRow(place, slot + 1, 1);
+    compareRow(place, slot - 1 + m_strideY, 3);
+    compareRow(place, slot - 1 + m_strideZ, 3);
+    compareRow(place, slot - 1 + m_strideZ + m_strideY, 3);
+    compareRow(place, slot - 1 + m_strideZ - m_strideY, 3);
+}
+
+void UniformGrid::compareWithCoarser(std::uint32_t place) {
+    const Placed& placed = m_placed[place];
+    for (std::uint32_t level = 0; level < placed.level; ++level) {
+        const Vec3 reach = Vec3::Constant(slack * m_levels[level].largest);
+        const Cell low = cellOf(placed.box.lower - reach, m_levels[level]);
+        const Cell high = cellOf(placed.box.upper + reach, m_levels[level]);
+        for (std::int64_t z = low.z; z <= high.z; ++z)
+            for (std::int64_t y = low.y; y <= high.y; ++y)
+                compareRow(place, slotOf({low.x, y, z}, level),
+                           static_cast<std::uint64_t>(high.x - low.x + 1));
+    }
+}
+
+// The boxes of `width` neighbouring slots; the table is a ring.
+void UniformGrid::compareRow(std::uint32_t place, std::uint64_t slot, std::uint64_t width) {
+    const std::uint64_t first = slot & m_mask, slots = m_mask + 1;
+    if (first + width <= slots) return compareRange(place, m_starts[first], m_starts[first + width]);
+    compareRange(place, m_starts[first], m_starts[slots]);
+    compareRange(place, 0, m_starts[first + width - slots]);
+}
+
+void UniformGrid::compareRange(std::uint32_t place, std::uint32_t begin, std::uint32_t end) {
+    const Placed& a = m_placed[place];
+    for (std::uint32_t p = begin; p < end; ++p) {
+        const Placed& b = m_placed[p];
+        if (overlapWithoutBranches(a.box, b.box) && a.entry != b.entry) // on a small ring it may meet itself
+            m_found.push_back(pairKey(a.entry, b.entry));
+    }
+    m_counters.tested += end - begin;
+    ++m_counters.cells;
+}
+
+std::vector<Aabb> UniformGrid::structure() const {
+    std::vector<Aabb> cells;
+    for (std::uint32_t p = 0; p < m_inTable; ++p) {
+        const Level& level = m_levels[m_placed[p].level];
+        const Cell cell = cellOf(centreOf(m_placed[p].box), level);
+        const Vec3 lower = Vec3(double(cell.x), double(cell.y), double(cell.z)) / level.inverseSide;
+        cells.push_back({lower, lower + Vec3::Constant(1 / level.inverseSide)});
+    }
+    std::sort(cells.begin(), cells.end(), [](const Aabb& a, const Aabb& b) {
+        return std::lexicographical_compare(a.lower.data(), a.lower.data() + 3, b.lower.data(),
+                                            b.lower.data() + 3);
+    });
+    cells.erase(
+        std::unique(cells.begin(), cells.end(),
+                    [](const Aabb& a, const Aabb& b) { return a.lower == b.lower && a.upper == b.upper; }),
+        cells.end());
+    return cells;
+}
+
+} // namespace carom
