@@ -6,6 +6,7 @@
 #include "core/language/token.h"
 #include "core/scene/scene.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,12 +16,16 @@
 
 namespace carom {
 
+/// A text of more bytes than this is not read.
+inline constexpr std::size_t largestText = std::size_t{64} << 20U;
+
 struct Analysis {
     std::string text;
     LineTable lines;
     std::vector<Token> tokens; ///< comments included, white space not
     SyntaxTree tree;
     std::vector<Diagnostic> diagnostics; ///< lexer, parser and validator; ascending by place
+    std::uint64_t mistakes = 0;          ///< how many there are; the list above ends with a note if it is cut
     Scene scene;                         ///< what could be built; faulty declarations are left out
 
     SourcePosition positionOf(std::uint32_t offset) const { return lines.positionOf(text, offset); }
@@ -28,7 +33,8 @@ struct Analysis {
 
 Analysis analyse(std::string text);
 
-/// "file:line:col: severity: message [code]", notes on lines of their own with severity "note".
+/// "file:line:col: severity: message [code]", notes on lines of their own with severity "note"; lines are
+/// separated, not ended, by "\n".
 std::string formatDiagnostic(const Analysis& analysis, const Diagnostic& diagnostic, std::string_view file);
 
 } // namespace carom

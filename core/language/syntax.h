@@ -15,9 +15,9 @@ enum class SyntaxValueKind : std::uint8_t { Missing, Scalar, Vector, Word };
 
 struct ParameterSyntax {
     SourceRange name;
-    SourceRange value; ///< all of it, signs and commas included; empty where it is missing
+    SourceRange value;             ///< all of it, signs and commas included; empty where it is missing
+    std::uint32_t firstScalar = 0; ///< into SyntaxTree::scalars: one for a Scalar, three for a Vector
     SyntaxValueKind kind = SyntaxValueKind::Missing;
-    double scalars[3] = {0, 0, 0};
 };
 
 struct DeclarationSyntax {
@@ -26,12 +26,15 @@ struct DeclarationSyntax {
     SourceRange label;                ///< empty where there is none
     std::uint32_t firstParameter = 0; ///< into SyntaxTree::parameters
     std::uint32_t parameterCount = 0;
-    bool broken = false; ///< the parser reported an error inside; it is not built
+    bool broken = false;     ///< an error inside is already reported; it is not built
+    bool incomplete = false; ///< broken such that parameters may have been lost
+    bool nameless = false;   ///< broken such that its type must not be judged
 };
 
 struct SyntaxTree {
     std::vector<DeclarationSyntax> declarations;
     std::vector<ParameterSyntax> parameters;
+    std::vector<double> scalars;
 };
 
 } // namespace carom

@@ -34,8 +34,10 @@ enum class Constraint : std::uint8_t {
     FieldOfView,   ///< 0 < x < 180
 };
 
-/// How a message or the manual says it: "must be positive".
+/// How a message or the manual says it: "must be greater than 0"; empty for None.
 std::string_view sentenceOf(Constraint constraint);
+/// "a number", "three numbers separated by commas", "a word", ...
+std::string_view phraseOf(ValueKind kind);
 
 /// A value that has passed its row's checks.
 struct CheckedValue {
@@ -51,29 +53,33 @@ using Declared = std::variant<Body, Spring, Gravity, SimulationSettings, CameraS
 enum class Layer : std::uint8_t { Reference, Carom };
 
 struct ParameterRow {
-    std::string_view name;
+    std::string_view name = {};
     ValueKind kind = ValueKind::Number;
-    std::string_view unit; ///< "m", "rad/s", "" for none
+    std::string_view unit = {}; ///< "m", "rad/s", "" for none
     bool required = false;
-    std::string_view defaultText; ///< as one would write it, or a phrase where it depends; "" where required
+    std::string_view requiredUnless = {}; ///< not required where the parameter of this name is `yes`
+    std::string_view defaultText = {};    ///< as one would write it, or a phrase; "" where required
+    std::string_view example = {};        ///< a value one might write; what a fix-it or a snippet puts in
     Constraint constraint = Constraint::None;
-    std::span<const std::string_view> words; ///< for ValueKind::Word
-    std::string_view help;                   ///< one line
+    std::span<const std::string_view> words = {}; ///< for ValueKind::Word
+    std::string_view help = {};                   ///< one line
     Layer layer = Layer::Reference;
     void (*store)(Declared& into, const CheckedValue& value) = nullptr;
 };
 
 struct DeclarationRow {
-    std::string_view name;
-    std::string_view help; ///< one line
+    std::string_view name = {};
+    std::string_view help = {}; ///< one line
     Layer layer = Layer::Reference;
     bool isBody = false; ///< may carry a label
     bool once = false;   ///< a scene has at most one
-    std::vector<ParameterRow> parameters;
+    std::vector<ParameterRow> parameters = {};
     Declared (*begin)() = nullptr; ///< an empty one, defaults in place
-    std::string_view example;      ///< a snippet that validates by itself (with the bodies it names)
+    std::string_view example = {}; ///< a snippet that validates by itself (with the bodies it names)
 
     const ParameterRow* find(std::string_view parameter) const;
+    /// Whether it names bodies, and so can be built only when all bodies are known.
+    bool takesLabels() const;
 };
 
 /// Every declaration of the language, in the order of the manual.

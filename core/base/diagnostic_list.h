@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic.h"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace carom {
+
+/// Collects the diagnostics of one stage. Listed are the first `capacity`, counted are all, so that a text
+/// that is nothing but mistakes costs neither memory nor the time to word them:
+///
+///     if (Diagnostic* diagnostic = list.report(code, range)) diagnostic->message = ...;
+class DiagnosticList {
+  public:
+    static constexpr std::size_t capacity = 1000;
+
+    /// The new entry, to be worded before the next call; null where it is counted only.
+    Diagnostic* report(DiagnosticCode code, SourceRange range) {
+        ++m_total;
+        if (m_listed.size() >= capacity) return nullptr;
+        return &m_listed.emplace_back(Diagnostic{code, range, {}, {}, {}});
+    }
+
+    std::uint64_t total() const { return m_total; }
+    const std::vector<Diagnostic>& listed() const { return m_listed; }
+    std::vector<Diagnostic> take() { return std::move(m_listed); }
+
+  private:
+    std::vector<Diagnostic> m_listed;
+    std::uint64_t m_total = 0;
+};
+
+} // namespace carom

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic_list.h"
+#include "core/language/syntax.h"
+#include "core/language/token.h"
+
+#include <span>
+#include <string_view>
+
+namespace carom {
+
+/// More declarations than this are not read.
+inline constexpr std::size_t largestDeclarationCount = 10'000'000;
+
+/// Builds the tree of a text from its tokens (as lex() made them: the last is EndOfText). Without recursion,
+/// in time linear in the tokens. After an error it goes on at the next `}` or `;` of the same declaration,
+/// or at the next name of a declaration type that begins a line.
+SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics);
+
+} // namespace carom

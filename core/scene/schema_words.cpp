@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/schema.h"
+
+#include "core/base/catalogue.h"
+
+#include <array>
+
+// The words of the scene language and the phrases by which messages and the manual name its rules.
+
+namespace carom {
+namespace {
+
+constexpr std::array<std::string_view, 3> methods = {"contacts", "microcollisions", "events"};
+constexpr std::array<std::string_view, 4> integratorNames = {"euler", "symplectic", "verlet", "rk4"};
+constexpr std::array<std::string_view, 6> broadphaseNames = {
+    "auto", "all_pairs", "sweep_and_sort", "single_axis_sweep", "uniform_grid", "bounding_tree"};
+constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
+constexpr std::array<std::string_view, 3> presets = {"fast", "default", "accurate"};
+
+} // namespace
+
+std::span<const std::string_view> methodWords() { return methods; }
+std::span<const std::string_view> integratorWords() { return integratorNames; }
+std::span<const std::string_view> broadphaseWords() { return broadphaseNames; }
+std::span<const std::string_view> impactsWords() { return impactsNames; }
+std::span<const std::string_view> presetWords() { return presets; }
+
+std::span<const NamedColour> namedColours() {
+    // CSS Color Module Level 3 (W3C, 2011), section 4.1: components are 0, 128, 192 or 255 of 255.
+    constexpr double half = 128.0 / 255.0;
+    constexpr double threeQuarters = 192.0 / 255.0;
+    static const std::array<NamedColour, 16> colours = {{
+        {"aqua", {0, 1, 1}},
+        {"black", {0, 0, 0}},
+        {"blue", {0, 0, 1}},
+        {"fuchsia", {1, 0, 1}},
+        {"gray", {half, half, half}},
+        {"green", {0, half, 0}},
+        {"lime", {0, 1, 0}},
+        {"maroon", {half, 0, 0}},
+        {"navy", {0, 0, half}},
+        {"olive", {half, half, 0}},
+        {"purple", {half, 0, half}},
+        {"red", {1, 0, 0}},
+        {"silver", {threeQuarters, threeQuarters, threeQuarters}},
+        {"teal", {0, half, half}},
+        {"white", {1, 1, 1}},
+        {"yellow", {1, 1, 0}},
+    }};
+    return colours;
+}
+
+std::string_view sentenceOf(Constraint constraint) {
+    switch (constraint) {
+    case Constraint::None:
+        return "";
+    case Constraint::Positive:
+        return "must be greater than 0";
+    case Constraint::NotNegative:
+        return "must not be negative";
+    case Constraint::NonzeroVector:
+        return "must not be 0, 0, 0";
+    case Constraint::UnitRange:
+        return "must be from 0 to 1 in each component";
+    case Constraint::AtLeastOne:
+        return "must be at least 1";
+    case Constraint::FieldOfView:
+        return "must be greater than 0 and less than 180 degrees";
+    }
+    return "";
+}
+
+std::string_view phraseOf(ValueKind kind) {
+    switch (kind) {
+    case ValueKind::Number:
+        return "a number";
+    case ValueKind::WholeNumber:
+        return "a whole number";
+    case ValueKind::Vector:
+        return "a vector (three numbers separated by commas)";
+    case ValueKind::Word:
+        return "a word";
+    case ValueKind::Label:
+        return "a body's label or `world`";
+    case ValueKind::Colour:
+        return "a colour (three numbers from 0 to 1 separated by commas, or a colour's name)";
+    }
+    return "a value";
+}
+
+const ParameterRow* DeclarationRow::find(std::string_view parameter) const {
+    return findByName(std::span<const ParameterRow>(parameters), parameter);
+}
+
+bool DeclarationRow::takesLabels() const {
+    for (const ParameterRow& row : parameters)
+        if (row.kind == ValueKind::Label) return true;
+    return false;
+}
+
+const DeclarationRow* findDeclaration(std::string_view name) { return findByName(schema(), name); }
+
+} // namespace carom
