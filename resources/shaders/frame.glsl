@@ -6,9 +6,9 @@ layout(std140) uniform Frame {
     vec4 forward;         // w: world metres a pixel covers, at depth 1 where there is perspective
     vec4 up;              // w: strength of shadows
     vec4 keyDirection;    // towards the light; w: world metres of a texel of the shadow map
-    vec4 keyColour;
+    vec4 keyColour;       // w: strength of the sky's light
     vec4 fillDirection;
-    vec4 fillColour;
+    vec4 fillColour;      // w: how much walls darken away from the scene
     vec4 skyTop;
     vec4 skyHorizon;
     vec4 ground;

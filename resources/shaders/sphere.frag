@@ -14,5 +14,5 @@ void main() {
         vec3 second = mix(albedo, dot(albedo, vec3(0.33)) > 0.45 ? albedo * 0.35 : vec3(1.0), 0.7);
         albedo = mix(albedo, second, ballTint.w * clamp(band - spot, 0.0, 1.0));
     }
-    colour = vec4(shaded(albedo, surface.point, surface.normal, 1.0), surface.coverage);
+    colour = vec4(shaded(albedo, surface.point, surface.normal, surface.toEye, 1.0), surface.coverage);
 }

@@ -6,7 +6,7 @@ flat in float pixel;
 in vec3 onQuad;
 
 struct Surface {
-    vec3 point, normal;
+    vec3 point, normal, toEye;
     float coverage; // of the pixel by the silhouette, 0..1
 };
 
@@ -18,6 +18,7 @@ Surface surfaceHere() {
     vec3 across = nearest * direction - toCentre; // from the centre to the ray's nearest point
     float gap = length(across);
     Surface surface;
+    surface.toEye = -direction;
     surface.coverage = clamp((ball.w - gap) / pixel + 0.5, 0.0, 1.0);
     float half_chord = sqrt(max(ball.w * ball.w - gap * gap, 0.0));
     surface.normal = normalize(across - half_chord * direction);

@@ -65,8 +65,9 @@ void InstanceTable::build(const Scene& scene) {
     m_instances.resize(m_sources.size());
 }
 
-void InstanceTable::place(std::span<const Pose> poses, const Camera& camera) {
-    m_bounds = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
+void InstanceTable::place(std::span<const Pose> poses, const Camera& camera, const Camera& light) {
+    const Mat3 lightFromWorld = viewMatrix(light).block<3, 3>(0, 0);
+    m_bounds = m_lightBounds = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
     const Vec3 forward = camera.forward();
     bool first = true;
     for (Source& source : m_sources) {
@@ -80,7 +81,10 @@ void InstanceTable::place(std::span<const Pose> poses, const Camera& camera) {
         if (1 - std::abs(pose.orientation.dot(source.start)) > turnedEnough) instance.pattern = 1;
         source.depth = pose.position.dot(forward);
         const Aabb box = grown({pose.position, pose.position}, source.radius);
+        const Vec3 seenByLight = lightFromWorld * pose.position;
+        const Aabb lightBox = grown({seenByLight, seenByLight}, source.radius);
         m_bounds = first ? box : united(m_bounds, box);
+        m_lightBounds = first ? lightBox : united(m_lightBounds, lightBox);
         first = false;
     }
     std::sort(m_sources.begin() + m_spheres.first, m_sources.begin() + m_spheres.first + m_spheres.count,

@@ -32,7 +32,7 @@ class InstanceTable {
     void build(const Scene& scene);
     /// Writes the poses. Spheres come back to front: their edges are blended. A body whose orientation is
     /// not the one it started with is marked as spinning from then on.
-    void place(std::span<const Pose> poses, const Camera& camera);
+    void place(std::span<const Pose> poses, const Camera& camera, const Camera& light);
 
     std::span<const Instance> all() const { return m_instances; }
     InstanceRange spheres() const { return m_spheres; }
@@ -42,6 +42,8 @@ class InstanceTable {
     int indexOf(BodyIndex body) const;
     /// The box of all bounded bodies at the last place(); around the origin where there are none.
     const Aabb& bounds() const { return m_bounds; }
+    /// The same in the light's coordinates (right, up, backward of place()'s `light`).
+    const Aabb& lightBounds() const { return m_lightBounds; }
 
   private:
     struct Source {
@@ -56,7 +58,7 @@ class InstanceTable {
     std::vector<Instance> m_instances;
     std::vector<int> m_indexOf;
     InstanceRange m_spheres, m_cylinders, m_cuboids;
-    Aabb m_bounds;
+    Aabb m_bounds, m_lightBounds;
 };
 
 /// The box of all bounded bodies in these poses; a unit box around the origin where there are none.

@@ -54,12 +54,10 @@ double roundNumber(double x) {
     return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
-/// The directional light as an orthographic camera that sees a ball.
-Camera lightCamera(const Vec3& centre, double radius) {
+/// The first light as an orthographic camera at the origin.
+Camera lightCamera() {
     Camera light;
     light.orthographic = true;
-    light.target = centre;
-    light.distance = radius;
     light.fieldOfView = std::numbers::pi / 2;
     light.pitch = std::asin(keyDirection.y());
     light.yaw = std::atan2(keyDirection.x(), keyDirection.z());
@@ -94,7 +92,11 @@ bool Renderer::initialise() {
         return false;
     }
     if (!compile(Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}) ||
-        !compile(WallFace, {"frame.glsl", "wall.vert"}, {"frame.glsl", "light.glsl", "wall.frag"}) ||
+        !compile(WallFace, {"frame.glsl", "light.glsl", "wall.vert"}, {"frame.glsl", "wall.frag"}) ||
+        !compile(WallShadow, {"frame.glsl", "light.glsl", "wall_shadow.vert"},
+                 {"frame.glsl", "light.glsl", "wall_shadow.frag"}) ||
+        !compile(SphereShadow, {"frame.glsl", "instance.glsl", "sphere_shadow.vert"},
+                 {"sphere_shadow.frag"}) ||
         !compile(Contact, {"frame.glsl", "instance.glsl", "contact.vert"}, {"frame.glsl", "contact.frag"}) ||
         !compile(SphereLit, {"frame.glsl", "instance.glsl", "sphere.vert"},
                  {"frame.glsl", "light.glsl", "sphere_surface.glsl", "sphere.frag"}) ||
@@ -123,6 +125,16 @@ bool Renderer::initialise() {
         glVertexAttribPointer(i, sizes[i], GL_FLOAT, GL_FALSE, sizeof(WallVertex),
                               reinterpret_cast<const void*>(offset));
         offset += static_cast<std::size_t>(sizes[i]) * sizeof(float);
+    }
+
+    m_shadowed.create();
+    m_shadowed.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    m_shadowedArray.create();
+    {
+        const QOpenGLVertexArrayObject::Binder shadowed(&m_shadowedArray);
+        m_shadowed.bind();
+        glEnableVertexAttribArray(0);
+        glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(float), nullptr);
     }
 
     glGenBuffers(1, &m_frameBuffer);
@@ -191,9 +203,9 @@ void Renderer::useFrame(const Camera& camera, const PictureOptions& options, con
     frame.forward = four(camera.forward(), pixel);
     frame.up = four(camera.up(), static_cast<double>(theme.shadow));
     frame.keyDirection = four(keyDirection, m_shadowTexel);
-    frame.keyColour = four(theme.keyLight);
+    frame.keyColour = four(theme.keyLight, theme.ambient);
     frame.fillDirection = four(fillDirection, 0);
-    frame.fillColour = four(theme.fillLight);
+    frame.fillColour = four(theme.fillLight, theme.vignette);
     frame.skyTop = four(theme.skyTop);
     frame.skyHorizon = four(theme.skyHorizon);
     frame.ground = four(theme.ground);
@@ -231,15 +243,23 @@ void Renderer::drawRange(Program sphere, Program mesh, float growth, const Insta
 }
 
 void Renderer::drawShadowMap(const PictureOptions& options) {
-    const Vec3 reach = Vec3::Constant(m_room.extent);
-    const Aabb bounds{m_table.bounds().lower.cwiseMax(m_room.centre - reach),
-                      m_table.bounds().upper.cwiseMin(m_room.centre + reach)};
-    const double radius = std::max(bounds.size().norm() / 2, 1e-6) * (1 + 4.0 / shadowMapSize);
-    const Camera light = lightCamera(bounds.centre(), radius);
+    // Bodies far outside the room would take the map's texels from all others.
+    Camera light = lightCamera();
+    const Mat3 lightFromWorld = viewMatrix(light).block<3, 3>(0, 0);
+    const Aabb reach = grown({lightFromWorld * m_room.centre, lightFromWorld * m_room.centre}, m_room.extent);
+    m_shadowBox = {m_table.lightBounds().lower.cwiseMax(reach.lower),
+                   m_table.lightBounds().upper.cwiseMin(reach.upper)};
+    const Vec3 size = m_shadowBox.size().cwiseMax(1e-6) * (1 + 8.0 / shadowMapSize);
+    const Vec3 middle = m_shadowBox.centre();
+    m_shadowBox = {middle - size / 2, middle + size / 2};
+    m_shadowTexel = std::max(size.x(), size.y()) / shadowMapSize;
+    light.target = lightFromWorld.transpose() * middle;
+    light.distance = size.y() / 2;
     PictureOptions asLight = options;
-    asLight.size = {shadowMapSize, shadowMapSize};
-    m_shadowTexel = 2 * radius / shadowMapSize;
-    const Mat4 clip = projectionMatrix(light, asLight.size, 0, 2 * radius) * viewMatrix(light);
+    asLight.size = {shadowMapSize * size.x() / size.y(), shadowMapSize};
+    const double depth = size.z() / 2;
+    const Mat4 clip = projectionMatrix(light, asLight.size, light.distance - depth, light.distance + depth) *
+                      viewMatrix(light);
     Mat4 texture = Mat4::Identity();
     texture.block<3, 3>(0, 0) *= 0.5;
     texture.block<3, 1>(0, 3).setConstant(0.5);
@@ -255,7 +275,7 @@ void Renderer::drawShadowMap(const PictureOptions& options) {
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    drawRange(SphereFlat, MeshFlat, 0, nullptr);
+    drawRange(SphereShadow, MeshFlat, 0, nullptr);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
 }
 
@@ -273,8 +293,6 @@ void Renderer::drawWalls(bool fromBehind) {
     if (m_wallVertices == 0) return;
     use(WallFace).setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
     const QOpenGLVertexArrayObject::Binder bound(&m_wallArray);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
     glDepthMask(fromBehind ? GL_FALSE : GL_TRUE);
     glEnable(GL_CULL_FACE);
     glCullFace(fromBehind ? GL_FRONT : GL_BACK);
@@ -285,6 +303,38 @@ void Renderer::drawWalls(bool fromBehind) {
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
+}
+
+void Renderer::drawWallShadows() {
+    QOpenGLShaderProgram& program = use(WallShadow);
+    const QOpenGLVertexArrayObject::Binder bound(&m_shadowedArray);
+    glDepthMask(GL_FALSE);
+    glBlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1, -4);
+    glEnable(GL_CULL_FACE);
+    const Camera light = lightCamera();
+    const std::array<Wall, 4> sides = {
+        Wall{light.right(), m_shadowBox.lower.x()}, Wall{-light.right(), -m_shadowBox.upper.x()},
+        Wall{light.up(), m_shadowBox.lower.y()}, Wall{-light.up(), -m_shadowBox.upper.y()}};
+    for (const RoomFace& face : m_room.faces) {
+        if (face.wall.normal.dot(keyDirection) <= 0) continue;
+        std::vector<Vec3> polygon = face.polygon;
+        for (const Wall& side : sides)
+            if (polygon.size() >= 3) polygon = cut(polygon, side);
+        if (polygon.size() < 3) continue;
+        std::vector<Eigen::Vector3f> corners;
+        for (const Vec3& corner : polygon) corners.push_back(corner.cast<float>());
+        m_shadowed.bind();
+        m_shadowed.allocate(corners.data(), static_cast<int>(corners.size() * sizeof(Eigen::Vector3f)));
+        const Eigen::Vector3f normal = face.wall.normal.cast<float>();
+        program.setUniformValue("wallNormal", normal.x(), normal.y(), normal.z(), 0.0F);
+        glDrawArrays(GL_TRIANGLE_FAN, 0, static_cast<GLsizei>(corners.size()));
+    }
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDepthMask(GL_TRUE);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 
 void Renderer::drawContactShadows() {
@@ -330,7 +380,7 @@ void Renderer::drawOutline(const PictureOptions& options) {
 }
 
 void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) {
-    m_table.place(poses, options.camera);
+    m_table.place(poses, options.camera, lightCamera());
     m_instances.bind();
     m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
 
@@ -358,7 +408,10 @@ void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) 
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 
     drawSky(clip);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
     drawWalls(false);
+    drawWallShadows();
     drawContactShadows();
     drawBodies();
     drawWalls(true);

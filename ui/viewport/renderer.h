@@ -18,6 +18,7 @@
 //
 //     shadow map of the first light   spheres as billboards, meshes, depth only
 //     sky, walls                      one triangle; one buffer of polygons
+//     shadows on walls                only where the shadow map reaches, multiplied on
 //     contact shadows on floors       one square a sphere
 //     meshes                          cylinders and cuboids, instanced
 //     spheres                         one quad each, ray-cast, back to front: smooth edges by coverage
@@ -56,7 +57,9 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     enum Program : std::size_t {
         Sky,
         WallFace,
+        WallShadow,
         Contact,
+        SphereShadow,
         SphereLit,
         SphereFlat,
         MeshLit,
@@ -71,6 +74,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     void drawShadowMap(const PictureOptions& options);
     void drawSky(const Eigen::Matrix4f& clip);
     void drawWalls(bool fromBehind);
+    void drawWallShadows();
     void drawContactShadows();
     void drawBodies();
     void drawOutline(const PictureOptions& options);
@@ -80,12 +84,14 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     GlMesh m_square, m_cube, m_cylinder;
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_walls{QOpenGLBuffer::VertexBuffer};
-    QOpenGLVertexArrayObject m_wallArray, m_emptyArray;
+    QOpenGLBuffer m_shadowed{QOpenGLBuffer::VertexBuffer}; ///< the polygon of a wall under the shadow map
+    QOpenGLVertexArrayObject m_wallArray, m_shadowedArray, m_emptyArray;
     GLuint m_frameBuffer = 0;   ///< the uniform block
     GLuint m_shadowTexture = 0; ///< depth
     GLuint m_shadowTarget = 0;  ///< framebuffer of m_shadowTexture
     int m_wallVertices = 0;
     double m_gridSpacing = 1; ///< [m]
+    Aabb m_shadowBox;         ///< what the shadow map holds, in the light's coordinates [m]
     Eigen::Matrix4f m_shadowFromWorld = Eigen::Matrix4f::Identity();
     double m_shadowTexel = 0; ///< [m]
     Room m_room;

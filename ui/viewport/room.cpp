@@ -15,7 +15,17 @@ constexpr double extentInRadii = 14;
 /// Every wall cuts every other; beyond this many the picture would be of use to nobody, the time lost to all.
 constexpr std::size_t mostWalls = 400;
 
-/// The part of a convex polygon on the free side of a wall (Sutherland and Hodgman's clipping by one plane).
+bool holds(const std::vector<Vec3>& polygon, const Vec3& normal, const Vec3& point) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3& here = polygon[i];
+        const Vec3& next = polygon[(i + 1) % polygon.size()];
+        if ((next - here).cross(point - here).dot(normal) < 0) return false;
+    }
+    return true;
+}
+
+} // namespace
+
 std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Wall& wall, double tolerance) {
     std::vector<Vec3> inside;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -28,17 +38,6 @@ std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Wall& wall, double
     }
     return inside;
 }
-
-bool holds(const std::vector<Vec3>& polygon, const Vec3& normal, const Vec3& point) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3& here = polygon[i];
-        const Vec3& next = polygon[(i + 1) % polygon.size()];
-        if ((next - here).cross(point - here).dot(normal) < 0) return false;
-    }
-    return true;
-}
-
-} // namespace
 
 Room roomOf(const Scene& scene, const Aabb& around) {
     Room room;

@@ -28,6 +28,10 @@ struct Room {
 /// `around`: the box of all bounded bodies, or any box where there are none.
 Room roomOf(const Scene& scene, const Aabb& around);
 
+/// The part of a convex polygon on the free side of a wall, or up to `tolerance` [m] behind it (Sutherland
+/// and Hodgman's clipping by one plane).
+std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Wall& wall, double tolerance = 0);
+
 /// Distance along the ray to the nearest face seen from its free side, and its body.
 struct FaceHit {
     BodyIndex body = noBody;
