@@ -2,6 +2,7 @@
 #include "core/broadphase/broadphase.h"
 
 #include "core/broadphase/all_pairs.h"
+#include "core/broadphase/bounding_tree.h"
 #include "core/broadphase/single_axis_sweep.h"
 #include "core/broadphase/sweep_and_sort.h"
 #include "core/broadphase/uniform_grid.h"
@@ -27,6 +28,9 @@ constexpr BroadphaseRow rows[] = {
     {"uniform_grid", "Uniform grid", "O(n + pairs) a frame",
      "M. Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects, 2003",
      create<UniformGrid>},
+    {"bounding_tree", "Bounding tree", "O(n log n + pairs) a frame of motion, O(n + pairs) at rest",
+     "G. van den Bergen, Efficient Collision Detection of Complex Deformable Models using AABB Trees, 1997",
+     create<BoundingTree>},
 };
 
 } // namespace

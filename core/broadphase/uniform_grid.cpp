@@ -12,7 +12,7 @@ namespace {
 // Slots of the table for each box: fewer make cells meet by chance, more cost time to clear.
 constexpr std::size_t slotsPerBox = 4;
 // A level of at most so many boxes is not worth a grid: they are compared with everything finer.
-constexpr std::uint32_t looseBoxes = 8;
+constexpr std::uint32_t looseBoxes = 16;
 // The levels there can be; beyond them, sizes over a range of more than 2^16, the finest shares its cells.
 constexpr std::size_t mostLevels = 16;
 // The level that stands for no grid at all.
@@ -92,7 +92,7 @@ void UniformGrid::makeLevels(const BroadphaseInput& input) {
         const Level& widths = m_byExponent[exponent];
         if (widths.boxes == 0) continue;
         const bool joins =
-            !m_levels.empty() && ((exponent + 1 == top && widths.boxes / 4 <= m_levels.back().boxes) ||
+            !m_levels.empty() && ((exponent + 1 == top && widths.boxes <= m_levels.back().boxes) ||
                                   widths.boxes <= m_levels.back().boxes / 8 || m_levels.size() == mostLevels);
         if (joins) {
             m_levels.back().boxes += widths.boxes;
@@ -193,11 +193,10 @@ void UniformGrid::compareRow(std::uint32_t place, std::uint64_t slot, std::uint6
 
 void UniformGrid::compareRange(std::uint32_t place, std::uint32_t begin, std::uint32_t end) {
     const Placed& a = m_placed[place];
-    for (std::uint32_t p = begin; p < end; ++p) {
-        const Placed& b = m_placed[p];
-        if (overlapWithoutBranches(a.box, b.box) && a.entry != b.entry) // on a small ring it may meet itself
-            m_found.push_back(pairKey(a.entry, b.entry));
-    }
+    const Placed* const placed = m_placed.data();
+    for (std::uint32_t p = begin; p < end; ++p)
+        if (overlapWithoutBranches(a.box, placed[p].box) && p != place) // on a small ring it may meet itself
+            m_found.push_back(pairKey(a.entry, placed[p].entry));
     m_counters.tested += end - begin;
     ++m_counters.cells;
 }

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/bounding_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+// Boxes in a leaf: more make the tree shorter and each meeting of two leaves dearer.
+constexpr std::uint32_t leafSize = 4;
+// A new tree costs about as much as so many node comparisons for each box and each halving of their number.
+constexpr double buildCost = 1;
+// From this share of escaped boxes on, comparing the whole tree is cheaper than looking each up.
+constexpr std::size_t fewEscaped = 8;
+// A box is fattened by what it moves in so many frames, at least by a hundredth of its width, so that rest
+// and creeping cost nothing; one that would need more than a quarter of its width stays tight: it will escape
+// whatever is done, and a fat box would only meet more others.
+constexpr double framesAhead = 8, leastMargin = 0.01, mostMargin = 0.25;
+
+Aabb fattened(const Aabb& box, const Vec3& lastLower) {
+    const double width = (box.upper - box.lower).maxCoeff();
+    const double ahead = framesAhead * (box.lower - lastLower).cwiseAbs().maxCoeff();
+    return ahead > mostMargin * width ? box : grown(box, std::max(ahead, leastMargin * width));
+}
+
+double girthOf(const Aabb& box) { return box.size().sum(); }
+
+} // namespace
+
+void BoundingTree::update(const BroadphaseInput& input) {
+    m_counters = {};
+    m_escaped.clear();
+    const std::size_t count = input.boxes.size();
+    const double costOfNew = buildCost * static_cast<double>(count) * std::log2(2 + double(count));
+    if (m_items.size() != count || m_regret > costOfNew) {
+        build(input);
+        compareAll();
+        m_order.tidy(m_candidates, input);
+    } else {
+        renewFatBoxes(input);
+        if (!m_escaped.empty()) {
+            refit();
+            if (m_escaped.size() > count / fewEscaped)
+                compareAll();
+            else
+                lookUpEscaped();
+            m_order.tidy(m_candidates, input);
+        }
+    }
+    if (m_girth > m_girthWhenNew)
+        m_regret += static_cast<double>(m_counters.cells) * (1 - m_girthWhenNew / m_girth);
+
+    m_overlapping.clear();
+    for (const PairKey key : m_candidates)
+        if (overlap(input.boxes[firstOf(key)], input.boxes[secondOf(key)])) m_overlapping.push_back(key);
+    translate(m_overlapping, input, m_pairs);
+    m_last.resize(count);
+    for (std::size_t i = 0; i < count; ++i) m_last[i] = input.boxes[i].lower;
+
+    m_counters.boxes = count;
+    m_counters.pairs = m_pairs.size();
+    m_counters.tested += m_candidates.size();
+    m_counters.memoryBytes = m_nodes.capacity() * sizeof(Node) + m_items.capacity() * sizeof(Item) +
+                             m_last.capacity() * sizeof(Vec3) + m_hasEscaped.capacity() +
+                             (m_escaped.capacity() + m_stack.capacity()) * sizeof(std::uint32_t) +
+                             (m_candidates.capacity() + m_overlapping.capacity()) * sizeof(PairKey) +
+                             m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
+}
+
+void BoundingTree::build(const BroadphaseInput& input) {
+    const std::uint32_t count = static_cast<std::uint32_t>(input.boxes.size());
+    const bool first = m_items.size() != count;
+    m_items.resize(count);
+    m_hasEscaped.assign(count, 0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3& last = first ? input.boxes[i].lower : m_last[i];
+        m_items[i] = {fattened(input.boxes[i], last), i, input.mobile[i]};
+    }
+    m_nodes.clear();
+    if (count > 0) buildNode(0, count);
+    refit();
+    m_girthWhenNew = m_girth;
+    m_regret = 0;
+}
+
+// Halves by the median of the centres along the axis they spread most on: the depth is bounded whatever the
+// scene, and boxes with one centre do no harm.
+std::uint32_t BoundingTree::buildNode(std::uint32_t first, std::uint32_t count) {
+    const std::uint32_t index = static_cast<std::uint32_t>(m_nodes.size());
+    m_nodes.push_back({{}, 0, first, count, 0});
+    if (count <= leafSize) return index;
+    const std::vector<Item>::iterator begin = m_items.begin() + first, end = begin + count;
+    Vec3 least = begin->fat.centre(), most = least;
+    for (std::vector<Item>::iterator item = begin + 1; item != end; ++item) {
+        least = least.cwiseMin(item->fat.centre());
+        most = most.cwiseMax(item->fat.centre());
+    }
+    Eigen::Index axis = 0;
+    (most - least).maxCoeff(&axis);
+    const std::uint32_t half = count / 2;
+    std::nth_element(begin, begin + half, end, [axis](const Item& a, const Item& b) {
+        return a.fat.lower[axis] + a.fat.upper[axis] < b.fat.lower[axis] + b.fat.upper[axis];
+    });
+    buildNode(first, half);
+    const std::uint32_t right = buildNode(first + half, count - half);
+    m_nodes[index].right = right;
+    return index;
+}
+
+void BoundingTree::renewFatBoxes(const BroadphaseInput& input) {
+    for (std::uint32_t p = 0; p < m_items.size(); ++p) {
+        Item& item = m_items[p];
+        const Aabb& box = input.boxes[item.entry];
+        const bool inside = contains(item.fat, box);
+        m_hasEscaped[item.entry] = inside ? 0 : 1;
+        if (inside) continue;
+        item.fat = fattened(box, m_last[item.entry]);
+        m_escaped.push_back(p);
+    }
+}
+
+// Children come after their parents, so one pass from the end meets every child before its parent.
+void BoundingTree::refit() {
+    m_girth = 0;
+    for (std::size_t index = m_nodes.size(); index-- > 0;) {
+        Node& node = m_nodes[index];
+        if (node.right != 0) {
+            const Node &left = m_nodes[index + 1], &right = m_nodes[node.right];
+            node.box = united(left.box, right.box);
+            node.mobile = left.mobile | right.mobile;
+        } else {
+            node.box = m_items[node.first].fat;
+            node.mobile = m_items[node.first].mobile;
+            for (std::uint32_t p = node.first + 1; p < node.first + node.count; ++p) {
+                node.box = united(node.box, m_items[p].fat);
+                node.mobile |= m_items[p].mobile;
+            }
+        }
+        m_girth += girthOf(node.box);
+    }
+}
+
+// Every pair lies within a leaf or between the two children of exactly one node.
+void BoundingTree::compareAll() {
+    m_candidates.clear();
+    for (std::uint32_t index = 0; index < m_nodes.size(); ++index) {
+        const Node& node = m_nodes[index];
+        if (node.mobile == 0) continue;
+        if (node.right == 0)
+            compareWithin(node);
+        else
+            compare(m_nodes[index + 1], m_nodes[node.right]);
+    }
+}
+
+void BoundingTree::compareWithin(const Node& leaf) {
+    const std::uint32_t end = leaf.first + leaf.count;
+    for (std::uint32_t p = leaf.first; p < end; ++p)
+        for (std::uint32_t q = p + 1; q < end; ++q) note(m_items[p], m_items[q]);
+}
+
+void BoundingTree::compare(const Node& a, const Node& b) {
+    ++m_counters.cells;
+    if (!overlap(a.box, b.box) || (a.mobile | b.mobile) == 0) return;
+    if (a.right == 0 && b.right == 0) {
+        for (std::uint32_t p = a.first; p < a.first + a.count; ++p) {
+            if (!overlap(m_items[p].fat, b.box)) continue;
+            for (std::uint32_t q = b.first; q < b.first + b.count; ++q) note(m_items[p], m_items[q]);
+        }
+    } else if (b.right == 0 || (a.right != 0 && a.count >= b.count)) {
+        compare((&a)[1], b);
+        compare(m_nodes[a.right], b);
+    } else {
+        compare(a, (&b)[1]);
+        compare(a, m_nodes[b.right]);
+    }
+}
+
+// Pairs of boxes that both stayed are kept; those of an escaped one are found anew, once.
+void BoundingTree::lookUpEscaped() {
+    std::erase_if(m_candidates, [this](PairKey key) {
+        return (m_hasEscaped[firstOf(key)] | m_hasEscaped[secondOf(key)]) != 0;
+    });
+    for (const std::uint32_t p : m_escaped) {
+        const Item& item = m_items[p];
+        m_stack.assign(1, 0);
+        while (!m_stack.empty()) {
+            const std::uint32_t index = m_stack.back();
+            m_stack.pop_back();
+            const Node& node = m_nodes[index];
+            ++m_counters.cells;
+            if (!overlap(item.fat, node.box) || (item.mobile | node.mobile) == 0) continue;
+            if (node.right != 0) {
+                m_stack.push_back(node.right);
+                m_stack.push_back(index + 1);
+                continue;
+            }
+            for (std::uint32_t q = node.first; q < node.first + node.count; ++q)
+                if (q != p && !(q < p && m_hasEscaped[m_items[q].entry])) note(item, m_items[q]);
+        }
+    }
+}
+
+void BoundingTree::note(const Item& a, const Item& b) {
+    ++m_counters.tested;
+    if (overlap(a.fat, b.fat)) m_candidates.push_back(pairKey(a.entry, b.entry));
+}
+
+std::vector<Aabb> BoundingTree::structure() const {
+    std::vector<Aabb> boxes;
+    boxes.reserve(m_nodes.size());
+    for (const Node& node : m_nodes) boxes.push_back(node.box);
+    return boxes;
+}
+
+} // namespace carom
