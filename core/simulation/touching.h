@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index.h"
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+#include "core/shapes/manifold.h"
+
+#include <vector>
+
+namespace carom {
+
+struct TouchingPair {
+    BodyPair pair;
+    Manifold manifold; ///< A is pair.a; world coordinates
+};
+
+/// Every pair of which at least one body is mobile whose distance is at most 0, ascending, with its contact
+/// points. For reports and pictures of one state; a run keeps its own.
+std::vector<TouchingPair> touchingPairs(const Bodies& bodies, const State& state);
+
+} // namespace carom
