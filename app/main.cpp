@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/version.h"
+#include "app/command.h"
 
-#include <cstdio>
+#include <string>
+#include <vector>
 
-int main() {
-    std::printf("carom %s\n", carom::version().data());
-    return 0;
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+#ifdef CAROM_IDE
+    const carom::IdeEntry ide = carom::runIde;
+#else
+    const carom::IdeEntry ide = nullptr;
+#endif
+    return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command.h"
+
+#include "app/errors.h"
+#include "app/files.h"
+#include "app/version.h"
+#include "core/base/catalogue.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <limits>
+
+namespace carom {
+
+#define CAROM_COMMAND(function) CommandRow function();
+#include "app/commands.def"
+#undef CAROM_COMMAND
+
+std::span<const CommandRow> commands() {
+    static const std::vector<CommandRow> rows = {
+#define CAROM_COMMAND(function) function(),
+#include "app/commands.def"
+#undef CAROM_COMMAND
+    };
+    return rows;
+}
+
+std::span<const OptionRow> ideOptions() {
+    static const std::vector<OptionRow> rows = {
+        {"frames", 'n', "FRAMES", "leave after FRAMES rendered frames and print the timing statistics"},
+        {"play", 0, "", "start playing at once"},
+        {"screenshot", 0, "FILE", "save the window as a PNG before leaving (with -n)"},
+        {"version", 0, "", "print the version"},
+    };
+    return rows;
+}
+
+namespace {
+
+int runCommand(const CommandRow& command, std::span<const std::string> words) {
+    const Arguments arguments = readArguments(words, command.options);
+    if (arguments.has("help")) {
+        printOut(helpOf(command));
+        return exitcode::done;
+    }
+    if (arguments.operands.size() < command.leastOperands)
+        throw UsageError("missing " + std::string(command.operands));
+    if (arguments.operands.size() > command.mostOperands)
+        throw UsageError("`" + arguments.operands[command.mostOperands] +
+                         "` is one operand too many; it takes " + std::string(command.operands));
+    return command.run(arguments);
+}
+
+bool hasDisplay() {
+    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (const char* value = std::getenv(variable); value && *value) return true;
+    return false;
+}
+
+/// A first word that is no subcommand is a scene for the IDE, or a slip of the finger.
+void rejectSlip(const std::string& word) {
+    const std::optional<std::string_view> near = nearestRow(word, commands());
+    if (near && ::access(word.c_str(), F_OK) != 0)
+        throw UsageError("`" + word + "` is neither a subcommand nor a file; did you mean `" +
+                         std::string(*near) + "`?");
+}
+
+int openIde(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
+    const Arguments arguments = readArguments(words, ideOptions());
+    if (arguments.has("help")) {
+        printOut(helpOfProgram());
+        return exitcode::done;
+    }
+    if (arguments.has("version")) {
+        printOut("carom " + std::string(version()) + "\n");
+        return exitcode::done;
+    }
+    if (!arguments.operands.empty()) rejectSlip(arguments.operands.front());
+    if (arguments.operands.size() > 1)
+        throw UsageError("`" + arguments.operands[1] + "` is one scene too many; the IDE opens one");
+    IdeRequest request;
+    request.program = program;
+    if (!arguments.operands.empty()) request.scene = arguments.operands.front();
+    request.frames = arguments.wholeNumber("frames", 1, std::numeric_limits<std::int64_t>::max());
+    request.play = arguments.has("play");
+    request.screenshot = arguments.text("screenshot");
+    if (!ide) throw UsageError("this build has no IDE; `carom run SCENE` simulates without it");
+    if (!hasDisplay())
+        throw UsageError("there is no display to open the IDE on; `carom run SCENE` simulates without one");
+    return ide(request);
+}
+
+} // namespace
+
+int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
+    // A reader that goes away is a write error like any other, not a silent death by signal.
+    std::signal(SIGPIPE, SIG_IGN);
+    const CommandRow* command = words.empty() ? nullptr : findByName(commands(), words.front());
+    const std::string who = command ? "carom " + std::string(command->name) : "carom";
+    try {
+        return command ? runCommand(*command, words.subspan(1)) : openIde(program, words, ide);
+    } catch (const UsageError& error) {
+        printError(who + ": " + error.what() + "\nTry `" + who + " --help`.\n");
+        return exitcode::wrongUsage;
+    } catch (const FileError& error) {
+        if (!error.isBrokenPipe()) printError(who + ": " + error.what() + "\n");
+        return exitcode::fileError;
+    }
+}
+
+} // namespace carom

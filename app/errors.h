@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+// How a subcommand ends. Scripts depend on these numbers. The two errors below belong to the outside world,
+// are thrown where they are met and become a message and an exit code in one place, runCommandLine.
+
+namespace carom {
+
+namespace exitcode {
+inline constexpr int done = 0;
+inline constexpr int sceneHasErrors = 1;
+inline constexpr int wrongUsage = 2;
+inline constexpr int fileError = 3;
+inline constexpr int notFinite = 4;
+inline constexpr int stabilityFailed = 5;
+inline constexpr int interrupted = 130;
+} // namespace exitcode
+
+/// The command line asks for something it cannot have.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A file cannot be read or written.
+class FileError : public std::runtime_error {
+  public:
+    /// "cannot write `scene.sdl`: No space left on device"; `cause` is an errno.
+    FileError(const std::string& what, const std::string& path, int cause);
+    /// Nobody reads our output any more (`carom ... | head`): not worth a message.
+    bool isBrokenPipe() const { return m_isBrokenPipe; }
+
+  private:
+    bool m_isBrokenPipe;
+};
+
+/// The reading kind, for who goes on with the next file.
+class UnreadableFile : public FileError {
+  public:
+    UnreadableFile(const std::string& path, int cause) : FileError("cannot read", path, cause) {}
+};
+
+} // namespace carom

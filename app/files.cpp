@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files.h"
+
+#include "app/errors.h"
+#include "core/language/analysis.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+namespace carom {
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string nameOfOutput(const std::string& path) {
+    return path == "-" ? "standard output" : "`" + path + "`";
+}
+
+/// A temporary file that is gone again unless it was renamed.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& besides) : m_path(besides + ".XXXXXX") {
+        m_descriptor = ::mkstemp(m_path.data());
+        if (m_descriptor < 0) throw FileError("cannot write beside", "`" + besides + "`", errno);
+    }
+    ~TemporaryFile() {
+        if (m_descriptor >= 0) ::close(m_descriptor);
+        if (!m_renamed) ::unlink(m_path.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    void write(std::string_view text) {
+        while (!text.empty()) {
+            const ssize_t written = ::write(m_descriptor, text.data(), text.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) fail();
+            text.remove_prefix(static_cast<std::size_t>(written));
+        }
+    }
+
+    void takeOwnerOf(const struct stat& original) {
+        // Another user's file stays readable as it was, but may change hands: only root can prevent that.
+        if (::fchown(m_descriptor, original.st_uid, original.st_gid) != 0) errno = 0;
+        if (::fchmod(m_descriptor, original.st_mode & 07777U) != 0) fail();
+    }
+
+    void renameTo(const std::string& path) {
+        if (::fsync(m_descriptor) != 0) fail();
+        const int descriptor = m_descriptor;
+        m_descriptor = -1;
+        if (::close(descriptor) != 0) fail();
+        if (std::rename(m_path.c_str(), path.c_str()) != 0)
+            throw FileError("cannot replace", "`" + path + "`", errno);
+        m_renamed = true;
+    }
+
+  private:
+    [[noreturn]] void fail() const { throw FileError("cannot write", "`" + m_path + "`", errno); }
+
+    std::string m_path;
+    int m_descriptor = -1;
+    bool m_renamed = false;
+};
+
+} // namespace
+
+FileError::FileError(const std::string& what, const std::string& path, int cause)
+    : std::runtime_error(what + " " + path + ": " + std::generic_category().message(cause)),
+      m_isBrokenPipe(cause == EPIPE) {}
+
+std::string readText(const std::string& path) {
+    const bool fromInput = path == "-";
+    const std::string name = fromInput ? "standard input" : "`" + path + "`";
+    std::unique_ptr<std::FILE, CloseFile> opened;
+    if (!fromInput) {
+        opened.reset(std::fopen(path.c_str(), "rb"));
+        if (!opened) throw UnreadableFile(name, errno);
+    }
+    std::FILE* file = fromInput ? stdin : opened.get();
+    std::string text;
+    std::vector<char> block(1U << 16U);
+    while (text.size() <= largestText) {
+        const std::size_t wanted = std::min(block.size(), largestText + 1 - text.size());
+        const std::size_t count = std::fread(block.data(), 1, wanted, file);
+        text.append(block.data(), count);
+        if (count < wanted && std::ferror(file)) throw UnreadableFile(name, errno);
+        if (count < wanted) break;
+    }
+    return text;
+}
+
+std::string displayName(const std::string& path) { return path == "-" ? "<stdin>" : path; }
+
+OutputFile::OutputFile(const std::string& path)
+    : m_path(path), m_file(path == "-" ? stdout : std::fopen(path.c_str(), "wb")) {
+    if (!m_file) fail();
+}
+
+OutputFile::~OutputFile() {
+    if (m_file && m_file != stdout) std::fclose(m_file);
+}
+
+void OutputFile::write(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), m_file) != text.size()) fail();
+}
+
+void OutputFile::close() {
+    std::FILE* file = m_file;
+    m_file = nullptr;
+    if (std::fflush(file) != 0) fail();
+    if (file != stdout && std::fclose(file) != 0) fail();
+}
+
+void OutputFile::fail() const { throw FileError("cannot write", nameOfOutput(m_path), errno); }
+
+void printOut(std::string_view text) {
+    OutputFile output("-");
+    output.write(text);
+    output.close();
+}
+
+void printError(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+void replaceFile(const std::string& path, std::string_view text) {
+    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
+    if (!real) throw FileError("cannot write", "`" + path + "`", errno);
+    struct stat original {};
+    if (::stat(real.get(), &original) != 0) throw FileError("cannot write", "`" + path + "`", errno);
+    // Renaming asks for the directory's permission only; a file that may not be written is left alone.
+    if (::access(real.get(), W_OK) != 0) throw FileError("cannot write", "`" + path + "`", errno);
+    TemporaryFile temporary(real.get());
+    temporary.write(text);
+    temporary.takeOwnerOf(original);
+    temporary.renameTo(real.get());
+}
+
+} // namespace carom

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace carom {
+namespace {
+
+constexpr double patience = 2000; ///< [ms] before the first line
+constexpr double interval = 200;  ///< [ms] between lines
+
+} // namespace
+
+Progress::Progress(std::int64_t total)
+    : m_total(total), m_nextShow(patience), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (m_shown) std::fputs("\r\x1b[K", stderr);
+}
+
+void Progress::update(std::int64_t done) {
+    if (!m_isTerminal) return;
+    const double elapsed = m_watch.elapsed();
+    if (elapsed < m_nextShow || done <= 0) return;
+    m_nextShow = elapsed + interval;
+    m_shown = true;
+    const double left = elapsed * static_cast<double>(m_total - done) / static_cast<double>(done) / 1000;
+    std::fprintf(stderr, "\r%lld of %lld frames, about %.0f s left\x1b[K", static_cast<long long>(done),
+                 static_cast<long long>(m_total), left);
+}
+
+} // namespace carom

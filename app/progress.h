@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <cstdint>
+
+namespace carom {
+
+/// One line on standard error that counts up, if that is a terminal and the work takes longer than two
+/// seconds; otherwise nothing at all.
+class Progress {
+  public:
+    explicit Progress(std::int64_t total);
+    ~Progress(); ///< wipes the line
+
+    void update(std::int64_t done);
+
+  private:
+    Stopwatch m_watch;
+    std::int64_t m_total;
+    double m_nextShow; ///< [ms] since the start
+    bool m_isTerminal;
+    bool m_shown = false;
+};
+
+} // namespace carom

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recorders.h"
+
+#include "core/base/text.h"
+
+#include <initializer_list>
+
+namespace carom {
+namespace {
+
+void append(std::string& row, std::initializer_list<double> values) {
+    for (const double value : values) row.append(",").append(shortest(value));
+}
+
+void append(std::string& row, const Vec3& v) { append(row, {v.x(), v.y(), v.z()}); }
+
+} // namespace
+
+TraceWriter::TraceWriter(const std::string& path, std::int64_t every) : m_file(path), m_every(every) {
+    m_file.write("frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n");
+}
+
+void TraceWriter::record(const World& world) {
+    const State& state = world.state();
+    if (state.frame % m_every != 0) return;
+    const Pipeline& pipeline = world.pipeline();
+    std::string row;
+    for (const BodyIndex body : pipeline.bodies().mobileBodies) {
+        const Quat& q = state.pose[body].orientation;
+        row = std::to_string(state.frame);
+        append(row, {state.time});
+        row.append(",").append(std::to_string(body)).append(",").append(pipeline.scene().bodies[body].label);
+        append(row, state.pose[body].position);
+        append(row, {q.w(), q.x(), q.y(), q.z()});
+        append(row, state.velocity[body]);
+        append(row, state.angularVelocity[body]);
+        m_file.write(row += '\n');
+    }
+}
+
+StatisticsWriter::StatisticsWriter(const std::string& path) : m_file(path) {
+    m_file.write(
+        "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,pairs,contacts,swaps,"
+        "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration\n");
+}
+
+void StatisticsWriter::record(const FrameStatistics& frame) {
+    std::string row = std::to_string(frame.frame);
+    append(row,
+           {frame.time, frame.simulate, frame.integrate, frame.broadphase, frame.narrowphase, frame.respond});
+    for (const std::uint64_t count : {frame.broad.pairs, frame.contacts, frame.broad.swaps})
+        row.append(",").append(std::to_string(count));
+    append(row, {frame.kinetic, frame.potential});
+    append(row, frame.momentum);
+    append(row, {frame.maxPenetration});
+    m_file.write(row += '\n');
+}
+
+} // namespace carom

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/statistics.h"
+#include "core/simulation/build.h"
+#include "core/simulation/world.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom {
+
+/// What `carom run` says at the end; collected frame by frame.
+class RunSummary {
+  public:
+    RunSummary(std::string sceneName, const Build& built, const World& atStart);
+
+    void add(const FrameStatistics& frame);
+    /// The state the run ended in.
+    void finish(const World& world);
+
+    std::string asText() const;
+    std::string asJson() const;
+
+  private:
+    struct Times {
+        double first = 0; ///< [ms] of the first frame, which sorts and allocates
+        Summary rest;     ///< [ms] of the frames behind it (of the first if it is the only one)
+        double total = 0; ///< [ms] of all
+    };
+    Times times() const;
+    /// Simulated seconds per second of computing; nothing where nothing was computed.
+    std::optional<double> realTimeFactor() const;
+    std::optional<double> relativeDrift() const;
+    double perFrame(double total) const;
+    std::vector<std::string_view> effectsSimulated() const;
+
+    std::string m_sceneName;
+    std::shared_ptr<const Pipeline> m_pipeline;
+    std::size_t m_diagnostics;
+    std::vector<double> m_milliseconds;
+    double m_initialEnergy, m_finalEnergy; ///< [J] kinetic and potential
+    Vec3 m_initialMomentum, m_finalMomentum;
+    double m_deepest = 0, m_sumOfDeepest = 0; ///< [m]
+    double m_sumOfPairs = 0, m_sumOfContacts = 0;
+    double m_time = 0; ///< simulated [s]
+    std::uint64_t m_hash = 0;
+};
+
+} // namespace carom

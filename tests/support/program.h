@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFile>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <QTemporaryDir>
+
+// Runs the built program as a user would, and small helpers to read what it wrote.
+
+namespace carom::test {
+
+struct Ended {
+    int exitCode = -1; ///< -1: it did not end by itself
+    QString out;
+    QString err;
+};
+
+inline constexpr int patience = 120'000; ///< [ms] a program may take; only a hang takes that long
+
+inline Ended finish(QProcess& process) {
+    if (!process.waitForFinished(patience)) {
+        process.kill();
+        process.waitForFinished();
+        return {};
+    }
+    const bool normal = process.exitStatus() == QProcess::NormalExit;
+    return {normal ? process.exitCode() : -1, QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+inline Ended runCommand(const QString& program, const QStringList& words, const QByteArray& input = {}) {
+    QProcess process;
+    process.start(program, words);
+    process.write(input);
+    process.closeWriteChannel();
+    return finish(process);
+}
+
+/// `carom` with these words, and this on its standard input.
+inline Ended carom(const QStringList& words, const QByteArray& input = {}) {
+    return runCommand(QStringLiteral(CAROM_PROGRAM), words, input);
+}
+
+/// A shell line in which $carom is the program.
+inline Ended shell(const QString& line) {
+    return runCommand(QStringLiteral("/bin/sh"),
+                      {QStringLiteral("-c"), QStringLiteral("carom='" CAROM_PROGRAM "'; ") + line});
+}
+
+inline QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+inline void writeFile(const QString& path, const QByteArray& content) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+        qFatal("cannot write the test's file");
+}
+
+/// The lines of a text without their ends; nothing behind the last end.
+inline QStringList linesOf(const QString& text) {
+    QStringList lines = text.split(QLatin1Char('\n'));
+    if (!lines.isEmpty() && lines.last().isEmpty()) lines.removeLast();
+    return lines;
+}
+
+/// A shipped file, from the root of the sources.
+inline QString source(const QString& path) { return QStringLiteral(CAROM_SOURCE_DIR "/") + path; }
+
+} // namespace carom::test
