@@ -2,9 +2,11 @@
 #pragma once
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace carom {
@@ -13,8 +15,9 @@ namespace carom {
 /// bits do not depend on the number of threads or on who took which part.
 class Workers {
   public:
-    /// `threads` includes the caller; 1 never starts another.
-    explicit Workers(int threads) : m_threads(threads < 1 ? 1 : threads), m_arena(m_threads) {}
+    /// `threads` includes the caller; 1 never starts another, and no more start than there are processors.
+    explicit Workers(int threads)
+        : m_threads(std::clamp(threads, 1, oneapi::tbb::info::default_concurrency())), m_arena(m_threads) {}
 
     int threads() const { return m_threads; }
 

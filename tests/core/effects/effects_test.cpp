@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
+#include "core/effects/effect.h"
+#include "core/language/analysis.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+// Each decision, its status, and the very text that calls for it.
+
+namespace carom {
+namespace {
+
+QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+const char* const ball = "sphere { radius 1 mass 1 centre 0, 5, 0 }\n";
+const char* const second = "sphere { radius 1 mass 1 centre 9, 5, 0 }\n";
+
+} // namespace
+
+class EffectsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyEffectHasANameATitleAndHelp() {
+        std::set<std::string_view> names;
+        for (const EffectRow& row : effects()) {
+            QVERIFY(names.insert(row.name).second);
+            QVERIFY(!row.name.empty() && !row.title.empty() && !row.help.empty());
+            QVERIFY(row.decide != nullptr);
+            QCOMPARE(findEffect(row.name), &row);
+            QCOMPARE(q(row.decide(Scene{}).effect), q(row.name));
+        }
+    }
+
+    void anEmptySceneNeedsNoEffectAndEachSaysWhy() {
+        for (const EffectRow& row : effects()) {
+            const EffectDecision decision = row.decide(Scene{});
+            QCOMPARE(q(nameOf(decision.status)), QStringLiteral("absent"));
+            QVERIFY2(!decision.reason.empty(), row.name.data());
+            QVERIFY(decision.unmet.empty());
+        }
+    }
+
+    void decisionsCiteTheTextThatCallsForThem_data() {
+        QTest::addColumn<QString>("effect");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("status");
+        QTest::addColumn<QString>("cited"); // the text under the decision's range; "" for none
+        QTest::addColumn<int>("warnings");  // places that deserve one
+        const QString one = QString::fromLatin1(ball);
+        const QString two = one + QString::fromLatin1(second);
+        const auto row = [](const char* name, const char* effect, const QString& text, const char* status,
+                            const char* cited, int warnings = 0) {
+            QTest::newRow(name) << QString::fromLatin1(effect) << text << QString::fromLatin1(status)
+                                << QString::fromLatin1(cited) << warnings;
+        };
+        const auto s = [](const char* text) { return QString::fromLatin1(text); };
+
+        row("gravity by default", "gravity", one, "on", "");
+        row("gravity declared", "gravity", s("gravity { accel 0, -1.6, 0 }\n") + one, "on", "0, -1.6, 0");
+        row("gravity zero", "gravity", s("gravity { accel 0, 0, 0 }\n") + one, "absent", "0, 0, 0");
+        row("gravity on nothing mobile", "gravity", s("wall { normal 0, 1, 0 toOrig 0 }"), "absent", "");
+        row("rotation of spheres", "rotation", two, "absent", "");
+        row("rotation of a spinning sphere", "rotation",
+            s("sphere { radius 1 mass 1 centre 0, 5, 0 angvel 0, 3, 0 }"), "on", "0, 3, 0");
+        row("rotation of a cylinder", "rotation",
+            two + s("cylinder { radius 1 height 1 mass 1 centre 5, 0, 0 axis 0, 1, 0 }"), "on", "cylinder");
+        row("rotation of a lone cylinder", "rotation",
+            s("cylinder { radius 1 height 1 mass 1 centre 5, 0, 0 axis 0, 1, 0 }"), "absent", "");
+        row("gyroscopic, along the axis", "gyroscopic_term",
+            s("cylinder { radius 1 height 1 mass 1 centre 5, 0, 0 axis 0, 1, 0 angvel 0, 2, 0 }"),
+            "not simulated yet", "0, 2, 0", 0);
+        row("gyroscopic, askew", "gyroscopic_term",
+            s("cylinder { radius 1 height 1 mass 1 centre 5, 0, 0 axis 0, 1, 0 angvel 1, 2, 0 }"),
+            "not simulated yet", "1, 2, 0", 1);
+        row("gyroscopic, cube", "gyroscopic_term",
+            s("cuboid { size 1, 1, 1 mass 1 centre 5, 0, 0 angvel 1, 2, 0 }"), "absent", "");
+        row("collision alone", "collision", one, "absent", "");
+        row("collision of two", "collision", two, "on", "sphere");
+        row("collision of fixed ones", "collision",
+            s("sphere { radius 1 centre 0, 5, 0 fixed yes } sphere { radius 1 centre 0, 6, 0 fixed yes }"),
+            "absent", "");
+        row("restitution by default", "restitution", two, "on", "sphere");
+        row("restitution 0 everywhere but in one", "restitution",
+            one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0 }"), "absent", "");
+        row("restitution declared", "restitution",
+            one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0.25 }"), "on", "0.25");
+        row("friction of one", "friction", one + s("sphere { radius 1 mass 1 centre 3, 5, 0 friction 0.5 }"),
+            "absent", "", 0);
+        row("friction of two", "friction",
+            s("wall { normal 0, 1, 0 toOrig 0 friction 0.75 } sphere { radius 1 mass 1 centre 3, 5, 0 "
+              "friction 0.5 }"),
+            "not simulated yet", "0.75", 2);
+        row("friction 1e-300", "friction",
+            s("wall { normal 0, 1, 0 toOrig 0 friction 1e-300 } sphere { radius 1 mass 1 centre 3, 5, 0 "
+              "friction 1e-300 }"),
+            "not simulated yet", "1e-300", 2);
+        row("friction of immobile ones", "friction",
+            s("wall { normal 0, 1, 0 toOrig 0 friction 1 } wall { normal 1, 0, 0 toOrig 0 friction 1 }") +
+                one,
+            "absent", "", 0);
+        row("rolling", "rolling_resistance",
+            one + s("sphere { radius 1 mass 1 centre 3, 5, 0 rolling 0.01 }"), "not simulated yet", "0.01",
+            1);
+        row("no rolling", "rolling_resistance", two, "absent", "");
+        row("spring", "spring",
+            s("sphere a { radius 1 mass 1 centre 0, 5, 0 } spring { from world to a stiffness 3 }"),
+            "not simulated yet", "spring", 1);
+        row("spring between what cannot move", "spring",
+            s("sphere a { radius 1 centre 0, 5, 0 fixed yes } spring { from world to a stiffness 3 }"),
+            "absent", "", 0);
+        row("resting, elastic", "resting", two, "absent", "");
+        row("resting, inelastic", "resting", one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0.5 }"),
+            "not simulated yet", "0.5", 0);
+    }
+    void decisionsCiteTheTextThatCallsForThem() {
+        QFETCH(QString, effect);
+        QFETCH(QString, text);
+        QFETCH(QString, status);
+        QFETCH(QString, cited);
+        QFETCH(int, warnings);
+        const Analysis analysis = analyse(text.toStdString());
+        QVERIFY(analysis.diagnostics.empty());
+        const EffectDecision decision = findEffect(effect.toStdString())->decide(analysis.scene);
+        QCOMPARE(q(nameOf(decision.status)), status);
+        QVERIFY(!decision.reason.empty());
+        const QString seen = decision.source ? q(textOf(analysis.text, *decision.source)) : QString();
+        QCOMPARE(seen, cited);
+        QCOMPARE(int(decision.unmet.size()), warnings);
+        for (const SourceRange place : decision.unmet) QVERIFY(place.length > 0);
+    }
+
+    void aReasonNamesTheBodyByItsLabel() {
+        const Analysis analysis = analyse("sphere cue { radius 1 mass 1 centre 0, 0, 0 angvel 0, 1, 0 }");
+        QCOMPARE(q(findEffect("rotation")->decide(analysis.scene).reason),
+                 QStringLiteral("`cue` spins from the start"));
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::EffectsTest)
+#include "effects_test.moc"

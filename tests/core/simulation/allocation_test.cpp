@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
+#include "core/math/random.h"
+
+#include <QTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+// A step allocates nothing once the first frames have sized the scratch: operator new is counted.
+
+namespace {
+
+std::atomic<long> allocations = 0;
+
+void* counted(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    // aligned_alloc wants a multiple of the alignment
+    void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+} // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace carom {
+
+class AllocationTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void theCounterCounts() {
+        const long before = allocations;
+        int* volatile kept = new int(3); // volatile: the optimiser may leave out a pair it sees through
+        delete kept;
+        QVERIFY(allocations > before);
+    }
+
+    void aStepAllocatesNothingAfterWarmUp_data() {
+        QTest::addColumn<QString>("broadphase");
+        for (const BroadphaseRow& row : broadphases())
+            QTest::newRow(row.name.data()) << QString::fromUtf8(row.name.data(), qsizetype(row.name.size()));
+    }
+    void aStepAllocatesNothingAfterWarmUp() {
+        QFETCH(QString, broadphase);
+        // An elastic gas in a box: pairs come and go for ever, and never many at once.
+        Random random(7);
+        Scene scene = test::sceneOf({});
+        for (int axis = 0; axis < 3; ++axis) {
+            scene.bodies.push_back(test::wall(Vec3::Unit(axis), -2));
+            scene.bodies.push_back(test::wall(-Vec3::Unit(axis), -2));
+        }
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 centre(random.uniform(-1.8, 1.8), random.uniform(-1.8, 1.8),
+                              random.uniform(-1.8, 1.8));
+            const Vec3 velocity(random.gaussian(), random.gaussian(), random.gaussian());
+            scene.bodies.push_back(i == 0 ? test::cylinder(0.1, 0.2, 1, centre)
+                                          : test::sphere(0.1, 1, centre, velocity));
+        }
+        SimulationSettings options;
+        options.broadphase = broadphase.toStdString();
+        World world = test::worldOf(scene, options);
+        test::run(world, 600);
+
+        const long before = allocations;
+        std::uint64_t contacts = 0;
+        for (int i = 0; i < 200; ++i) {
+            world.step();
+            contacts += world.statistics().contacts;
+        }
+        QCOMPARE(allocations - before, 0);
+        QVERIFY(contacts > 1000);
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::AllocationTest)
+#include "allocation_test.moc"

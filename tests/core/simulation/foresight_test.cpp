@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/build.h"
+
+#include <QTest>
+
+// Warnings before the run, each with the figure that triggers it, at the value that does.
+
+namespace carom {
+namespace {
+
+QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+QStringList warningsOf(const char* text) {
+    const Build built = build(text);
+    QStringList found;
+    for (const Diagnostic& diagnostic : built.diagnostics)
+        found += q(rowOf(diagnostic.code).code) + QStringLiteral(" `") +
+                 q(textOf(built.analysis.text, diagnostic.range)) + QStringLiteral("`: ") +
+                 q(diagnostic.message);
+    return found;
+}
+
+} // namespace
+
+class ForesightTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void spheresThatOverlapAreToldByHowMuch() {
+        QCOMPARE(
+            warningsOf("sphere a { radius 1 mass 1 centre 0, 0, 0 }\n"
+                       "sphere b { radius 1 mass 1 centre 0, 1.75, 0 }\n"),
+            QStringList(QStringLiteral("sdl-overlap-at-start `0, 1.75, 0`: `b` overlaps `a` by 0.25 m at the "
+                                       "start; move them apart by at least that")));
+    }
+
+    void aBodyThatSinksIntoAWallIsNamedNotTheWall() {
+        QCOMPARE(
+            warningsOf("sphere a { radius 1 mass 1 centre 0, 0.5, 0 }\nwall { normal 0, 1, 0 toOrig 0 }\n"),
+            QStringList(QStringLiteral("sdl-overlap-at-start `0, 0.5, 0`: `a` overlaps wall 1 by 0.5 m at "
+                                       "the start; move them apart by at least that")));
+    }
+
+    void aBodyBehindAWallIsToldHowFar() {
+        QCOMPARE(
+            warningsOf("wall { normal 0, 1, 0 toOrig 0 }\nsphere a { radius 1 mass 1 centre 0, -3, 0 }\n"),
+            QStringList(
+                QStringLiteral("sdl-outside-walls `0, -3, 0`: the centre of `a` is 3 m behind wall 0; "
+                               "the free side is the one the normal points to")));
+    }
+
+    void bodiesThatOnlyTouchAreFine() {
+        QCOMPARE(warningsOf("wall { normal 0, 1, 0 toOrig 0 }\n"
+                            "sphere { radius 0.1 mass 1 centre 0, 0.1, 0 }\n"
+                            "sphere { radius 0.1 mass 1 centre 0, 0.3, 0 }\n"
+                            "cylinder { radius 0.3 height 0.7 mass 1 centre 2, 0.35, 0 axis 0, 1, 0 }\n"
+                            "cylinder { radius 0.3 height 0.7 mass 1 centre 2, 1.05, 0 axis 0, 1, 0 }\n"),
+                 QStringList());
+    }
+
+    void fixedBodiesMayOverlapEachOther() {
+        QCOMPARE(warningsOf("wall { normal 0, 1, 0 toOrig 0 }\n"
+                            "sphere { radius 1 centre 0, 0.5, 0 fixed yes }\n"
+                            "sphere { radius 1 centre 0, 1, 0 fixed yes }\n"),
+                 QStringList());
+    }
+
+    // 8 m/s for 1/60 s is 0.133 m, five times the cue ball's radius.
+    void aBodyThatMayTunnelIsToldTheSubstepsThatHoldIt() {
+        QCOMPARE(
+            warningsOf("sphere cue { radius 0.027 mass 1 centre 0, 0, 0 vel 8, 0, 0 }\n"
+                       "sphere { radius 1 mass 1 centre 5, 0, 0 }\n"),
+            QStringList(QStringLiteral("sdl-tunnelling `8, 0, 0`: `cue` moves 0.133 m a substep, more than "
+                                       "its half-extent of 0.027 m, and may pass through what it meets; "
+                                       "`substeps 5` would hold it")));
+        QCOMPARE(warningsOf("simulation { substeps 5 }\n"
+                            "sphere cue { radius 0.027 mass 1 centre 0, 0, 0 vel 8, 0, 0 }\n"
+                            "sphere { radius 1 mass 1 centre 5, 0, 0 }\n"),
+                 QStringList());
+    }
+
+    void aLoneBodyMayBeAsFastAsItLikes() {
+        QCOMPARE(warningsOf("sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 1e9, 0, 0 }"), QStringList());
+    }
+
+    void aHeapOfOverlapsDoesNotBecomeAnAvalanche() {
+        std::string text;
+        for (int i = 0; i < 400; ++i) text += "sphere { radius 1 mass 1 centre 0, 0, 0 }\n";
+        QCOMPARE(warningsOf(text.c_str()).size(), 50);
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::ForesightTest)
+#include "foresight_test.moc"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/integrators/integrator.h"
+#include "core/simulation/build.h"
+#include "core/solvers/solver.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// How the scene's words, the command line's and the preset become the settings of a run.
+
+namespace carom {
+namespace {
+
+QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+const std::string ball = "sphere { radius 1 mass 1 centre 0, 5, 0 }\n";
+
+/// The warnings of one code, as "`text under the range`: message".
+QStringList warningsOf(const Build& built, DiagnosticCode code) {
+    QStringList found;
+    for (const Diagnostic& diagnostic : built.diagnostics)
+        if (diagnostic.code == code)
+            found += u'`' + q(textOf(built.analysis.text, diagnostic.range)) + QStringLiteral("`: ") +
+                     q(diagnostic.message);
+    return found;
+}
+
+} // namespace
+
+class SettingsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyMethodAndPresetSaysWhatItIs() {
+        for (const SolverRow& row : solvers()) {
+            QVERIFY(!row.name.empty() && !row.title.empty() && !row.help.empty() && !row.source.empty());
+            QCOMPARE(findSolver(row.name), &row);
+        }
+        for (const PresetRow& row : presets()) QVERIFY(!row.name.empty() && !row.help.empty());
+    }
+
+    void aSceneThatSaysNothingRunsAsTheReferenceDid() {
+        const Build built = build(ball);
+        const RunSettings& settings = built.pipeline->settings();
+        QCOMPARE(settings.step, 1.0 / 60);
+        QCOMPARE(settings.substeps, 1);
+        QCOMPARE(q(settings.method->name), QStringLiteral("microcollisions"));
+        QCOMPARE(q(settings.integrator->name), QStringLiteral("euler"));
+        QVERIFY(settings.broadphase != nullptr && !settings.broadphaseReason.empty());
+        QCOMPARE(settings.threads, 1);
+        QVERIFY(!settings.duration);
+        QVERIFY(built.diagnostics.empty());
+    }
+
+    void theSceneSettlesWhatItSays() {
+        const Build built = build(ball + "simulation { step 0.01 substeps 4 method microcollisions "
+                                         "integrator euler broadphase all_pairs duration 3 }");
+        const RunSettings& settings = built.pipeline->settings();
+        QCOMPARE(settings.step, 0.01);
+        QCOMPARE(settings.substeps, 4);
+        QCOMPARE(settings.substep(), 0.0025);
+        QCOMPARE(q(settings.broadphase->name), QStringLiteral("all_pairs"));
+        QVERIFY(settings.broadphaseReason.empty());
+        QCOMPARE(*settings.duration, 3.0);
+        QVERIFY(built.diagnostics.empty());
+    }
+
+    void theCommandLineWinsOverTheSceneAndTheSceneOverThePreset() {
+        SimulationSettings options;
+        options.step = 0.5;
+        options.broadphase = "sweep_and_sort";
+        options.preset = "accurate";
+        options.threads = 3;
+        const std::string text = ball + "simulation { step 0.01 broadphase all_pairs }";
+        const RunSettings settings = build(text, options).pipeline->settings();
+        QCOMPARE(settings.step, 0.5);
+        QCOMPARE(q(settings.broadphase->name), QStringLiteral("sweep_and_sort"));
+        QCOMPARE(settings.threads, 3);
+        QCOMPARE(settings.substeps, 8); // the preset's
+        QCOMPARE(build(ball + "simulation { substeps 2 }", options).pipeline->settings().substeps, 2);
+    }
+
+    void theCommandLineMayAskForAutoAgain() {
+        SimulationSettings options;
+        options.broadphase = "auto";
+        const RunSettings settings =
+            build(ball + "simulation { broadphase all_pairs }", options).pipeline->settings();
+        QVERIFY(!settings.broadphaseReason.empty());
+    }
+
+    void whatIsNotSimulatedYetIsSaidAtTheValueThatAsks_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("place");
+        const auto row = [](const char* setting, const char* place) {
+            QTest::newRow(setting) << QString::fromLatin1(setting) << QString::fromLatin1(place);
+        };
+        row("method contacts", "contacts");
+        row("method events", "events");
+        row("integrator verlet", "verlet");
+        row("integrator rk4", "rk4");
+        row("impacts simultaneous", "simultaneous");
+        row("iterations 20", "20");
+        row("tolerance 1e-6", "1e-6");
+    }
+    void whatIsNotSimulatedYetIsSaidAtTheValueThatAsks() {
+        QFETCH(QString, text);
+        QFETCH(QString, place);
+        const Build built = build(ball + "simulation { " + text.toStdString() + " }");
+        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        QCOMPARE(warnings.size(), 1);
+        QVERIFY2(warnings[0].startsWith(u'`' + place + u'`'), qPrintable(warnings[0]));
+        QVERIFY(!built.hasErrors());
+        QCOMPARE(q(built.pipeline->settings().method->name), QStringLiteral("microcollisions"));
+        QCOMPARE(q(built.pipeline->settings().integrator->name), QStringLiteral("euler"));
+    }
+
+    void whatTheCommandLineAsksForInVainIsSaidToo() {
+        SimulationSettings options;
+        options.integrator = "rk4";
+        const Build built = build(ball + "simulation { integrator euler }", options);
+        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        QCOMPARE(warnings,
+                 QStringList(QStringLiteral("``: integrator `rk4` is not simulated yet; `euler` runs "
+                                            "in its place (asked for on the command line)")));
+    }
+
+    void effectsTheTextAsksForInVainAreSaidAtEachPlace() {
+        const Build built = build("wall { normal 0, 1, 0 toOrig 0 friction 0.5 }\n"
+                                  "sphere a { radius 1 mass 1 centre 0, 5, 0 friction 0.25 rolling 0.125 }\n"
+                                  "spring { from world to a stiffness 3 }\n");
+        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        QCOMPARE(warnings.size(), 4);
+        QVERIFY(warnings[0].startsWith(QStringLiteral("`0.5`: Friction is not simulated yet")));
+        QVERIFY(warnings[1].startsWith(QStringLiteral("`0.25`: Friction")));
+        QVERIFY(warnings[2].startsWith(QStringLiteral("`0.125`: Rolling resistance")));
+        QVERIFY(warnings[3].startsWith(QStringLiteral("`spring`: Springs")));
+    }
+
+    void manyPlacesDoNotBecomeAnAvalanche() {
+        std::string text;
+        for (int i = 0; i < 300; ++i)
+            text += "sphere { radius 1 mass 1 centre " + std::to_string(3 * i) + ", 5, 0 friction 0.5 }\n";
+        const QStringList warnings = warningsOf(build(text), DiagnosticCode::NotSimulatedYet);
+        QCOMPARE(warnings.size(), 50);
+        QVERIFY(warnings.back().endsWith(QStringLiteral("(and so in 250 more places)")));
+    }
+
+    void diagnosticsOfABuildAscendByPlace() {
+        const Build built = build("sphere { radius 1 mass 1 centre 0, 0, 0 friction 1 }\n"
+                                  "sphere { raduis 1 mass 1 centre 0, 9, 0 }\n"
+                                  "sphere { radius 1 mass 1 centre 0, 0, 0 friction 1 }\n");
+        QVERIFY(built.hasErrors());
+        QVERIFY(built.diagnostics.size() > 3);
+        for (std::size_t i = 1; i < built.diagnostics.size(); ++i)
+            QVERIFY(built.diagnostics[i - 1].range.offset <= built.diagnostics[i].range.offset);
+        QCOMPARE(built.pipeline->bodies().count(), std::size_t(2));
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::SettingsTest)
+#include "settings_test.moc"

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/random_scene.h"
+
+#include "core/generators/generator.h"
+#include "core/simulation/build.h"
+
+#include <QTest>
+
+// The same scene and options give the same bits: on every run, with every broad-phase, for any number of
+// threads. Held on every shipped scene, every generator and on random scenes.
+
+namespace carom {
+namespace {
+
+using test::randomScene;
+using test::run;
+using test::worldOf;
+
+constexpr std::uint64_t seed = 4711;
+
+QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+std::uint64_t hashAfter(const Scene& scene, int frames, const SimulationSettings& options = {}) {
+    World world = worldOf(scene, options);
+    run(world, frames);
+    return world.stateHash();
+}
+
+SimulationSettings with(std::string_view broadphase, int threads) {
+    SimulationSettings options;
+    options.broadphase = std::string(broadphase);
+    options.threads = threads;
+    return options;
+}
+
+/// Steps one world a broad-phase side by side; false at the first frame whose pairs or bits differ.
+void holdTogether(const Scene& scene, int frames) {
+    std::vector<World> worlds;
+    for (const BroadphaseRow& row : broadphases()) worlds.push_back(worldOf(scene, with(row.name, 1)));
+    for (int frame = 1; frame <= frames; ++frame) {
+        for (World& world : worlds) world.step();
+        const std::span<const BodyPair> pairs = worlds[0].broadphase().pairs();
+        for (const World& world : worlds) {
+            const std::span<const BodyPair> others = world.broadphase().pairs();
+            const QString where = q(world.broadphaseRow().name) + QStringLiteral(" in frame %1").arg(frame);
+            QVERIFY2(std::equal(pairs.begin(), pairs.end(), others.begin(), others.end()), qPrintable(where));
+            QVERIFY2(world.stateHash() == worlds[0].stateHash(), qPrintable(where));
+            QCOMPARE(world.statistics().contacts, worlds[0].statistics().contacts);
+        }
+        if (!worlds[0].health().finite) return;
+    }
+}
+
+/// Frames enough for every shipped scene to have its collisions, and few enough for all pairs.
+int framesFor(const Scene& scene) { return scene.bodies.size() > 1000 ? 60 : 240; }
+
+void addScenes() {
+    QTest::addColumn<QString>("text");
+    for (const QString& path : test::shippedScenes())
+        QTest::newRow(qPrintable(QFileInfo(path).fileName())) << q(test::textOfFile(path));
+    for (const GeneratorRow& row : generators())
+        QTest::newRow(row.name.data()) << q(generate(row, GeneratorRequest{}));
+}
+
+} // namespace
+
+class DeterminismTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyBroadphaseGivesTheSamePairsAndBits_data() { addScenes(); }
+    void everyBroadphaseGivesTheSamePairsAndBits() {
+        QFETCH(QString, text);
+        const Build built = build(text.toStdString());
+        holdTogether(built.pipeline->scene(), framesFor(built.pipeline->scene()));
+    }
+
+    void threadsAndRunsDoNotChangeABit_data() { addScenes(); }
+    void threadsAndRunsDoNotChangeABit() {
+        QFETCH(QString, text);
+        const Build built = build(text.toStdString());
+        const Scene& scene = built.pipeline->scene();
+        const std::uint64_t hash = hashAfter(scene, 60);
+        QCOMPARE(hashAfter(scene, 60), hash);
+        for (const int threads : {2, 5})
+            QCOMPARE(hashAfter(scene, 60, with("sweep_and_sort", threads)), hash);
+    }
+
+    void randomScenesGiveTheSamePairsAndBits() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        for (int round = 0; round < 60; ++round) {
+            holdTogether(randomScene(random), 90);
+            if (QTest::currentTestFailed()) {
+                qInfo("round %d", round);
+                return;
+            }
+        }
+    }
+
+    // Enough bodies that the loops over them are really shared out, and enough collisions to tell.
+    void manyBodiesMoveTheSameOnAnyNumberOfThreads() {
+        Random random(seed);
+        Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
+        for (int i = 0; i < 10000; ++i) scene.bodies.push_back(test::randomBody(random, 8));
+        World one = worldOf(scene, with("sweep_and_sort", 1));
+        run(one, 15);
+        QVERIFY(one.statistics().contacts > 100);
+        for (const int threads : {2, 3, 8})
+            QCOMPARE(hashAfter(scene, 15, with("sweep_and_sort", threads)), one.stateHash());
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::DeterminismTest)
+#include "determinism_test.moc"
