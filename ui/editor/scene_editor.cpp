@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/scene_editor.h"
+
+#include "ui/editor/scene_lexer.h"
+#include "ui/window/theme.h"
+
+#include <QDragEnterEvent>
+#include <QFontDatabase>
+#include <QMimeData>
+#include <QUrl>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace carom {
+namespace {
+
+constexpr int columnsOfIndent = 4; // [columns]
+constexpr int hoverDelay = 350;    // [ms]
+constexpr int editorFontSize = 11; // [pt]
+
+QFont editorFont() {
+    QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    font.setPointSize(editorFontSize);
+    return font;
+}
+
+/// The first line end decides; files without one get LF.
+QsciScintilla::EolMode lineEndOf(const QByteArray& text) {
+    const qsizetype newline = text.indexOf('\n');
+    const qsizetype carriage = text.indexOf('\r');
+    if (carriage < 0) return QsciScintilla::EolUnix;
+    return newline == carriage + 1 ? QsciScintilla::EolWindows
+           : newline < 0           ? QsciScintilla::EolMac
+                                   : QsciScintilla::EolUnix;
+}
+
+QString droppedFile(const QMimeData& data) {
+    return data.urls().size() == 1 ? data.urls().first().toLocalFile() : QString();
+}
+
+} // namespace
+
+SceneEditor::SceneEditor(const Theme& theme, QWidget* parent)
+    : QsciScintilla(parent), m_lexer(new SceneLexer(theme, editorFont(), this)) {
+    setUtf8(true);
+    setLexer(m_lexer);
+    setAccessibleName(tr("Scene text"));
+    setFrameShape(QFrame::NoFrame);
+    configureEditing();
+    configureMargins();
+    setTheme(theme);
+    const auto report = [this] { Q_EMIT savedStateChanged(differsFromSaved()); };
+    connect(this, &QsciScintillaBase::SCN_SAVEPOINTREACHED, this, report);
+    connect(this, &QsciScintillaBase::SCN_SAVEPOINTLEFT, this, report);
+    connect(this, &QsciScintilla::cursorPositionChanged, this, [this] { Q_EMIT caretMoved(caret()); });
+    connect(this, &QsciScintilla::linesChanged, this, &SceneEditor::fitNumberMargin);
+}
+
+void SceneEditor::configureEditing() {
+    setIndentationsUseTabs(false);
+    setIndentationWidth(columnsOfIndent);
+    setTabWidth(columnsOfIndent);
+    setAutoIndent(true);
+    setBackspaceUnindents(true);
+    setTabIndents(true);
+    setBraceMatching(SloppyBraceMatch);
+    setCaretLineVisible(true);
+    setCaretWidth(2);
+    setScrollWidth(1);
+    setScrollWidthTracking(true);
+    send(SCI_SETMULTIPLESELECTION, 1);
+    send(SCI_SETADDITIONALSELECTIONTYPING, 1);
+    send(SCI_SETMULTIPASTE, SC_MULTIPASTE_EACH);
+    send(SCI_SETVIRTUALSPACEOPTIONS, SCVS_RECTANGULARSELECTION);
+    send(SCI_SETMOUSEDWELLTIME, hoverDelay);
+    send(SCI_SETENDATLASTLINE, 0);
+    send(SCI_SETCARETSTICKY, SC_CARETSTICKY_OFF);
+}
+
+void SceneEditor::configureMargins() {
+    setMarginType(NumberMargin, MarginType::NumberMargin);
+    setMarginType(SymbolMargin, MarginType::SymbolMargin);
+    setMarginWidth(SymbolMargin, 16);
+    setMarginMarkerMask(SymbolMargin, 1 << HintMarker | 1 << WarningMarker | 1 << ErrorMarker);
+    setMarginSensitivity(SymbolMargin, true);
+    setFolding(PlainFoldStyle, FoldMargin);
+    for (const int marker : {SC_MARKNUM_FOLDER, SC_MARKNUM_FOLDEREND, SC_MARKNUM_FOLDEROPENMID})
+        markerDefine(MarkerSymbol::RightTriangle, marker);
+    for (const int marker : {SC_MARKNUM_FOLDEROPEN}) markerDefine(MarkerSymbol::DownTriangle, marker);
+    markerDefine(Background, DeclarationMarker);
+    for (const int marker : {HintMarker, WarningMarker, ErrorMarker}) markerDefine(Circle, marker);
+    send(SCI_SETMARGINLEFT, 0, 8);
+    fitNumberMargin();
+}
+
+void SceneEditor::fitNumberMargin() {
+    const int digits = std::max(3, static_cast<int>(QString::number(lines()).size()));
+    setMarginWidth(NumberMargin, QString(digits + 1, u'0'));
+}
+
+void SceneEditor::setTheme(const Theme& theme) {
+    m_lexer->setTheme(theme);
+    setCaretForegroundColor(theme.accent);
+    setCaretLineBackgroundColor(theme.currentLine);
+    setSelectionBackgroundColor(theme.selection);
+    resetSelectionForegroundColor();
+    setMarginsBackgroundColor(theme.editor);
+    setMarginsForegroundColor(theme.lineNumber);
+    setFoldMarginColors(theme.editor, theme.editor);
+    setMatchedBraceBackgroundColor(theme.selection);
+    setMatchedBraceForegroundColor(theme.brace);
+    setUnmatchedBraceBackgroundColor(theme.editor);
+    setUnmatchedBraceForegroundColor(theme.error);
+    for (int marker = SC_MARKNUM_FOLDEREND; marker <= int{SC_MARKNUM_FOLDEROPEN}; ++marker) {
+        setMarkerForegroundColor(theme.fold, marker);
+        setMarkerBackgroundColor(theme.fold, marker);
+    }
+    setMarkerBackgroundColor(theme.declarationLine, DeclarationMarker);
+    const std::pair<int, QColor> symbols[] = {
+        {HintMarker, theme.hint}, {WarningMarker, theme.warning}, {ErrorMarker, theme.error}};
+    for (const auto& [marker, colour] : symbols) {
+        setMarkerBackgroundColor(colour, marker);
+        setMarkerForegroundColor(theme.editor, marker);
+    }
+    recolor();
+}
+
+void SceneEditor::releaseKeys(const QList<QKeySequence>& keys) {
+    for (const QKeySequence& sequence : keys) {
+        if (sequence.count() != 1) continue;
+        const int key = sequence[0].toCombined();
+        QsciCommand* command = standardCommands()->boundTo(key);
+        if (command == nullptr) continue;
+        if (command->key() == key)
+            command->setKey(0);
+        else
+            command->setAlternateKey(0);
+    }
+}
+
+std::uint32_t SceneEditor::caret() const { return static_cast<std::uint32_t>(send(SCI_GETCURRENTPOS)); }
+
+void SceneEditor::reveal(SourceRange range) {
+    const long line = send(SCI_LINEFROMPOSITION, range.offset);
+    send(SCI_ENSUREVISIBLEENFORCEPOLICY, line);
+    send(SCI_SETSEL, range.end(), range.offset); // the caret at the beginning
+    send(SCI_VERTICALCENTRECARET);
+    send(SCI_SCROLLCARET);
+}
+
+void SceneEditor::markDeclaration(SourceRange range) {
+    markerDeleteAll(DeclarationMarker);
+    if (range.length == 0) return;
+    const int first = static_cast<int>(send(SCI_LINEFROMPOSITION, range.offset));
+    const int last = static_cast<int>(send(SCI_LINEFROMPOSITION, range.end()));
+    for (int line = first; line <= last; ++line) markerAdd(line, DeclarationMarker);
+}
+
+void SceneEditor::toggleComment() {
+    static const QByteArray mark = "// ";
+    int first = static_cast<int>(send(SCI_LINEFROMPOSITION, send(SCI_GETSELECTIONSTART)));
+    int last = static_cast<int>(send(SCI_LINEFROMPOSITION, send(SCI_GETSELECTIONEND)));
+    const bool endsBeforeLastLine =
+        last > first && send(SCI_GETSELECTIONEND) == send(SCI_POSITIONFROMLINE, last);
+    if (endsBeforeLastLine) --last;
+
+    std::vector<int> written; // lines that are not blank
+    bool allComments = true;
+    int column = std::numeric_limits<int>::max();
+    for (int line = first; line <= last; ++line) {
+        const QString content = text(line).trimmed();
+        if (content.isEmpty()) continue;
+        written.push_back(line);
+        allComments = allComments && content.startsWith(QStringLiteral("//"));
+        column = std::min(column, indentation(line));
+    }
+    send(SCI_BEGINUNDOACTION);
+    for (const int line : written) {
+        if (allComments) {
+            const std::int64_t begin = send(SCI_GETLINEINDENTPOSITION, line);
+            const bool blankFollows = send(SCI_GETCHARAT, begin + 2) == ' ';
+            send(SCI_DELETERANGE, begin, blankFollows ? 3 : 2);
+        } else {
+            const std::int64_t begin = send(SCI_FINDCOLUMN, line, column);
+            SendScintilla(SCI_INSERTTEXT, static_cast<uintptr_t>(begin), mark.constData());
+        }
+    }
+    send(SCI_ENDUNDOACTION);
+}
+
+void SceneEditor::replaceRange(SourceRange range, const QByteArray& text) {
+    send(SCI_SETTARGETRANGE, range.offset, range.end());
+    SendScintilla(SCI_REPLACETARGET, static_cast<uintptr_t>(text.size()), text.constData());
+}
+
+QByteArray SceneEditor::bytes() const {
+    const void* begin = SendScintillaPtrResult(SCI_GETCHARACTERPOINTER);
+    return QByteArray(static_cast<const char*>(begin), send(SCI_GETLENGTH));
+}
+
+void SceneEditor::setBytes(const QByteArray& bytes) {
+    setReadOnly(false);
+    send(SCI_SETUNDOCOLLECTION, 0);
+    send(SCI_CLEARALL);
+    send(SCI_ALLOCATE, bytes.size() + 1);
+    SendScintilla(SCI_APPENDTEXT, static_cast<uintptr_t>(bytes.size()),
+                  bytes.constData()); // takes zeros, too
+    send(SCI_SETUNDOCOLLECTION, 1);
+    send(SCI_EMPTYUNDOBUFFER);
+    setEolMode(lineEndOf(bytes));
+    markSaved();
+    send(SCI_GOTOPOS, 0);
+}
+
+void SceneEditor::markSaved() {
+    m_neverSaved = false;
+    send(SCI_SETSAVEPOINT);
+    Q_EMIT savedStateChanged(differsFromSaved());
+}
+
+void SceneEditor::markUnsaved() {
+    m_neverSaved = true;
+    Q_EMIT savedStateChanged(true);
+}
+
+long SceneEditor::send(unsigned int message, std::int64_t a, std::int64_t b) const {
+    return SendScintilla(message, static_cast<unsigned long>(a), static_cast<long>(b));
+}
+
+void SceneEditor::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+    else
+        QsciScintilla::dragEnterEvent(event);
+}
+
+void SceneEditor::dragMoveEvent(QDragMoveEvent* event) {
+    if (!droppedFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+    else
+        QsciScintilla::dragMoveEvent(event);
+}
+
+void SceneEditor::dropEvent(QDropEvent* event) {
+    const QString path = droppedFile(*event->mimeData());
+    if (path.isEmpty())
+        QsciScintilla::dropEvent(event);
+    else
+        Q_EMIT fileDropped(path);
+}
+
+} // namespace carom

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/scintilla.h"
+#include "ui/window/document.h"
+
+#include "core/base/source.h"
+
+#include <cstdint>
+
+namespace carom {
+
+struct Theme;
+class SceneLexer;
+
+/// Margins of the editor, from the left.
+enum EditorMargin { NumberMargin, SymbolMargin, FoldMargin };
+
+/// Markers: Scintilla draws higher numbers over lower ones.
+enum EditorMarker { DeclarationMarker = 1, HintMarker, WarningMarker, ErrorMarker };
+
+/// The text of a scene. Its bytes are UTF-8 and its positions are byte offsets, so the ranges of core's
+/// tokens, declarations and diagnostics fit without conversion.
+class SceneEditor : public QsciScintilla, public TextBuffer {
+    Q_OBJECT
+  public:
+    SceneEditor(const Theme& theme, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    /// Gives up Scintilla's own use of these keys, so that the window's actions get them.
+    void releaseKeys(const QList<QKeySequence>& keys);
+
+    std::uint32_t caret() const;
+    /// Puts the caret at the range's beginning, selects it, unfolds and scrolls to it.
+    void reveal(SourceRange range);
+    /// Tints the lines of a declaration; an empty range clears.
+    void markDeclaration(SourceRange range);
+    void toggleComment();
+    /// One undo step.
+    void replaceRange(SourceRange range, const QByteArray& text);
+
+    QByteArray bytes() const override;
+    void setBytes(const QByteArray& bytes) override;
+    bool differsFromSaved() const override { return m_neverSaved || isModified(); }
+    void markSaved() override;
+    void markUnsaved() override;
+
+    long send(unsigned int message, std::int64_t a = 0, std::int64_t b = 0) const;
+
+  Q_SIGNALS:
+    void caretMoved(std::uint32_t offset);
+    void savedStateChanged(bool differs);
+    void fileDropped(const QString& path);
+
+  protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void configureEditing();
+    void configureMargins();
+    void fitNumberMargin();
+
+    SceneLexer* m_lexer;
+    bool m_neverSaved = false;
+};
+
+} // namespace carom

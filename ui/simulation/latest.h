@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace carom {
+
+/// A slot between two threads in which only the newest value counts: the writer overwrites what nobody has
+/// taken yet, the reader takes what is there, and neither ever waits for the other to be ready.
+template<class Value>
+class Latest {
+  public:
+    void publish(Value value) {
+        const std::lock_guard lock(m_mutex);
+        m_value = std::move(value);
+    }
+
+    /// The newest value since the last call; nothing if there is none.
+    std::optional<Value> take() {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_value, std::nullopt);
+    }
+
+  private:
+    std::mutex m_mutex;
+    std::optional<Value> m_value;
+};
+
+} // namespace carom

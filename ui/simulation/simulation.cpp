@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/simulation/simulation.h"
+
+#include <QMetaObject>
+
+namespace carom {
+
+namespace {
+constexpr int collectInterval = 16; // [ms] between two looks at what the simulation has sent
+}
+
+Simulation::Simulation(QObject* parent)
+    : QObject(parent), m_thread({[this](RunStatus status) {
+                                     QMetaObject::invokeMethod(
+                                         this,
+                                         [this, status] {
+                                             m_status = status;
+                                             Q_EMIT stateChanged(status);
+                                         },
+                                         Qt::QueuedConnection);
+                                 },
+                                 [this] {
+                                     QMetaObject::invokeMethod(
+                                         this,
+                                         [this] {
+                                             if (m_timer.isActive()) return;
+                                             m_timer.start();
+                                             collect();
+                                         },
+                                         Qt::QueuedConnection);
+                                 }}) {
+    m_timer.setInterval(collectInterval);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &Simulation::collect);
+}
+
+void Simulation::load(std::shared_ptr<const Pipeline> pipeline) {
+    m_pipeline = std::move(pipeline);
+    m_atStart = true;
+    m_thread.post(LoadCommand{m_pipeline, ++m_run});
+    Q_EMIT restarted();
+}
+
+void Simulation::play() {
+    if (!m_pipeline) return;
+    m_atStart = false;
+    m_thread.post(RunCommand{});
+}
+
+void Simulation::pause() { m_thread.post(PauseCommand{}); }
+
+void Simulation::togglePlay() {
+    if (isRunning())
+        pause();
+    else
+        play();
+}
+
+void Simulation::step() {
+    if (!m_pipeline) return;
+    m_atStart = false;
+    m_thread.post(StepCommand{});
+}
+
+void Simulation::reset() {
+    if (!m_pipeline) return;
+    m_atStart = true;
+    m_thread.post(ResetCommand{++m_run});
+    Q_EMIT restarted();
+}
+
+void Simulation::setSpeed(std::optional<double> speed) { m_thread.post(SpeedCommand{speed}); }
+
+void Simulation::useBroadphase(const BroadphaseRow* row) { m_thread.post(BroadphaseCommand{row}); }
+
+/// Takes what has come; the timer rests once nothing does, until the thread reports again.
+void Simulation::collect() {
+    const SampleQueue::Batch batch = m_thread.samples().takeAll();
+    const std::optional<PublishedSnapshot> published = m_thread.snapshots().take();
+    if (batch.frames.empty() && !published) m_timer.stop();
+    if (batch.run == m_run && !batch.frames.empty()) Q_EMIT framesArrived(batch.frames);
+    if (published && published->run == m_run) Q_EMIT snapshotArrived(published->snapshot);
+}
+
+} // namespace carom

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/simulation/latest.h"
+#include "ui/simulation/sample_queue.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/simulation/health.h"
+#include "core/simulation/pipeline.h"
+#include "core/simulation/snapshot.h"
+#include "core/simulation/world.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <variant>
+
+// The thread that owns the World. Commands come down a queue; snapshots, samples and changes of state go up.
+// What crosses is immutable or a small value, and neither side waits for the other:
+//
+//     GUI ── Load Run Pause Step Reset Speed UseBroadphase ──▶ queue ──▶ World
+//     GUI ◀── Latest<PublishedSnapshot>, SampleQueue, state ───────────── World
+
+namespace carom {
+
+enum class RunState : std::uint8_t { Paused, Running, Stopped };
+
+struct RunStatus {
+    RunState state = RunState::Paused;
+    Health health; ///< not finite where the state is Stopped
+};
+
+struct LoadCommand {
+    std::shared_ptr<const Pipeline> pipeline;
+    std::uint64_t run = 0; ///< tags everything this world sends up
+};
+struct RunCommand {};
+struct PauseCommand {};
+struct StepCommand {};
+struct ResetCommand {
+    std::uint64_t run = 0;
+};
+/// Simulated seconds a second of wall time; nothing is "as fast as possible".
+struct SpeedCommand {
+    std::optional<double> speed;
+};
+/// Null is what the scene itself asks for.
+struct BroadphaseCommand {
+    const BroadphaseRow* row = nullptr;
+};
+
+using SimulationCommand = std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, ResetCommand,
+                                       SpeedCommand, BroadphaseCommand>;
+
+struct PublishedSnapshot {
+    std::uint64_t run = 0;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
+class SimulationThread {
+  public:
+    /// Called on the simulation's thread; they must only post to the GUI thread.
+    struct Listener {
+        std::function<void(RunStatus)> stateChanged;
+        std::function<void()> published; ///< a snapshot or samples are there to be taken
+    };
+
+    explicit SimulationThread(Listener listener);
+    ~SimulationThread();
+    SimulationThread(const SimulationThread&) = delete;
+    SimulationThread& operator=(const SimulationThread&) = delete;
+
+    void post(SimulationCommand command);
+    Latest<PublishedSnapshot>& snapshots() { return m_snapshots; }
+    SampleQueue& samples() { return m_samples; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void run(const std::stop_token& stop);
+    std::deque<SimulationCommand> nextCommands(const std::stop_token& stop);
+    void execute(const LoadCommand& command);
+    void execute(const RunCommand& command);
+    void execute(const PauseCommand& command);
+    void execute(const StepCommand& command);
+    void execute(const ResetCommand& command);
+    void execute(const SpeedCommand& command);
+    void execute(const BroadphaseCommand& command);
+
+    void advance();
+    void schedule();
+    void applyBroadphase();
+    void publish(bool always);
+    void enter(RunState state);
+
+    Listener m_listener;
+    Latest<PublishedSnapshot> m_snapshots;
+    SampleQueue m_samples;
+
+    std::mutex m_mutex; ///< of the queue only
+    std::condition_variable_any m_wake;
+    std::deque<SimulationCommand> m_queue;
+
+    // Everything below belongs to the thread.
+    std::unique_ptr<World> m_world;
+    std::uint64_t m_run = 0;
+    RunState m_state = RunState::Paused;
+    std::optional<double> m_speed = 1.0;
+    const BroadphaseRow* m_broadphase = nullptr;
+    Clock::time_point m_due;         ///< when the next frame begins
+    Clock::time_point m_nextPublish; ///< no snapshot goes up before
+
+    std::jthread m_thread; ///< last: it starts when everything else is there
+};
+
+} // namespace carom

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+
+namespace carom {
+
+/// Where the bytes of a text live while it is edited; the editor widget is one.
+class TextBuffer {
+  public:
+    virtual ~TextBuffer() = default;
+    TextBuffer() = default;
+    TextBuffer(const TextBuffer&) = delete;
+    TextBuffer& operator=(const TextBuffer&) = delete;
+
+    virtual QByteArray bytes() const = 0;
+    /// Replaces everything, forgets the undo history and counts as saved.
+    virtual void setBytes(const QByteArray& bytes) = 0;
+    virtual bool differsFromSaved() const = 0;
+    virtual void markSaved() = 0;
+    /// The text no longer equals what is on disk, whatever the undo history says.
+    virtual void markUnsaved() = 0;
+};
+
+/// The sole holder of the text's state: where it is kept, which revision it is at, whether it is saved. Bytes
+/// are taken and written as they are: line ends, a byte order mark and even invalid UTF-8 survive.
+class Document : public QObject {
+    Q_OBJECT
+  public:
+    explicit Document(TextBuffer& buffer, QObject* parent = nullptr);
+
+    /// Empty for a text that has never been saved.
+    const QString& path() const { return m_path; }
+    /// What a title bar shows: the file's name or "untitled.sdl".
+    QString name() const;
+    /// Grows with every change of the text.
+    std::int64_t revision() const { return m_revision; }
+    bool isModified() const { return m_buffer.differsFromSaved(); }
+    QByteArray text() const { return m_buffer.bytes(); }
+
+    /// Each returns what went wrong as a sentence, or nothing. A failed call changes nothing.
+    std::optional<QString> open(const QString& path);
+    std::optional<QString> save();
+    std::optional<QString> saveAs(const QString& path);
+    std::optional<QString> reload() { return open(m_path); }
+    /// A text without a file.
+    void startNew(const QByteArray& text);
+    /// Takes up a text that was never saved, as it was left; `path` is the file it belongs to, or empty.
+    void recover(const QString& path, const QByteArray& text);
+
+    /// The editor calls this after each change of the buffer.
+    void noteEdit();
+
+  Q_SIGNALS:
+    void edited(std::int64_t revision);
+    /// Another text has taken the place of the old one.
+    void replaced();
+    void pathChanged(const QString& path);
+    /// Somebody else has written the file.
+    void changedOutside();
+
+  private:
+    void take(const QString& path, const QByteArray& text);
+    void watch(const QString& path);
+
+    TextBuffer& m_buffer;
+    QString m_path;
+    std::int64_t m_revision = 0;
+    QByteArray m_onDisk; ///< hash of what we last read or wrote
+    QFileSystemWatcher m_watcher;
+};
+
+} // namespace carom

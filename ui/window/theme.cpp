@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/theme.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPainter>
+#include <QPixmap>
+#include <QRegularExpression>
+#include <QStyleFactory>
+#include <QSvgRenderer>
+
+namespace carom {
+namespace {
+
+QJsonObject palettes() {
+    QFile file(QStringLiteral(":/themes/palette.json"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+QPixmap rendered(const QByteArray& svg, const QColor& colour, int size) {
+    QByteArray coloured = svg;
+    coloured.replace("currentColor", colour.name().toLatin1());
+    QSvgRenderer renderer(coloured);
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    renderer.render(&painter);
+    return pixmap;
+}
+
+// Sizes in pixels are those of a screen at 96 dots an inch; Qt scales them on denser ones.
+constexpr const char* sheet = R"(
+QToolTip { background: @panel; color: @text; border: 1px solid @border; padding: 4px; }
+QMainWindow::separator { background: @border; width: 1px; height: 1px; margin: 0 2px; }
+QMenuBar { background: @window; padding: 2px 4px; }
+QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
+QMenuBar::item:selected { background: @hover; }
+QMenu { background: @panel; border: 1px solid @border; padding: 4px; }
+QMenu::item { padding: 5px 28px 5px 8px; border-radius: 4px; }
+QMenu::item:selected { background: @selection; }
+QMenu::item:disabled { color: @disabledText; }
+QMenu::separator { height: 1px; background: @border; margin: 4px 6px; }
+QMenu::icon { padding-left: 6px; }
+QToolBar { background: @window; border: none; border-bottom: 1px solid @border; padding: 4px 6px; spacing: 2px; }
+QToolBar::separator { background: @border; width: 1px; margin: 4px 6px; }
+QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
+QToolButton:hover { background: @hover; }
+QToolButton:pressed, QToolButton:checked { background: @selection; }
+QStatusBar { background: @window; border-top: 1px solid @border; color: @mutedText; }
+QStatusBar::item { border: none; }
+QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
+QDockWidget::title { background: @window; padding: 6px 8px; border-bottom: 1px solid @border; text-align: left; }
+QTabBar { qproperty-drawBase: 0; background: @window; }
+QTabBar::tab { background: transparent; color: @mutedText; padding: 6px 12px; border: none;
+               border-top: 2px solid transparent; }
+QTabBar::tab:selected { color: @text; border-top: 2px solid @accent; background: @panel; }
+QTabBar::tab:hover:!selected { color: @text; background: @hover; }
+QAbstractScrollArea { border: none; }
+QTreeView, QTableView, QPlainTextEdit { background: @panel; }
+QTreeView::item, QTableView::item { padding: 3px 4px; }
+QTreeView::item:selected, QTableView::item:selected { background: @selection; color: @text; }
+QHeaderView { background: @panel; }
+QHeaderView::section { background: @panel; color: @mutedText; border: none; border-bottom: 1px solid @border;
+                       padding: 5px 6px; }
+QSplitter::handle { background: @border; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { background: @button; border: 1px solid @border;
+            border-radius: 4px; padding: 3px 6px; min-height: 18px; selection-background-color: @accent;
+            selection-color: @accentText; }
+QLineEdit:focus, QComboBox:focus { border-color: @accent; }
+QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; selection-background-color: @selection;
+            selection-color: @text; }
+QPushButton { background: @button; border: 1px solid @border; border-radius: 4px; padding: 4px 12px; }
+QPushButton:hover { background: @hover; }
+QPushButton:default { border-color: @accent; }
+QScrollBar { background: transparent; border: none; }
+QScrollBar:vertical { width: 11px; }
+QScrollBar:horizontal { height: 11px; }
+QScrollBar::handle { background: @border; border-radius: 3px; margin: 2px; min-height: 24px; min-width: 24px; }
+QScrollBar::handle:hover { background: @disabledText; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+*[role="muted"] { color: @mutedText; }
+*[role="error"] { color: @error; }
+)";
+
+} // namespace
+
+Theme loadTheme(bool dark) {
+    const QJsonObject roles = palettes();
+    const QString variant = dark ? QStringLiteral("dark") : QStringLiteral("light");
+    Theme theme;
+    theme.dark = dark;
+#define CAROM_ROLE(role)                                                                                     \
+    theme.role = QColor(roles.value(QStringLiteral(#role)).toObject().value(variant).toString());
+#include "ui/window/theme_roles.def"
+#undef CAROM_ROLE
+    return theme;
+}
+
+QPalette Theme::palette() const {
+    QPalette p;
+    p.setColor(QPalette::Window, window);
+    p.setColor(QPalette::WindowText, text);
+    p.setColor(QPalette::Base, panel);
+    p.setColor(QPalette::AlternateBase, alternate);
+    p.setColor(QPalette::Text, text);
+    p.setColor(QPalette::PlaceholderText, mutedText);
+    p.setColor(QPalette::Button, button);
+    p.setColor(QPalette::ButtonText, text);
+    p.setColor(QPalette::BrightText, error);
+    p.setColor(QPalette::Highlight, accent);
+    p.setColor(QPalette::HighlightedText, accentText);
+    p.setColor(QPalette::Link, accent);
+    p.setColor(QPalette::ToolTipBase, panel);
+    p.setColor(QPalette::ToolTipText, text);
+    p.setColor(QPalette::Mid, border);
+    p.setColor(QPalette::Dark, border);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        p.setColor(QPalette::Disabled, role, disabledText);
+    return p;
+}
+
+QString Theme::styleSheet() const {
+    QString filled = QString::fromLatin1(sheet);
+#define CAROM_ROLE(role) filled.replace(QRegularExpression(QStringLiteral("@" #role "\\b")), role.name());
+#include "ui/window/theme_roles.def"
+#undef CAROM_ROLE
+    return filled;
+}
+
+QIcon Theme::icon(const QString& name) const { return icon(name, text); }
+
+QIcon Theme::icon(const QString& name, const QColor& colour) const {
+    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QByteArray svg = file.readAll();
+    QIcon icon;
+    for (const int size : {16, 24, 32, 48}) {
+        icon.addPixmap(rendered(svg, colour, size), QIcon::Normal);
+        icon.addPixmap(rendered(svg, disabledText, size), QIcon::Disabled);
+    }
+    return icon;
+}
+
+void applyTheme(QApplication& application, const Theme& theme) {
+    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setPalette(theme.palette());
+    application.setStyleSheet(theme.styleSheet());
+}
+
+} // namespace carom
