@@ -1,21 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/broadphase.h"
 
+#include "core/broadphase/uniform_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+// What `auto` goes by. Measured at 8 to 100,000 spheres of several size distributions, at rest, at 0.3 and at
+// 3 m/s: below 64 boxes all pairs is as fast as anything; at rest or in slow motion the bounding tree is 5 to
+// 30 times faster than the others; in a fast gas the grid is 2.5 times faster than the tree, unless sizes
+// differ much, and up to some 1,500 boxes the single-axis sweep is a little faster still. The boxes of one
+// frame do not tell how fast it goes, but bodies that lie close to each other cannot go far.
+
 namespace carom {
 namespace {
 
-// Below this many boxes comparing all pairs costs less than keeping any order (about 2 microseconds).
-constexpr std::size_t fewBoxes = 32;
+constexpr std::size_t fewBoxes = 64;
+constexpr std::size_t smallScene = 1500;
+constexpr double manySizes = 4;  // 95th over 5th percentile of the widths
+constexpr double lyingClose = 1; // overlapping pairs of boxes for each box
+
+double widthRatio(std::span<const Aabb> boxes) {
+    std::vector<double> widths;
+    widths.reserve(boxes.size());
+    for (const Aabb& box : boxes) widths.push_back(box.size().maxCoeff());
+    std::sort(widths.begin(), widths.end());
+    const double narrow = widths[widths.size() / 20], wide = widths[widths.size() - 1 - widths.size() / 20];
+    return wide <= narrow ? 1 : wide / narrow;
+}
+
+std::string rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", value);
+    return text;
+}
+
+BroadphaseChoice chosen(std::string_view name, const std::string& why) {
+    return {findBroadphase(name), std::string(name) + ": " + why};
+}
 
 } // namespace
 
 BroadphaseChoice chooseBroadphase(const BroadphaseInput& input) {
-    const std::string bodies =
-        input.boxes.size() == 1 ? "1 body" : std::to_string(input.boxes.size()) + " bodies";
-    if (input.boxes.size() < fewBoxes)
-        return {findBroadphase("all_pairs"), "all_pairs: " + bodies + ", too few to be worth sorting"};
-    return {findBroadphase("sweep_and_sort"),
-            "sweep_and_sort: " + bodies + ", and frames that resemble each other"};
+    const std::size_t count = input.boxes.size();
+    const std::string bodies = count == 1 ? "1 body" : std::to_string(count) + " bodies";
+    if (count < fewBoxes) return chosen("all_pairs", bodies + ", too few to be worth sorting");
+
+    const std::size_t mobile = static_cast<std::size_t>(std::count_if(
+        input.mobile.begin(), input.mobile.end(), [](std::uint8_t moves) { return moves != 0; }));
+    if (mobile < count / 2)
+        return chosen("bounding_tree", bodies + ", of which only " + std::to_string(mobile) + " can move");
+    const double ratio = widthRatio(input.boxes);
+    if (ratio > manySizes)
+        return chosen("bounding_tree",
+                      bodies + ", the wide ones " + rounded(ratio) + " times the narrow ones");
+    UniformGrid grid;
+    grid.update(input);
+    const double close = static_cast<double>(grid.counters().pairs) / static_cast<double>(count);
+    if (close > lyingClose)
+        return chosen("bounding_tree",
+                      bodies + " lying close: " + rounded(close) + " overlapping boxes for each");
+    if (count < smallScene)
+        return chosen("single_axis_sweep", bodies + " of similar size, well apart, few enough for one sweep");
+    return chosen("uniform_grid", bodies + " of similar size, well apart");
 }
 
 } // namespace carom

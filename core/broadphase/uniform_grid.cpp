@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t slotsPerBox = 4;
 // A level of at most so many boxes is not worth a grid: they are compared with everything finer.
 constexpr std::uint32_t looseBoxes = 16;
+// Comparisons a box may expect in its cells before levels of smaller cells pay.
+constexpr double mostMet = 30;
 // The levels there can be; beyond them, sizes over a range of more than 2^16, the finest shares its cells.
 constexpr std::size_t mostLevels = 16;
 // The level that stands for no grid at all.
@@ -68,13 +70,15 @@ void UniformGrid::update(const BroadphaseInput& input) {
                              m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
 }
 
-// From the widest down: a class of widths (one binary exponent) joins the level above if it is next to it and
-// not much more numerous, or if it is so few that wide cells do not matter; else it opens a level.
+// From the widest down: a class of widths (one binary exponent) joins the level above if, by the density of
+// the scene at large, a box of its would meet few others in such wide cells, or if the class is small;
+// otherwise it opens a level, which makes each of its boxes look into the coarser ones.
 void UniformGrid::makeLevels(const BroadphaseInput& input) {
     m_byExponent.assign(exponents, {});
     m_levelOf.assign(exponents, loose);
     std::size_t least = exponents, most = 0;
     double farthest = 0;
+    Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
     for (const Aabb& box : input.boxes) {
         const double half = halfWidth(box);
         const std::size_t exponent = exponentOf(half);
@@ -84,21 +88,30 @@ void UniformGrid::makeLevels(const BroadphaseInput& input) {
         least = std::min(least, exponent);
         most = std::max(most, exponent);
         farthest = std::max({farthest, -box.lower.minCoeff(), box.upper.maxCoeff()});
+        const Vec3 fromFirst = centreOf(box) - centreOf(input.boxes[0]);
+        sum += fromFirst;
+        squares += fromFirst.cwiseAbs2();
     }
+    const double share = 1 / static_cast<double>(std::max<std::size_t>(1, input.boxes.size()));
+    const Vec3 variance = (share * squares - (share * sum).cwiseAbs2()).cwiseMax(0);
+    const Vec3 spread = std::sqrt(12.0) * variance.cwiseSqrt(); // of a uniform distribution
 
     m_levels.clear();
-    std::size_t top = 0;
     for (std::size_t exponent = most + 1; exponent-- > least;) {
         const Level& widths = m_byExponent[exponent];
         if (widths.boxes == 0) continue;
-        const bool joins =
-            !m_levels.empty() && ((exponent + 1 == top && widths.boxes <= m_levels.back().boxes) ||
-                                  widths.boxes <= m_levels.back().boxes / 8 || m_levels.size() == mostLevels);
+        bool joins = m_levels.size() == mostLevels;
+        if (!m_levels.empty() && !joins) {
+            const Level& above = m_levels.back();
+            const double side = 2 * above.largest;
+            const double cells = (spread.array() / side + 1).prod();
+            joins =
+                widths.boxes < above.boxes / 8 || 0.5 * 27 * (above.boxes + widths.boxes) < mostMet * cells;
+        }
         if (joins) {
             m_levels.back().boxes += widths.boxes;
         } else if (widths.boxes > looseBoxes) {
             m_levels.push_back(widths);
-            top = exponent;
         } else {
             continue;
         }
