@@ -5,6 +5,8 @@
 #include "core/math/types.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace carom {
 
@@ -27,5 +29,11 @@ struct FrameStatistics {
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies
     double maxPenetration = 0;    ///< [m], the deepest overlap the narrow phase met in this frame
 };
+
+/// The columns that statisticsRow() fills, as a line of CSV without its end. Scripts depend on them: one may
+/// be added at the end, none changes.
+std::string_view statisticsColumns();
+/// Figures in the shortest form that reads back exactly.
+std::string statisticsRow(const FrameStatistics& frame);
 
 } // namespace carom

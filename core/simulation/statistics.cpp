@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/statistics.h"
+
+#include "core/base/text.h"
+
+namespace carom {
+
+std::string_view statisticsColumns() {
+    return "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,pairs,contacts,swaps,"
+           "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration";
+}
+
+std::string statisticsRow(const FrameStatistics& frame) {
+    std::string row = std::to_string(frame.frame);
+    const auto add = [&row](double value) { row.append(",").append(shortest(value)); };
+    for (const double value :
+         {frame.time, frame.simulate, frame.integrate, frame.broadphase, frame.narrowphase, frame.respond})
+        add(value);
+    for (const std::uint64_t count : {frame.broad.pairs, frame.contacts, frame.broad.swaps})
+        row.append(",").append(std::to_string(count));
+    add(frame.kinetic);
+    add(frame.potential);
+    for (int axis = 0; axis < 3; ++axis) add(frame.momentum[axis]);
+    add(frame.maxPenetration);
+    return row;
+}
+
+} // namespace carom

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/timing_dock.h"
+
+#include "core/base/text.h"
+#include "core/math/statistics.h"
+#include "ui/widgets/value_table.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSaveFile>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+constexpr int refreshInterval = 250; ///< [ms]
+/// Statistics are of the newest frames, so that they follow what happens and cost 3 ms at most.
+constexpr std::size_t framesCounted = 6000;
+/// A chart wider than this in frames has no more columns of pixels to show them.
+constexpr std::size_t framesCharted = 3000;
+
+enum Column : int { Now, Mean, Median, P95, P99, Maximum };
+
+/// The newest frames without the first of the run, which also pays for what is made once.
+std::span<const FrameSample> countedFrames(const std::vector<FrameSample>& samples) {
+    const bool withFirst = !samples.empty() && samples.front().statistics.frame <= 1;
+    const std::span<const FrameSample> later = std::span(samples).subspan(withFirst ? 1 : 0);
+    return later.last(std::min(later.size(), framesCounted));
+}
+
+} // namespace
+
+TimingDock::TimingDock(QWidget* parent)
+    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_first(new QLabel), m_picked(new QLabel),
+      m_report(new QLabel) {
+    setObjectName(QStringLiteral("timingDock"));
+
+    QStringList rows;
+    for (const FramePart& part : frameParts()) rows += nameOf(part);
+    rows += tr("total");
+    m_table =
+        new ValueTable(rows, {tr("now [ms]"), tr("mean"), tr("median"), tr("p95"), tr("p99"), tr("max")});
+    for (std::size_t i = 0; i < framePartCount; ++i)
+        m_table->setRowColour(static_cast<int>(i), frameParts()[i].colour);
+    m_table->setAccessibleName(tr("Statistics of frame times"));
+
+    QToolButton* fit = new QToolButton;
+    fit->setText(tr("Fit"));
+    fit->setCheckable(true);
+    fit->setToolTip(
+        tr("Fill the height with the frames shown, instead of always showing the lines of 1/60 and 1/30 s"));
+    connect(fit, &QToolButton::toggled, this, [this](bool on) {
+        m_strip->setScale(on ? TimingStrip::Scale::Fit : TimingStrip::Scale::Budget);
+    });
+    QToolButton* save = new QToolButton;
+    save->setText(tr("Export"));
+    save->setObjectName(QStringLiteral("timingExport"));
+    save->setPopupMode(QToolButton::InstantPopup);
+    save->setToolTip(tr("Write the graph or its figures to a file"));
+    QMenu* menu = new QMenu(save);
+    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
+        const QString name = QLatin1StringView(ending);
+        QAction* action = menu->addAction(tr("%1…").arg(name.toUpper()));
+        connect(action, &QAction::triggered, this, [this, name] { askForExport(name); });
+    }
+    save->setMenu(menu);
+
+    m_picked->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->setWordWrap(true);
+    QHBoxLayout* bar = new QHBoxLayout;
+    bar->addWidget(m_first, 1);
+    bar->addWidget(fit);
+    bar->addWidget(save);
+    QVBoxLayout* left = new QVBoxLayout;
+    left->addLayout(bar);
+    left->addWidget(m_strip, 1);
+    left->addWidget(m_report);
+    m_report->hide();
+    QVBoxLayout* right = new QVBoxLayout;
+    right->addWidget(m_table, 1);
+    right->addWidget(m_picked);
+    m_picked->hide();
+
+    QWidget* content = new QWidget;
+    QHBoxLayout* layout = new QHBoxLayout(content);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->addLayout(left, 3);
+    layout->addLayout(right, 2);
+    setWidget(content);
+    setFocusProxy(m_strip);
+
+    connect(m_strip, &TimingStrip::framePicked, this, &TimingDock::showPicked);
+    m_refresh.setInterval(refreshInterval);
+    m_refresh.setSingleShot(true);
+    connect(&m_refresh, &QTimer::timeout, this, &TimingDock::updateStatistics);
+    updateStatistics();
+}
+
+void TimingDock::addSamples(std::span<const FrameSample> samples) {
+    m_strip->addSamples(samples);
+    if (!samples.empty() && !m_refresh.isActive()) m_refresh.start();
+}
+
+void TimingDock::clear() {
+    m_strip->clear();
+    m_picked->hide();
+    m_report->hide();
+    updateStatistics();
+}
+
+void TimingDock::updateStatistics() {
+    const std::vector<FrameSample>& samples = m_strip->samples();
+    if (!samples.empty() && samples.front().statistics.frame == 1)
+        m_first->setText(tr("First frame: %1 ms (apart)").arg(totalOf(samples.front()), 0, 'f', 3));
+    else
+        m_first->clear();
+
+    const std::span<const FrameSample> frames = countedFrames(samples);
+    m_table->setToolTip(tr("Of the last %1 frames, without the first").arg(frames.size()));
+    std::vector<double> values(frames.size());
+    const auto fill = [&](int row, const auto& milliseconds) {
+        std::transform(frames.begin(), frames.end(), values.begin(), milliseconds);
+        const Summary summary = summarise(values);
+        const bool any = !values.empty();
+        m_table->setValue(row, Now, any ? values.back() : NAN);
+        m_table->setValue(row, Mean, any ? summary.mean : NAN);
+        m_table->setValue(row, Median, any ? summary.median : NAN);
+        m_table->setValue(row, P95, any ? summary.p95 : NAN);
+        m_table->setValue(row, P99, any ? summary.p99 : NAN);
+        m_table->setValue(row, Maximum, any ? summary.maximum : NAN);
+    };
+    for (std::size_t i = 0; i < framePartCount; ++i) fill(static_cast<int>(i), frameParts()[i].milliseconds);
+    fill(static_cast<int>(framePartCount), totalOf);
+}
+
+void TimingDock::showPicked(std::ptrdiff_t index) {
+    m_picked->setVisible(index != TimingStrip::noFrame);
+    if (index == TimingStrip::noFrame) return;
+    const FrameSample& sample = m_strip->samples()[static_cast<std::size_t>(index)];
+    m_picked->setText(breakdownOf(sample) +
+                      tr("\n%n pair(s), ", nullptr, static_cast<int>(sample.statistics.broad.pairs)) +
+                      tr("%n contact(s)", nullptr, static_cast<int>(sample.statistics.contacts)));
+    Q_EMIT framePicked(sample.statistics.frame);
+}
+
+ChartSpec TimingDock::chart() const {
+    const std::vector<FrameSample>& samples = m_strip->samples();
+    const std::span<const FrameSample> shown =
+        std::span(samples).last(std::min(samples.size(), framesCharted));
+    ChartSpec spec;
+    spec.title = tr("Where the time of each frame goes");
+    spec.x = {tr("frame"), {}, false};
+    spec.y = {tr("time"), QStringLiteral("ms"), false};
+    std::vector<double> x;
+    for (const FrameSample& sample : shown) x.push_back(static_cast<double>(sample.statistics.frame));
+    for (const FramePart& part : frameParts()) {
+        ChartSeries series{nameOf(part), x, {}, SeriesStyle::Stacked, part.colour};
+        for (const FrameSample& sample : shown) series.y.push_back(part.milliseconds(sample));
+        spec.series.push_back(std::move(series));
+    }
+    for (const FrameBudget& budget : frameBudgets)
+        if (budget.milliseconds <= m_strip->fullScale())
+            spec.levels.push_back({budget.milliseconds, QLatin1StringView(budget.name)});
+    return spec;
+}
+
+QString TimingDock::writeCsv(const QString& path) const {
+    QByteArray text(statisticsColumns().data(), static_cast<qsizetype>(statisticsColumns().size()));
+    text += ",render_ms\n";
+    for (const FrameSample& sample : m_strip->samples()) {
+        text += statisticsRow(sample.statistics);
+        text += "," + shortest(sample.render) + "\n";
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        return tr("`%1` cannot be written: %2").arg(path, file.errorString());
+    return {};
+}
+
+QString TimingDock::exportTo(const QString& path) const {
+    if (m_strip->samples().empty()) return tr("there are no frames yet; run the simulation first");
+    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
+        return writeCsv(path);
+    return writeChart(chart(), path);
+}
+
+void TimingDock::askForExport(const QString& ending) {
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Export the timing graph"), QStringLiteral("timing.") + ending,
+                                     tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
+    const QString problem = exportTo(path);
+    const QString sentence = problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
+                                               : tr("Not exported: %1").arg(problem);
+    m_report->setText(sentence);
+    m_report->show();
+    Q_EMIT reported(sentence);
+}
+
+} // namespace carom

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/widgets/plot.h"
+#include "ui/widgets/timing_strip.h"
+
+#include <QDockWidget>
+#include <QTimer>
+
+#include <span>
+
+class QAction;
+class QLabel;
+
+namespace carom {
+
+class ValueTable;
+
+/// Where the time of every frame goes: the live graph, its statistics with the first frame apart, the parts
+/// of the frame that was picked, and all of it as a file.
+class TimingDock : public QDockWidget {
+    Q_OBJECT
+
+  public:
+    explicit TimingDock(QWidget* parent = nullptr);
+
+    void addSamples(std::span<const FrameSample> samples);
+    void clear();
+
+    const TimingStrip& strip() const { return *m_strip; }
+    /// Writes .png, .svg, .pdf (the stacked graph) or .csv (every figure of every frame) by the path's
+    /// ending. Returns what went wrong, or an empty text.
+    QString exportTo(const QString& path) const;
+
+  Q_SIGNALS:
+    /// A frame of the run was picked in the graph.
+    void framePicked(std::int64_t frame);
+    /// What was written where, or why not: one sentence.
+    void reported(const QString& sentence);
+
+  private:
+    void updateStatistics();
+    void showPicked(std::ptrdiff_t index);
+    void askForExport(const QString& ending);
+    ChartSpec chart() const;
+    QString writeCsv(const QString& path) const;
+
+    TimingStrip* m_strip;
+    ValueTable* m_table;
+    QLabel* m_first;
+    QLabel* m_picked;
+    QLabel* m_report;
+    QTimer m_refresh; ///< statistics are counted a few times a second, not every frame
+};
+
+} // namespace carom

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/plot.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFileInfo>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <QVBoxLayout>
+
+// The library's header is written with Qt's keywords, which our own code does without.
+#define signals Q_SIGNALS
+#define slots Q_SLOTS
+#define foreach Q_FOREACH
+#include <qcustomplot.h>
+#undef signals
+#undef slots
+#undef foreach
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+constexpr int pngScale = 2; ///< pixels of a PNG along a unit of the chart: crisp on paper
+
+QString say(const char* text) { return QCoreApplication::translate("Plot", text); }
+
+QString titleOf(const ChartAxis& axis) {
+    return axis.unit.isEmpty() ? axis.label : QStringLiteral("%1 [%2]").arg(axis.label, axis.unit);
+}
+
+/// What a chart is drawn with besides its series.
+struct ChartColours {
+    QColor ground, text, grid;
+};
+
+QColor rgb(QRgb value) { return QColor::fromRgb(value); }
+
+void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
+    axis.setLabel(titleOf(spec));
+    axis.setLabelColor(colours.text);
+    axis.setTickLabelColor(colours.text);
+    for (void (QCPAxis::*set)(const QPen&) :
+         {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+        (axis.*set)(QPen(colours.text, 1));
+    axis.grid()->setPen(QPen(colours.grid, 1));
+    axis.grid()->setZeroLinePen(QPen(colours.grid, 1));
+    axis.setNumberFormat(spec.logarithmic ? QStringLiteral("gb") : QStringLiteral("g"));
+    if (spec.logarithmic) axis.setNumberPrecision(0);
+    axis.setScaleType(spec.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    if (spec.logarithmic)
+        axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    else
+        axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
+}
+
+bool shows(const ChartAxis& axis, double value) {
+    return std::isfinite(value) && (!axis.logarithmic || value > 0);
+}
+
+void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
+    std::vector<double> stack; // heights of the areas so far
+    QCPGraph* below = nullptr;
+    for (std::size_t i = 0; i < spec.series.size(); ++i) {
+        const ChartSeries& series = spec.series[i];
+        const QColor colour = series.colour.value_or(seriesColour(i));
+        QCPGraph* graph = plot.addGraph();
+        graph->setName(series.name);
+        graph->setAdaptiveSampling(series.style != SeriesStyle::Stacked); // areas must share their corners
+        const bool stacked = series.style == SeriesStyle::Stacked;
+        if (stacked) stack.resize(std::max(stack.size(), series.y.size()), 0);
+        QVector<double> x, y;
+        for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+            if (stacked && std::isfinite(series.y[k])) stack[k] += series.y[k];
+            const double height = stacked ? stack[k] : series.y[k];
+            if (!shows(spec.x, series.x[k]) || !shows(spec.y, height)) continue;
+            x.append(series.x[k]);
+            y.append(height);
+        }
+        graph->setData(x, y);
+        if (stacked) {
+            graph->setPen(Qt::NoPen);
+            graph->setBrush(colour);
+            if (below) graph->setChannelFillGraph(below);
+            below = graph;
+            continue;
+        }
+        graph->setPen(QPen(colour, 1.8));
+        if (series.style != SeriesStyle::Line) {
+            constexpr std::array shapes = {QCPScatterStyle::ssDisc, QCPScatterStyle::ssSquare,
+                                           QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
+                                           QCPScatterStyle::ssCross};
+            graph->setScatterStyle(QCPScatterStyle(shapes[i % shapes.size()], colour, colour, 7));
+        }
+        if (series.style == SeriesStyle::Marks) graph->setLineStyle(QCPGraph::lsNone);
+    }
+    for (const ChartLevel& level : spec.levels) {
+        QCPItemStraightLine* line = new QCPItemStraightLine(&plot);
+        line->point1->setCoords(0, level.y);
+        line->point2->setCoords(1, level.y);
+        line->setPen(QPen(colours.text, 1, Qt::DashLine));
+        QCPItemText* label = new QCPItemText(&plot);
+        label->setText(level.label);
+        label->setColor(colours.text);
+        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        label->position->setTypeY(QCPItemPosition::ptPlotCoords);
+        label->position->setCoords(0.01, level.y);
+    }
+}
+
+void fit(QCustomPlot& plot, const ChartSpec& spec) {
+    plot.rescaleAxes();
+    const bool stacked = std::any_of(spec.series.begin(), spec.series.end(), [](const ChartSeries& series) {
+        return series.style == SeriesStyle::Stacked;
+    });
+    if (spec.y.logarithmic) {
+        plot.yAxis->setRange(plot.yAxis->range().lower / 1.3, plot.yAxis->range().upper * 1.3);
+    } else {
+        double highest = plot.yAxis->range().upper;
+        for (const ChartLevel& level : spec.levels) highest = std::max(highest, level.y);
+        const double lowest = std::min(0.0, plot.yAxis->range().lower);
+        plot.yAxis->setRange(lowest, highest + 0.06 * (highest - lowest));
+    }
+    if (!spec.x.logarithmic && !stacked) plot.xAxis->scaleRange(1.04);
+    if (spec.x.logarithmic)
+        plot.xAxis->setRange(plot.xAxis->range().lower / 1.1, plot.xAxis->range().upper * 1.1);
+}
+
+void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
+    plot.clearItems();
+    plot.clearGraphs();
+    QCPLayoutGrid& grid = *plot.plotLayout();
+    if (qobject_cast<QCPTextElement*>(grid.element(0, 0))) { // the title of the chart before
+        grid.removeAt(0);
+        grid.simplify();
+    }
+    plot.setBackground(colours.ground);
+    dress(*plot.xAxis, spec.x, colours);
+    dress(*plot.yAxis, spec.y, colours);
+    addSeries(plot, spec, colours);
+    if (!spec.title.isEmpty()) {
+        QCPTextElement* title = new QCPTextElement(&plot, spec.title);
+        title->setTextColor(colours.text);
+        QFont font = plot.font();
+        font.setBold(true);
+        title->setFont(font);
+        grid.insertRow(0);
+        grid.addElement(0, 0, title);
+    }
+    if (plot.legend->layout() != &grid) { // below the axes instead of over the curves
+        plot.axisRect()->insetLayout()->take(plot.legend);
+        grid.addElement(grid.rowCount(), 0, plot.legend);
+    }
+    plot.legend->setBrush(Qt::NoBrush);
+    plot.legend->setBorderPen(Qt::NoPen);
+    plot.legend->setTextColor(colours.text);
+    plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
+    plot.legend->setWrap(6);
+    plot.legend->setRowSpacing(0);
+    grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
+    plot.legend->setVisible(spec.series.size() > 1);
+    fit(plot, spec);
+}
+
+QByteArray encoded(QCustomPlot& plot, const QString& ending, const QSize& size) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (ending == QLatin1StringView("png")) {
+        plot.toPixmap(size.width(), size.height(), pngScale).save(&buffer, "PNG");
+    } else if (ending == QLatin1StringView("svg")) {
+        QSvgGenerator svg;
+        svg.setOutputDevice(&buffer);
+        svg.setSize(size);
+        svg.setViewBox(QRect(QPoint(0, 0), size));
+        QCPPainter painter;
+        painter.begin(&svg);
+        painter.setMode(QCPPainter::pmVectorized);
+        painter.setMode(QCPPainter::pmNoCaching);
+        plot.toPainter(&painter, size.width(), size.height());
+        painter.end();
+    } else {
+        QPdfWriter pdf(&buffer);
+        constexpr double pointsPerUnit = 0.75; // a unit is 1/96 inch
+        pdf.setPageSize(QPageSize(QSizeF(size) * pointsPerUnit, QPageSize::Point));
+        pdf.setPageMargins(QMarginsF());
+        pdf.setResolution(96);
+        QCPPainter painter;
+        painter.begin(&pdf);
+        painter.setMode(QCPPainter::pmVectorized);
+        painter.setMode(QCPPainter::pmNoCaching);
+        plot.toPainter(&painter, size.width(), size.height());
+        painter.end();
+    }
+    return bytes;
+}
+
+} // namespace
+
+QColor seriesColour(std::size_t i) {
+    // M. Okabe, K. Ito, "Color Universal Design" (2008), without black and its palest yellow.
+    static const std::array colours = {rgb(0x0072B2), rgb(0xE69F00), rgb(0x009E73), rgb(0xCC79A7),
+                                       rgb(0x56B4E9), rgb(0xD55E00), rgb(0x8C8C8C)};
+    return colours[i % colours.size()];
+}
+
+QString writeChart(const ChartSpec& spec, const QString& path, const QSize& size) {
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (ending != QLatin1StringView("png") && ending != QLatin1StringView("svg") &&
+        ending != QLatin1StringView("pdf"))
+        return say("`%1` has no ending of a chart; name it .png, .svg or .pdf").arg(path);
+    QCustomPlot plot;
+    plot.resize(size);
+    draw(plot, spec, {Qt::white, rgb(0x202428), rgb(0xDADDE2)});
+    const QByteArray bytes = encoded(plot, ending, size);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return say("`%1` cannot be written: %2").arg(path, file.errorString());
+    return {};
+}
+
+PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot(this)) {
+    QVBoxLayout* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->setMinimumSize(160, 100);
+    connect(m_plot, &QCustomPlot::mouseDoubleClick, this, [this] {
+        fit(*m_plot, m_spec);
+        m_plot->replot();
+    });
+    setChart({});
+}
+
+void PlotWidget::setChart(const ChartSpec& spec) {
+    m_spec = spec;
+    const QColor ground = palette().color(QPalette::Base);
+    const QColor text = palette().color(QPalette::Text);
+    QColor grid = text;
+    grid.setAlpha(40);
+    draw(*m_plot, m_spec, {ground, text, grid});
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotWidget::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) setChart(ChartSpec(m_spec));
+}
+
+} // namespace carom

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/timing_strip.h"
+
+#include <QHelpEvent>
+#include <QImage>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+
+namespace {
+
+/// The oldest half goes when there are more: an hour at 60 frames a second, 50 MB.
+constexpr std::size_t mostSamples = 216'000;
+/// The scale of Budget leaves room above the line of 1/30 s [ms].
+constexpr double budgetScale = 40;
+
+/// The next of 1, 2, 5 times a power of ten that is not below x.
+double roundedUp(double x) {
+    const double power = std::pow(10, std::floor(std::log10(x)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * power >= x) return step * power;
+    return 10 * power;
+}
+
+QString milliseconds(double value) { return QString::number(value, 'f', value < 10 ? 3 : 1); }
+
+} // namespace
+
+std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height) {
+    std::array<int, framePartCount> rows{};
+    double sum = 0;
+    int below = 0;
+    for (std::size_t i = 0; i < framePartCount; ++i) {
+        sum += frameParts()[i].milliseconds(sample);
+        const int boundary = static_cast<int>(std::lround(std::clamp(sum / fullScale, 0.0, 1.0) * height));
+        rows[i] = boundary - below;
+        below = boundary;
+    }
+    return rows;
+}
+
+QString breakdownOf(const FrameSample& sample) {
+    QString text = TimingStrip::tr("frame %1, %2 s: %3 ms")
+                       .arg(sample.statistics.frame)
+                       .arg(sample.statistics.time, 0, 'f', 3)
+                       .arg(milliseconds(totalOf(sample)));
+    for (const FramePart& part : frameParts())
+        text += QStringLiteral("\n%1 %2 ms").arg(nameOf(part), milliseconds(part.milliseconds(sample)));
+    return text;
+}
+
+TimingStrip::TimingStrip(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setAccessibleName(tr("Frame times"));
+}
+
+void TimingStrip::addSamples(std::span<const FrameSample> samples) {
+    if (samples.empty()) return;
+    m_samples.insert(m_samples.end(), samples.begin(), samples.end());
+    // Who has scrolled back keeps looking at the same frames.
+    if (m_scrolledBack > 0) m_scrolledBack += static_cast<std::ptrdiff_t>(samples.size());
+    if (m_samples.size() > mostSamples) {
+        const std::ptrdiff_t dropped = static_cast<std::ptrdiff_t>(m_samples.size() - mostSamples / 2);
+        m_samples.erase(m_samples.begin(), m_samples.begin() + dropped);
+        m_picked = std::max(m_picked - dropped, noFrame);
+        m_scrolledBack = std::min(m_scrolledBack, static_cast<std::ptrdiff_t>(m_samples.size()) - 1);
+    }
+    rescale();
+    update();
+}
+
+void TimingStrip::clear() {
+    m_samples.clear();
+    m_picked = noFrame;
+    m_scrolledBack = 0;
+    rescale();
+    update();
+}
+
+void TimingStrip::setScale(Scale scale) {
+    m_scale = scale;
+    rescale();
+    update();
+}
+
+void TimingStrip::setColumnWidth(int pixels) {
+    m_columnWidth = std::clamp(pixels, 1, 16);
+    rescale();
+    update();
+}
+
+void TimingStrip::pick(std::ptrdiff_t index) {
+    if (index < 0 || index >= static_cast<std::ptrdiff_t>(m_samples.size())) index = noFrame;
+    if (index == m_picked) return;
+    m_picked = index;
+    update();
+    Q_EMIT framePicked(index);
+}
+
+std::ptrdiff_t TimingStrip::firstVisible() const {
+    const std::ptrdiff_t columns = width() / m_columnWidth;
+    return static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - columns;
+}
+
+std::ptrdiff_t TimingStrip::frameAt(int x) const {
+    // Columns are counted from the right edge, so that a width that is no multiple leaves its rest at the
+    // left.
+    const std::ptrdiff_t fromRight = (width() - 1 - x) / m_columnWidth;
+    const std::ptrdiff_t index =
+        static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1 - fromRight;
+    return x < 0 || x >= width() || index < 0 ? noFrame : index;
+}
+
+void TimingStrip::rescale() {
+    double highest = 0;
+    const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(firstVisible(), 0); i < end; ++i) {
+        const FrameSample& sample = m_samples[static_cast<std::size_t>(i)];
+        // The first frame also pays for what is made once; it may leave the picture.
+        if (sample.statistics.frame > 1) highest = std::max(highest, totalOf(sample));
+    }
+    const double needed = roundedUp(std::max(1.05 * highest, 1e-3));
+    m_fullScale = m_scale == Scale::Fit ? needed : std::max(needed, budgetScale);
+}
+
+void TimingStrip::paintColumns(QImage& image, double pixelRatio) const {
+    const int columnWidth = std::max(1, static_cast<int>(std::lround(m_columnWidth * pixelRatio)));
+    std::array<QRgb, framePartCount> colours{};
+    for (std::size_t i = 0; i < framePartCount; ++i) colours[i] = frameParts()[i].colour.rgb();
+    const QRgb pickedColour = palette().color(QPalette::Text).rgb();
+
+    std::ptrdiff_t index = static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1;
+    for (int right = image.width(); right > 0 && index >= 0; right -= columnWidth, --index) {
+        const int left = std::max(0, right - columnWidth);
+        const std::array<int, framePartCount> rows =
+            stackedRows(m_samples[static_cast<std::size_t>(index)], m_fullScale, image.height());
+        int y = image.height();
+        for (std::size_t part = 0; part < framePartCount; ++part) {
+            for (int row = 0; row < rows[part]; ++row) {
+                QRgb* line = reinterpret_cast<QRgb*>(image.scanLine(--y));
+                std::fill(line + left, line + right, colours[part]);
+            }
+        }
+        if (index == m_picked)
+            while (y > 0) {
+                QRgb* line = reinterpret_cast<QRgb*>(image.scanLine(--y));
+                std::fill(line + left, line + right, pickedColour);
+            }
+    }
+}
+
+void TimingStrip::paintLines(QPainter& painter) const {
+    const QColor text = palette().color(QPalette::Text);
+    QColor line = text;
+    line.setAlpha(170);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const auto label = [&](const QString& words, int y) {
+        const QRect box(4, std::max(y - metrics.height() - 1, 0), metrics.horizontalAdvance(words) + 6,
+                        metrics.height());
+        QColor ground = palette().color(QPalette::Base);
+        ground.setAlpha(190);
+        painter.fillRect(box, ground);
+        painter.setPen(text);
+        painter.drawText(box, Qt::AlignCenter, words);
+    };
+    for (const FrameBudget& budget : frameBudgets) {
+        if (budget.milliseconds > m_fullScale) continue;
+        const int y = static_cast<int>(std::lround(height() * (1 - budget.milliseconds / m_fullScale)));
+        painter.setPen(QPen(line, 1, Qt::DashLine));
+        painter.drawLine(0, y, width(), y);
+        label(QStringLiteral("%1  %2 ms")
+                  .arg(QLatin1StringView(budget.name))
+                  .arg(budget.milliseconds, 0, 'f', 1),
+              y);
+    }
+    if (m_fullScale < frameBudgets.front().milliseconds)
+        label(tr("%1 ms; the line of 1/60 s lies %2 times higher")
+                  .arg(m_fullScale)
+                  .arg(frameBudgets.front().milliseconds / m_fullScale, 0, 'g', 2),
+              0);
+}
+
+void TimingStrip::paintEvent(QPaintEvent*) {
+    const double pixelRatio = devicePixelRatioF();
+    QImage image(size() * pixelRatio, QImage::Format_RGB32);
+    image.fill(palette().color(QPalette::Base));
+    paintColumns(image, pixelRatio);
+    image.setDevicePixelRatio(pixelRatio);
+    QPainter painter(this);
+    painter.drawImage(0, 0, image);
+    paintLines(painter);
+    if (m_samples.empty()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom,
+                         tr("Run the simulation to see the time of every frame"));
+    }
+    if (hasFocus()) {
+        painter.setPen(palette().color(QPalette::Highlight));
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void TimingStrip::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) pick(frameAt(static_cast<int>(event->position().x())));
+}
+
+void TimingStrip::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons().testFlag(Qt::LeftButton)) pick(frameAt(static_cast<int>(event->position().x())));
+}
+
+void TimingStrip::wheelEvent(QWheelEvent* event) {
+    const int notch = event->angleDelta().y() + event->angleDelta().x();
+    if (event->modifiers().testFlag(Qt::ControlModifier)) {
+        setColumnWidth(m_columnWidth + (notch > 0 ? 1 : -1));
+    } else {
+        const std::ptrdiff_t most = std::max<std::ptrdiff_t>(
+            static_cast<std::ptrdiff_t>(m_samples.size()) - width() / m_columnWidth, 0);
+        m_scrolledBack = std::clamp<std::ptrdiff_t>(m_scrolledBack + notch / 4, 0, most);
+        rescale();
+        update();
+    }
+    event->accept();
+}
+
+void TimingStrip::keyPressEvent(QKeyEvent* event) {
+    const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(m_samples.size()) - 1;
+    if (event->key() == Qt::Key_Left)
+        pick(m_picked == noFrame ? last : std::max<std::ptrdiff_t>(m_picked - 1, 0));
+    else if (event->key() == Qt::Key_Right)
+        pick(m_picked == noFrame ? last : std::min(m_picked + 1, last));
+    else if (event->key() == Qt::Key_End) {
+        m_scrolledBack = 0;
+        rescale();
+        update();
+    } else
+        QWidget::keyPressEvent(event);
+}
+
+bool TimingStrip::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const QHelpEvent* help = static_cast<QHelpEvent*>(event);
+    const std::ptrdiff_t index = frameAt(help->x());
+    if (index == noFrame)
+        QToolTip::hideText();
+    else
+        QToolTip::showText(help->globalPos(), breakdownOf(m_samples[static_cast<std::size_t>(index)]), this);
+    return true;
+}
+
+} // namespace carom

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/widgets/frame_parts.h"
+
+#include <QWidget>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace carom {
+
+/// Rows of pixels that each part of a frame takes in a graph `height` pixels high that shows 0 to
+/// `fullScale` ms. Every boundary is rounded once, so the parts of a frame add up to the height of its total.
+std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height);
+
+/// The live graph of frame times: one column a frame, its parts stacked, the newest at the right. The columns
+/// are written straight into an image, which costs a tenth of a plotting library's repaint.
+class TimingStrip : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// Budget shows the lines of 1/60 and 1/30 s always; Fit fills the height with what there is.
+    enum class Scale { Budget, Fit };
+
+    /// What no frame is.
+    static constexpr std::ptrdiff_t noFrame = -1;
+
+    explicit TimingStrip(QWidget* parent = nullptr);
+
+    void addSamples(std::span<const FrameSample> samples);
+    void clear();
+    void setScale(Scale scale);
+    void setColumnWidth(int pixels); ///< of one frame, 1 to 16
+
+    const std::vector<FrameSample>& samples() const { return m_samples; }
+    double fullScale() const { return m_fullScale; } ///< [ms] at the upper edge
+    /// Index into samples() of the frame that was picked, or noFrame.
+    std::ptrdiff_t picked() const { return m_picked; }
+    void pick(std::ptrdiff_t index);
+    /// Index of the frame in a column of pixels, or noFrame.
+    std::ptrdiff_t frameAt(int x) const;
+
+    QSize sizeHint() const override { return {600, 140}; }
+    QSize minimumSizeHint() const override { return {120, 60}; }
+
+  Q_SIGNALS:
+    void framePicked(std::ptrdiff_t index);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+  private:
+    std::ptrdiff_t firstVisible() const;
+    void rescale();
+    void paintColumns(QImage& image, double pixelRatio) const;
+    void paintLines(QPainter& painter) const;
+
+    std::vector<FrameSample> m_samples;
+    double m_fullScale = 40;
+    std::ptrdiff_t m_picked = noFrame;
+    std::ptrdiff_t m_scrolledBack = 0; ///< frames between the newest and the right edge
+    int m_columnWidth = 2;             ///< [px] of the widget
+    Scale m_scale = Scale::Budget;
+};
+
+/// The parts of one frame as lines of text, for tool tips and the panel.
+QString breakdownOf(const FrameSample& sample);
+
+} // namespace carom

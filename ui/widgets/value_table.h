@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTableWidget>
+
+#include <span>
+
+namespace carom {
+
+/// A table of figures with named rows and columns: read only, right aligned, copied as text with Ctrl+C.
+class ValueTable : public QTableWidget {
+    Q_OBJECT
+
+  public:
+    ValueTable(const QStringList& rows, const QStringList& columns, QWidget* parent = nullptr);
+
+    /// A figure that does not exist (NaN) is shown as a dash.
+    void setValue(int row, int column, double value, int decimals = 3);
+    /// A square of colour in front of a row's name.
+    void setRowColour(int row, const QColor& colour);
+    /// The selected cells, or the whole table, with the names of rows and columns; tabs between them.
+    QString asText() const;
+
+    QSize sizeHint() const override;
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+};
+
+} // namespace carom
