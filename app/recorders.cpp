@@ -39,21 +39,9 @@ void TraceWriter::record(const World& world) {
 }
 
 StatisticsWriter::StatisticsWriter(const std::string& path) : m_file(path) {
-    m_file.write(
-        "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,pairs,contacts,swaps,"
-        "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration\n");
+    m_file.write(std::string(statisticsColumns()) + '\n');
 }
 
-void StatisticsWriter::record(const FrameStatistics& frame) {
-    std::string row = std::to_string(frame.frame);
-    append(row,
-           {frame.time, frame.simulate, frame.integrate, frame.broadphase, frame.narrowphase, frame.respond});
-    for (const std::uint64_t count : {frame.broad.pairs, frame.contacts, frame.broad.swaps})
-        row.append(",").append(std::to_string(count));
-    append(row, {frame.kinetic, frame.potential});
-    append(row, frame.momentum);
-    append(row, {frame.maxPenetration});
-    m_file.write(row += '\n');
-}
+void StatisticsWriter::record(const FrameStatistics& frame) { m_file.write(statisticsRow(frame) + '\n'); }
 
 } // namespace carom
