@@ -17,9 +17,26 @@ std::optional<Number> allOf(std::string_view text) {
     return value;
 }
 
-/// Length of the well-formed UTF-8 sequence at the start of `text`, 0 if there is none (The Unicode
-/// Standard, table 3-7: no overlong forms, no surrogates, nothing beyond U+10FFFF).
-std::size_t sequenceLength(std::string_view text) {
+} // namespace
+
+std::string shortest(double value) {
+    std::array<char, 32> buffer; // the longest double takes 24
+    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+std::optional<double> numberIn(std::string_view text) {
+    const std::optional<double> value = allOf<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<long long> wholeNumberIn(std::string_view text) { return allOf<long long>(text); }
+
+std::optional<unsigned long long> unsignedNumberIn(std::string_view text) {
+    return allOf<unsigned long long>(text);
+}
+
+std::size_t utf8SequenceLength(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
     };
@@ -40,30 +57,11 @@ std::size_t sequenceLength(std::string_view text) {
     return 0;
 }
 
-} // namespace
-
-std::string shortest(double value) {
-    std::array<char, 32> buffer; // the longest double takes 24
-    const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
-}
-
-std::optional<double> numberIn(std::string_view text) {
-    const std::optional<double> value = allOf<double>(text);
-    return value && std::isfinite(*value) ? value : std::nullopt;
-}
-
-std::optional<long long> wholeNumberIn(std::string_view text) { return allOf<long long>(text); }
-
-std::optional<unsigned long long> unsignedNumberIn(std::string_view text) {
-    return allOf<unsigned long long>(text);
-}
-
 std::string validUtf8(std::string_view text) {
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
-        const std::size_t length = sequenceLength(text);
+        const std::size_t length = utf8SequenceLength(text);
         if (length == 0)
             result += "\xEF\xBF\xBD";
         else

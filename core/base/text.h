@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ std::optional<long long> wholeNumberIn(std::string_view text);
 /// The same without a sign, up to 2^64 − 1.
 std::optional<unsigned long long> unsignedNumberIn(std::string_view text);
 
+/// Length in bytes of the well-formed UTF-8 sequence that begins the text (The Unicode Standard, table 3-7:
+/// no overlong forms, no surrogates, nothing beyond U+10FFFF), or 0 where it begins with none.
+std::size_t utf8SequenceLength(std::string_view text);
 /// The text with every byte that is not part of well-formed UTF-8 replaced by U+FFFD.
 std::string validUtf8(std::string_view text);
 

@@ -105,6 +105,7 @@ class Lexer {
             return lexComment();
         case ByteClass::Slash:
             if (classAt(m_at + 1) == ByteClass::Slash) return lexComment();
+            if (m_text.substr(m_at, 2) == "/*" && lexForeignComment()) return;
             return lexUnexpected();
         case ByteClass::Punctuation:
             ++m_at;
@@ -118,6 +119,20 @@ class Lexer {
     void lexComment() {
         m_at = std::min(m_text.find_first_of("\r\n", m_at), m_text.size());
         add(TokenKind::Comment);
+    }
+
+    // A comment of another language is one mistake, whatever stands in it. False where it is never closed.
+    bool lexForeignComment() {
+        const std::size_t close =
+            m_foreignCloseMissing ? std::string_view::npos : m_text.find("*/", m_at + 2);
+        m_foreignCloseMissing = close == std::string_view::npos;
+        if (m_foreignCloseMissing) return false;
+        m_at = close + 2;
+        add(TokenKind::Invalid);
+        const SourceRange open = {static_cast<std::uint32_t>(m_begin), 2};
+        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnexpectedCharacter, open))
+            diagnostic->message = "`/*` is no comment; comments begin with `//` or `#` and end with the line";
+        return true;
     }
 
     void lexNumber() {
@@ -178,9 +193,7 @@ class Lexer {
         if (diagnostic == nullptr) return;
         const std::string_view run = m_text.substr(begin, m_at - begin);
         diagnostic->message = "unexpected character " + quoted(run);
-        if (run.starts_with("/*"))
-            diagnostic->message += "; comments begin with `//` or `#` and end with the line";
-        else if (run == "/")
+        if (run == "/")
             diagnostic->message += "; there is no division, write the quotient";
         else if (run == "_")
             diagnostic->message += "; a name begins with a letter";
@@ -224,6 +237,7 @@ class Lexer {
     std::vector<Token> m_tokens;
     std::size_t m_begin = 0; ///< of the token being read
     std::size_t m_at = 0;
+    bool m_foreignCloseMissing = false; ///< no `*/` follows: it is searched for once
 };
 
 } // namespace

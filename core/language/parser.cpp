@@ -18,15 +18,16 @@ namespace {
 
 class Parser {
   public:
-    Parser(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics)
-        : m_text(text), m_tokens(tokens), m_diagnostics(diagnostics) {
+    Parser(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
+           std::size_t mostDeclarations)
+        : m_text(text), m_tokens(tokens), m_diagnostics(diagnostics), m_mostDeclarations(mostDeclarations) {
         reserve();
         m_at = significantFrom(0);
     }
 
     SyntaxTree run() {
         while (!at(TokenKind::EndOfText)) {
-            if (m_tree.declarations.size() >= largestDeclarationCount) {
+            if (m_tree.declarations.size() >= m_mostDeclarations) {
                 reportTooMany();
                 break;
             }
@@ -135,7 +136,7 @@ class Parser {
 
     void reportTooMany() {
         if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::TooManyDeclarations, here()))
-            diagnostic->message = "a scene has at most " + std::to_string(largestDeclarationCount) +
+            diagnostic->message = "a scene has at most " + std::to_string(m_mostDeclarations) +
                                   " declarations; the rest of the text is not read";
     }
 
@@ -170,9 +171,10 @@ class Parser {
         Diagnostic* diagnostic = fail(DiagnosticCode::ExpectedParameterList, atEnd ? m_now.type : here());
         if (diagnostic == nullptr) return;
         diagnostic->message = "expected `{` or `;` behind " + quoted(spelling(m_last)) + ", found " + found();
-        const bool looksLikeParameter = m_row != nullptr && m_row->find(spelling(m_now.label)) != nullptr;
-        const SourceRange behind = {looksLikeParameter ? m_now.type.end() : m_last.end(), 0};
-        if (m_row != nullptr && !atEnd) diagnostic->fixIt = FixIt{"insert `{`", {behind, " {"}};
+        const bool labelIsParameter = m_row != nullptr && m_row->find(spelling(m_now.label)) != nullptr;
+        const bool braceMissing = labelIsParameter || (!atEnd && parameterRow(here()) != nullptr);
+        const SourceRange behind = {labelIsParameter ? m_now.type.end() : m_last.end(), 0};
+        if (braceMissing) diagnostic->fixIt = FixIt{"insert `{`", {behind, " {"}};
     }
 
     // Takes the `}` or `;` that ends the declaration.
@@ -305,20 +307,19 @@ class Parser {
 
     void reportNoValue(SourceRange name, bool alreadyReported) {
         m_now.broken = true;
+        const bool goesOn = at(TokenKind::Name) || at(TokenKind::CloseBrace) || at(TokenKind::Semicolon) ||
+                            at(TokenKind::EndOfText);
         if (!alreadyReported) {
             if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::ExpectedValue, name)) {
                 const std::string_view takes = m_expected == nullptr ? "a value" : phraseOf(m_expected->kind);
                 diagnostic->message = quoted(spelling(name)) + " has no value; expected " +
                                       std::string(takes) + ", found " + found();
-                const bool obvious = m_expected != nullptr && !m_expected->example.empty();
-                const std::string example = obvious ? " " + std::string(m_expected->example) : "";
-                if (obvious)
-                    diagnostic->fixIt =
-                        FixIt{"insert `" + example.substr(1) + "`", {{m_last.end(), 0}, example}};
+                if (goesOn && m_expected != nullptr) {
+                    const std::string example(m_expected->example);
+                    diagnostic->fixIt = FixIt{"insert `" + example + "`", {{m_last.end(), 0}, " " + example}};
+                }
             }
         }
-        const bool goesOn = at(TokenKind::Name) || at(TokenKind::CloseBrace) || at(TokenKind::Semicolon) ||
-                            at(TokenKind::EndOfText);
         if (!goesOn) skipInside();
     }
 
@@ -450,7 +451,7 @@ class Parser {
             numbers += token.kind == TokenKind::Number ? 1 : 0;
             names += token.kind == TokenKind::Name ? 1 : 0;
         }
-        m_tree.declarations.reserve(std::min(lists + 1, largestDeclarationCount));
+        m_tree.declarations.reserve(std::min(lists + 1, m_mostDeclarations));
         m_tree.parameters.reserve(names);
         m_tree.scalars.reserve(numbers);
     }
@@ -458,6 +459,7 @@ class Parser {
     std::string_view m_text;
     std::span<const Token> m_tokens;
     DiagnosticList& m_diagnostics;
+    std::size_t m_mostDeclarations;
     SyntaxTree m_tree;
     std::size_t m_at = 0;
     SourceRange m_last;                       ///< the token before the cursor
@@ -470,8 +472,9 @@ class Parser {
 
 } // namespace
 
-SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics) {
-    return Parser(text, tokens, diagnostics).run();
+SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
+                 std::size_t mostDeclarations) {
+    return Parser(text, tokens, diagnostics, mostDeclarations).run();
 }
 
 } // namespace carom

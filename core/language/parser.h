@@ -10,12 +10,12 @@
 
 namespace carom {
 
-/// More declarations than this are not read.
 inline constexpr std::size_t largestDeclarationCount = 10'000'000;
 
 /// Builds the tree of a text from its tokens (as lex() made them: the last is EndOfText). Without recursion,
 /// in time linear in the tokens. After an error it goes on at the next `}` or `;` of the same declaration,
-/// or at the next name of a declaration type that begins a line.
-SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics);
+/// or at the next name of a declaration type that begins a line. What follows `mostDeclarations` is not read.
+SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
+                 std::size_t mostDeclarations = largestDeclarationCount);
 
 } // namespace carom

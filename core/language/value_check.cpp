@@ -81,9 +81,9 @@ class Check {
     void reportKind() {
         Diagnostic* diagnostic = report(DiagnosticCode::WrongKind);
         if (diagnostic == nullptr) return;
-        diagnostic->message = name() + " takes " + std::string(phraseOf(m_row.kind)) + ", not " +
-                              std::string(seenAs(m_parameter.kind));
-        if (m_row.kind == ValueKind::Word) diagnostic->message += "; one of " + listed(m_row.words, "or");
+        diagnostic->message = name() + " is " + std::string(seenAs(m_parameter.kind)) + "; it takes " +
+                              std::string(phraseOf(m_row.kind));
+        if (m_row.kind == ValueKind::Word) diagnostic->message += ", one of " + listed(m_row.words, "or");
     }
 
     std::optional<CheckedValue> word() {
@@ -127,10 +127,9 @@ class Check {
         if (whole && std::abs(number) <= std::numeric_limits<int>::max()) return true;
         Diagnostic* diagnostic = report(whole ? DiagnosticCode::ValueOutOfRange : DiagnosticCode::WrongKind);
         if (diagnostic == nullptr) return false;
-        diagnostic->message = name() +
-                              (whole ? " must be at most " + std::to_string(std::numeric_limits<int>::max())
-                                     : std::string(" must be a whole number")) +
-                              ", it is " + shortest(number);
+        const std::string rule = whole ? "at most " + std::to_string(std::numeric_limits<int>::max())
+                                       : std::string("a whole number");
+        diagnostic->message = name() + " is " + shortest(number) + "; it must be " + rule;
         return false;
     }
 
@@ -162,8 +161,8 @@ class Check {
         const bool scalar = m_parameter.kind == SyntaxValueKind::Scalar;
         const std::string seen = scalar ? shortest(value.number) : textOf(value.vector);
         const bool each = m_row.kind == ValueKind::Vector && m_row.constraint == Constraint::Positive;
-        diagnostic->message = name() + " " + std::string(sentenceOf(m_row.constraint)) +
-                              (each ? " in each component" : "") + ", it is " + seen;
+        diagnostic->message = name() + " is " + seen + "; it " + std::string(sentenceOf(m_row.constraint)) +
+                              (each ? " in each component" : "");
         mend(*diagnostic, value, scalar);
     }
 

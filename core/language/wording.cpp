@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/wording.h"
 
+#include "core/base/text.h"
+
 namespace carom {
 namespace {
 
 constexpr std::size_t longestQuote = 40; // bytes
-
-// Length of the UTF-8 sequence that begins `text`, or 0 where it is none.
-std::size_t sequenceLength(std::string_view text) {
-    const unsigned char lead = static_cast<unsigned char>(text[0]);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    if (length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
-    if (length < 3) return length;
-    const unsigned char second = static_cast<unsigned char>(text[1]);
-    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-    const bool surrogate = lead == 0xED && second >= 0xA0;
-    const bool beyond = lead == 0xF4 && second >= 0x90;
-    return overlong || surrogate || beyond ? 0 : length;
-}
 
 bool isSpace(char c) { return c == ' ' || c == '\t'; }
 bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
@@ -37,7 +19,7 @@ std::string quoted(std::string_view piece) {
     std::size_t i = 0;
     while (i < piece.size() && i < longestQuote) {
         const unsigned char byte = static_cast<unsigned char>(piece[i]);
-        const std::size_t length = sequenceLength(piece.substr(i));
+        const std::size_t length = utf8SequenceLength(piece.substr(i));
         const bool control = byte < 0x20 || byte == 0x7F ||
                              (byte == 0xC2 && length == 2 && static_cast<unsigned char>(piece[i + 1]) < 0xA0);
         if (length == 0 || control) {
