@@ -20,6 +20,7 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
     bodies.friction.push_back(body.friction);
     bodies.rolling.push_back(body.rolling);
     bodies.mobile.push_back(mobile ? 1 : 0);
+    bodies.turnedByImpacts.push_back(mobile && kindOf(body.shape) != ShapeKind::Sphere ? 1 : 0);
 
     (wall ? bodies.walls : bodies.bounded).push_back(index);
     if (!mobile) return;

@@ -23,6 +23,8 @@ struct Bodies {
         boundingRadius; ///< [m], of the ball about the centre that holds the body; 0 for walls
     std::vector<double> elastic, friction, rolling;
     std::vector<std::uint8_t> mobile; ///< 1 where the body can move
+    /// 1 where a frictionless impulse can turn the body: mobile and no sphere.
+    std::vector<std::uint8_t> turnedByImpacts;
 
     std::vector<BodyIndex> mobileBodies; ///< ascending
     std::vector<BodyIndex> walls;        ///< ascending

@@ -8,10 +8,12 @@ namespace {
 
 // 0 while every summand is finite, else not a number: 0 · inf and 0 · NaN are NaN. One addition a number,
 // where a test of each would be a branch a number.
-double traceOfLoss(const Pose& pose, const Vec3& velocity, const Vec3& angularVelocity) {
+inline double traceOfLoss(const State& state, BodyIndex body) {
+    const Pose& pose = state.pose[body];
     const Quat& q = pose.orientation;
-    const Vec3 sum = 0.0 * pose.position + 0.0 * velocity + 0.0 * angularVelocity + 0.0 * q.vec();
-    return sum.x() + sum.y() + sum.z() + 0.0 * q.w();
+    const Vec3 sum = pose.position * 0.0 + state.velocity[body] * 0.0 +
+                     (state.angularVelocity[body] * 0.0 + q.vec() * 0.0);
+    return (sum.x() + sum.y()) + (sum.z() + q.w() * 0.0);
 }
 
 std::string_view lostQuantity(const State& state, BodyIndex body) {
@@ -39,12 +41,10 @@ State initialStateOf(const Scene& scene) {
 
 Loss findLoss(const Bodies& bodies, const State& state) {
     double trace = 0;
-    for (const BodyIndex i : bodies.mobileBodies)
-        trace += traceOfLoss(state.pose[i], state.velocity[i], state.angularVelocity[i]);
+    for (const BodyIndex i : bodies.mobileBodies) trace += traceOfLoss(state, i);
     if (trace == 0) return {};
     for (const BodyIndex i : bodies.mobileBodies)
-        if (traceOfLoss(state.pose[i], state.velocity[i], state.angularVelocity[i]) != 0)
-            return {i, lostQuantity(state, i)};
+        if (traceOfLoss(state, i) != 0) return {i, lostQuantity(state, i)};
     return {};
 }
 

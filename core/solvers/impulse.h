@@ -28,25 +28,41 @@
 
 namespace carom {
 
-/// One impact, ready to be applied; angular terms are zero for spheres, where r and n are parallel.
+/// One impact, ready to be applied.
 struct Impact {
     BodyIndex a = noBody;
     BodyIndex b = noBody;
-    Vec3 normal = Vec3::UnitY();       ///< n
-    Vec3 armA = Vec3::Zero();          ///< rA×n [m]
-    Vec3 armB = Vec3::Zero();          ///< rB×n [m]
-    Vec3 spinA = Vec3::Zero();         ///< IA⁻¹ (rA×n), the change of ω per unit of impulse [1/(kg m)]
-    Vec3 spinB = Vec3::Zero();         ///< IB⁻¹ (rB×n)
-    double inverseMassAlongNormal = 0; ///< K [1/kg]
+    Vec3 normal = Vec3::UnitY(); ///< n
+    double inverseMass = 0;      ///< K [1/kg]
+
+    bool turns = false; ///< false where both are spheres, walls or fixed: r and n are parallel, or no matter
+    Vec3 armA = Vec3::Zero();  ///< rA×n [m]
+    Vec3 armB = Vec3::Zero();  ///< rB×n [m]
+    Vec3 spinA = Vec3::Zero(); ///< IA⁻¹ (rA×n), the change of ωA per unit of impulse [1/(kg m)]
+    Vec3 spinB = Vec3::Zero(); ///< IB⁻¹ (rB×n)
 };
 
 Impact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const Vec3& normal,
                 const Vec3& point);
 
 /// u [m/s], negative while the bodies approach each other.
-double partingSpeed(const Impact& impact, const State& state);
+inline double partingSpeed(const Impact& impact, const State& state) {
+    double speed = impact.normal.dot(state.velocity[impact.b] - state.velocity[impact.a]);
+    if (impact.turns) // n·(ω×r) = ω·(r×n)
+        speed += impact.armB.dot(state.angularVelocity[impact.b]) -
+                 impact.armA.dot(state.angularVelocity[impact.a]);
+    return speed;
+}
 
-/// Changes the velocities of both bodies so that afterwards u' = −e u.
-void apply(const Impact& impact, double restitution, const Bodies& bodies, State& state);
+/// Changes the velocities of both bodies, which part at `speed` (u), so that they part at −e u afterwards.
+inline void apply(const Impact& impact, double speed, double restitution, const Bodies& bodies,
+                  State& state) {
+    const double j = -(1 + restitution) * speed / impact.inverseMass;
+    state.velocity[impact.a] -= (j * bodies.inverseMass[impact.a]) * impact.normal;
+    state.velocity[impact.b] += (j * bodies.inverseMass[impact.b]) * impact.normal;
+    if (!impact.turns) return;
+    state.angularVelocity[impact.a] -= j * impact.spinA;
+    state.angularVelocity[impact.b] += j * impact.spinB;
+}
 
 } // namespace carom

@@ -55,30 +55,48 @@ Vec3 centreOfPressure(const Manifold& manifold, double slop) {
     return sum / weights;
 }
 
+/// What a response needs of a pair that touches.
+struct Contact {
+    BodyPair pair;               // a wall is always b
+    Vec3 normal = Vec3::UnitY(); // from a to b
+    Vec3 point = Vec3::Zero();   // where the impulse acts [m]
+    double depth = 0;            // [m]
+};
+
 class Microcollisions final : public Solver {
   public:
-    explicit Microcollisions(const Bodies& bodies) : m_boxes(bodies.bounded.size()) {
-        m_mobile.reserve(bodies.bounded.size());
-        for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
-    }
-
+    explicit Microcollisions(const Bodies& bodies);
     SolverReport advance(const SolverInput& input) override;
 
   private:
     void moveSmoothly(const SolverInput& input);
     void updateBoxes(const SolverInput& input);
     void meetPairsInOrder(const SolverInput& input);
-    void meet(const SolverInput& input, BodyPair pair);
-    bool touch(const SolverInput& input, BodyPair pair);
-    void respond(const SolverInput& input, BodyPair pair);
+    void meetWall(const SolverInput& input, std::size_t wall, BodyIndex body);
+    void meet(const SolverInput& input, BodyPair pair, double slop);
+    void respondToBatch(const SolverInput& input);
+    void respond(const SolverInput& input, const Contact& contact);
 
-    std::vector<Aabb> m_boxes;          // of bodies.bounded
-    std::vector<std::uint8_t> m_mobile; // of bodies.bounded
-    Manifold m_manifold;                // of the pair in turn
-    double m_slop = 0;                  // [m], of the pair in turn
+    std::vector<Aabb> m_boxes;           // of bodies.bounded
+    std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
+    std::vector<Wall> m_walls;           // of bodies.walls
+    std::vector<Contact> m_batch;        // found, not yet responded to
+    std::vector<std::uint8_t> m_inBatch; // by BodyIndex: mobile and in a contact of m_batch
+    Manifold m_manifold;                 // of the pair in turn
     Stopwatch m_watch;
     SolverReport m_report;
 };
+
+/// Contacts a batch holds at most: beyond, reading the clock is negligible anyway.
+constexpr std::size_t largestBatch = 256;
+
+Microcollisions::Microcollisions(const Bodies& bodies)
+    : m_boxes(bodies.bounded.size()), m_inBatch(bodies.count(), 0) {
+    m_mobile.reserve(bodies.bounded.size());
+    for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+    for (const BodyIndex i : bodies.walls) m_walls.push_back(*std::get_if<Wall>(&bodies.shape[i]));
+    m_batch.reserve(largestBatch);
+}
 
 SolverReport Microcollisions::advance(const SolverInput& input) {
     m_report = {};
@@ -93,8 +111,7 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
     m_report.broadphase = m_watch.lap();
 
     meetPairsInOrder(input);
-    m_report.narrowphase += m_watch.lap();
-
+    respondToBatch(input);
     m_report.loss = findLoss(input.bodies, input.state);
     m_report.respond += m_watch.lap();
     return m_report;
@@ -124,71 +141,81 @@ void Microcollisions::updateBoxes(const SolverInput& input) {
 // Merges the broad-phase's ascending pairs with the pairs (wall, mobile body), ascending too.
 void Microcollisions::meetPairsInOrder(const SolverInput& input) {
     const Bodies& bodies = input.bodies;
+    const std::vector<BodyIndex>& walls = bodies.walls;
+    const auto meetBodies = [&](BodyPair pair) {
+        meet(input, pair,
+             contactSlop * std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]));
+    };
     const std::span<const BodyPair> pairs = input.broadphase.pairs();
     std::size_t pair = 0, wallsUpToA = 0, mobileUpToA = 0;
     for (BodyIndex a = 0; a < bodies.count(); ++a) {
-        if (wallsUpToA < bodies.walls.size() && bodies.walls[wallsUpToA] == a) {
-            ++wallsUpToA;
+        if (wallsUpToA < walls.size() && walls[wallsUpToA] == a) {
             for (std::size_t k = mobileUpToA; k < bodies.mobileBodies.size(); ++k)
-                meet(input, {a, bodies.mobileBodies[k]});
+                meetWall(input, wallsUpToA, bodies.mobileBodies[k]);
+            ++wallsUpToA;
             continue;
         }
-        std::size_t wall = bodies.mobile[a] != 0 ? wallsUpToA : bodies.walls.size();
+        std::size_t wall = bodies.mobile[a] != 0 ? wallsUpToA : walls.size();
         for (; pair < pairs.size() && pairs[pair].a == a; ++pair) {
-            for (; wall < bodies.walls.size() && bodies.walls[wall] < pairs[pair].b; ++wall)
-                meet(input, {a, bodies.walls[wall]});
-            meet(input, pairs[pair]);
+            for (; wall < walls.size() && walls[wall] < pairs[pair].b; ++wall) meetWall(input, wall, a);
+            meetBodies(pairs[pair]);
         }
-        for (; wall < bodies.walls.size(); ++wall) meet(input, {a, bodies.walls[wall]});
+        for (; wall < walls.size(); ++wall) meetWall(input, wall, a);
         mobileUpToA += bodies.mobile[a];
     }
 }
 
-// Test and response take turns, and the clock is read where they change over: twice a contact, not once a
-// pair.
-void Microcollisions::meet(const SolverInput& input, BodyPair pair) {
-    if (!touch(input, pair)) return;
+void Microcollisions::meetWall(const SolverInput& input, std::size_t wall, BodyIndex body) {
+    if (m_inBatch[body] != 0) respondToBatch(input);
+    const double radius = input.bodies.boundingRadius[body];
+    if (distanceTo(m_walls[wall], input.state.pose[body].position) > radius) return;
+    meet(input, {body, input.bodies.walls[wall]}, contactSlop * radius);
+}
+
+// A contact waits in the batch until one of its bodies is met again. By then nothing else has touched the
+// two, so the motion is the same to the bit as with a response at once, and the clock is read twice a batch,
+// not twice a contact: a reading takes longer than a response.
+void Microcollisions::meet(const SolverInput& input, BodyPair pair, double slop) {
+    if ((m_inBatch[pair.a] | m_inBatch[pair.b]) != 0) respondToBatch(input);
+    const Bodies& bodies = input.bodies;
+    const PlacedShape a{&bodies.shape[pair.a], &input.state.pose[pair.a]};
+    const PlacedShape b{&bodies.shape[pair.b], &input.state.pose[pair.b]};
+    if (!collide(a, b, slop, m_manifold)) return;
+    const double depth = -m_manifold.deepest().separation;
+    if (depth < 0) return;
+    m_batch.push_back({pair, m_manifold.normal, centreOfPressure(m_manifold, slop), depth});
+    m_inBatch[pair.a] = bodies.mobile[pair.a];
+    m_inBatch[pair.b] = bodies.mobile[pair.b];
+    if (m_batch.size() == largestBatch) respondToBatch(input);
+}
+
+void Microcollisions::respondToBatch(const SolverInput& input) {
     m_report.narrowphase += m_watch.lap();
-    respond(input, pair);
+    for (const Contact& contact : m_batch) {
+        respond(input, contact);
+        m_inBatch[contact.pair.a] = 0;
+        m_inBatch[contact.pair.b] = 0;
+    }
+    m_batch.clear();
     m_report.respond += m_watch.lap();
 }
 
-bool Microcollisions::touch(const SolverInput& input, BodyPair pair) {
-    const Bodies& bodies = input.bodies;
-    const Pose& poseA = input.state.pose[pair.a];
-    const Pose& poseB = input.state.pose[pair.b];
-    const double radiusA = bodies.boundingRadius[pair.a], radiusB = bodies.boundingRadius[pair.b];
-    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.a])) {
-        if (distanceTo(*wall, poseB.position) > radiusB) return false;
-        m_slop = contactSlop * radiusB;
-    } else if (const Wall* other = std::get_if<Wall>(&bodies.shape[pair.b])) {
-        if (distanceTo(*other, poseA.position) > radiusA) return false;
-        m_slop = contactSlop * radiusA;
-    } else {
-        m_slop = contactSlop * std::min(radiusA, radiusB);
-    }
-    const PlacedShape a{&bodies.shape[pair.a], &poseA};
-    const PlacedShape b{&bodies.shape[pair.b], &poseB};
-    if (!collide(a, b, m_slop, m_manifold)) return false;
-    return m_manifold.deepest().separation <= 0;
-}
-
-void Microcollisions::respond(const SolverInput& input, BodyPair pair) {
-    const double depth = -m_manifold.deepest().separation;
+void Microcollisions::respond(const SolverInput& input, const Contact& contact) {
     ++m_report.contacts;
-    m_report.maxPenetration = std::max(m_report.maxPenetration, depth);
+    m_report.maxPenetration = std::max(m_report.maxPenetration, contact.depth);
 
     const Bodies& bodies = input.bodies;
-    const Vec3 point = centreOfPressure(m_manifold, m_slop);
-    const Impact impact = impactAt(bodies, input.state, pair, m_manifold.normal, point);
-    if (partingSpeed(impact, input.state) > 0) return;
+    const auto [a, b] = contact.pair;
+    const Impact impact = impactAt(bodies, input.state, contact.pair, contact.normal, contact.point);
+    const double speed = partingSpeed(impact, input.state);
+    if (speed > 0) return;
 
-    const bool bothMobile = bodies.mobile[pair.a] != 0 && bodies.mobile[pair.b] != 0;
-    const Vec3 displacement = (bothMobile ? 0.5 * depth : depth) * m_manifold.normal;
-    if (bodies.mobile[pair.a] != 0) input.state.pose[pair.a].position -= displacement;
-    if (bodies.mobile[pair.b] != 0) input.state.pose[pair.b].position += displacement;
+    const bool bothMobile = bodies.mobile[a] != 0 && bodies.mobile[b] != 0;
+    const Vec3 displacement = (bothMobile ? 0.5 * contact.depth : contact.depth) * contact.normal;
+    if (bodies.mobile[a] != 0) input.state.pose[a].position -= displacement;
+    if (bodies.mobile[b] != 0) input.state.pose[b].position += displacement;
 
-    apply(impact, std::min(bodies.elastic[pair.a], bodies.elastic[pair.b]), bodies, input.state);
+    apply(impact, speed, std::min(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies) { return std::make_unique<Microcollisions>(bodies); }
