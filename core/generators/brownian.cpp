@@ -50,10 +50,11 @@ std::string generateBrownian(const GeneratorRequest& request) {
         " particles in all, in a perfectly elastic box without a lid.\n" + commandOf(row, request) +
         "\n\n"
         "What to look for: the white gas on the left and the red one on the right diffuse into each\n"
-        "other, while the blue particle walks at random. Nothing dissipates: the energy must stay.");
+        "other, while the blue particle walks at random. Nothing dissipates: what the energy gains or\n"
+        "loses is the error of the method.");
     scene.blankLine();
     scene.camera(toMillionths(Vec3(0, 0.9 * edge, 2.1 * edge)), toMillionths(Vec3(0, 0.42 * edge, 0)), 40);
-    scene.simulation("substeps 4");
+    scene.substeps(4);
     scene.blankLine();
     scene.wall(Vec3::UnitY(), 0, 1, "silver");
     scene.wall(Vec3::UnitX(), half, 1, "silver");
@@ -74,7 +75,7 @@ std::string generateBrownian(const GeneratorRequest& request) {
             particle.colour = "blue";
         }
         particle.centre = placement.place(radius, white ? left : right, random);
-        for (Eigen::Index k = 0; k < 3; ++k) particle.velocity[k] = toMillionths(random.gaussian(0, speed));
+        for (Eigen::Index k = 0; k < 3; ++k) particle.velocity[k] = rounded(random.gaussian(0, speed), 1e3);
         scene.sphere(radius, particle);
     }
     return scene.take();

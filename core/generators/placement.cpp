@@ -11,8 +11,10 @@ namespace carom {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-/// Room kept between two spheres [m], so that rounding cannot make them touch.
-constexpr double clearance = 1e-6;
+/// Places are whole multiples of a tenth of a millimetre.
+constexpr double perMetre = 1e4;
+/// Room kept between spheres and to the sides [m]: more than the rounding can take away.
+constexpr double clearance = 1e-4;
 
 } // namespace
 
@@ -65,8 +67,9 @@ Vec3 Placement::place(double radius, const PlacementBox& region, Random& random)
     for (;;) {
         Vec3 centre;
         for (Eigen::Index k = 0; k < 3; ++k)
-            centre[k] = toMillionths(
-                random.uniform(region.low[k] + radius + clearance, region.high[k] - radius - clearance));
+            centre[k] = rounded(
+                random.uniform(region.low[k] + radius + clearance, region.high[k] - radius - clearance),
+                perMetre);
         if (!isFree(centre, radius)) continue;
         std::uint32_t& first = m_first[indexOf(cellOf(centre))];
         m_next.push_back(first);

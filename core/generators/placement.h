@@ -28,8 +28,8 @@ class Placement {
     /// Places for `count` spheres of at most `largestRadius` [m], all of them inside `box`.
     Placement(const PlacementBox& box, double largestRadius, std::size_t count);
 
-    /// Draws a place for a sphere wholly inside `region` (part of the box), a micrometre clear of all placed
-    /// so far; coordinates are whole millionths. The caller leaves room: at most a quarter of the volume.
+    /// Draws a place for a sphere wholly inside `region` (part of the box), a tenth of a millimetre clear of
+    /// all placed so far and rounded to such. The caller leaves room: at most a quarter of the volume.
     Vec3 place(double radius, const PlacementBox& region, Random& random);
 
   private:

@@ -70,8 +70,8 @@ void writePoolRack(SceneWriter& scene, const PoolRack& rack, Random& random) {
 void writePoolTable(SceneWriter& scene, double speed) {
     constexpr double frame = 1.0 / 60;
     // Two thirds of the cue ball's radius a substep at most: it cannot pass through what it should hit.
-    const double substeps = std::fmax(1, std::ceil(speed * frame / (cueBallRadius * 2 / 3)));
-    scene.simulation("substeps " + shortest(substeps));
+    const double substeps = std::ceil(speed * frame / (cueBallRadius * 2 / 3));
+    scene.substeps(static_cast<int>(std::fmax(1, substeps)));
     // The cloth takes the bounce out of what falls on it; balls at rest stay at rest.
     scene.wall(Vec3::UnitY(), 0, 0, "green");
 }

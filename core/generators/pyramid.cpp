@@ -27,7 +27,7 @@ namespace {
 
 constexpr double smallestRadius = 0.1, largestRadius = 0.3; ///< of the shower [m]
 constexpr double shower = 100;                              ///< density of the small spheres [kg/m³]
-constexpr double stone = 100;                               ///< density of the steps [kg/m³]
+constexpr double stone = 2500;                              ///< density of the steps [kg/m³]
 constexpr double iron = 1000;                               ///< density of the heavy sphere [kg/m³]
 constexpr double elastic = 0.8;
 constexpr double packing = 0.05;  ///< of the cloud
@@ -57,7 +57,8 @@ double sideFor(std::int64_t n) {
 
 /// Writes the steps from the floor up; returns the height of the top [m].
 double writeSteps(SceneWriter& scene, double side) {
-    const double height = toMillionths(0.07 * side);
+    const double halfHeight = toMillionths(0.035 * side);
+    const double height = 2 * halfHeight;
     double bottom = 0;
     for (int i = 0; i < steps; ++i) {
         const double radius = toMillionths(0.45 * side * (steps - i) / steps);
@@ -66,7 +67,8 @@ double writeSteps(SceneWriter& scene, double side) {
         const std::string colour = shortest(shade) + ", " + shortest(toMillionths(shade * 0.9)) + ", " +
                                    shortest(toMillionths(shade * 0.7));
         scene.cylinder(radius, height, Vec3::UnitY(), Vec3::Zero(),
-                       {.centre = {0, toMillionths(bottom + height / 2), 0},
+                       {.label = "step" + std::to_string(i + 1),
+                        .centre = {0, toMillionths(bottom + halfHeight), 0},
                         .mass = mass,
                         .elastic = elastic,
                         .colour = colour});
@@ -82,11 +84,11 @@ void writeShower(SceneWriter& scene, const GeneratorRequest& request, std::int64
     Placement placement(cloud, largestRadius, static_cast<std::size_t>(n));
     Random random(request.seed);
     for (std::int64_t i = 0; i < n; ++i) {
-        const double radius = toMillionths(random.uniform(smallestRadius, largestRadius));
-        WrittenBody sphere{.mass = toMillionths(shower * ballVolume(radius)),
+        const double radius = rounded(random.uniform(smallestRadius, largestRadius), 1e3);
+        WrittenBody sphere{.mass = rounded(shower * ballVolume(radius), 1e3),
                            .elastic = elastic,
                            .colour = colours[random.below(colours.size())]};
-        for (Eigen::Index k = 0; k < 3; ++k) sphere.velocity[k] = toMillionths(random.gaussian(0, speed));
+        for (Eigen::Index k = 0; k < 3; ++k) sphere.velocity[k] = rounded(random.gaussian(0, speed), 1e3);
         sphere.centre = placement.place(radius, cloud, random);
         scene.sphere(radius, sphere);
     }
@@ -108,9 +110,10 @@ std::string generatePyramid(const GeneratorRequest& request) {
     scene.blankLine();
     scene.camera(toMillionths(Vec3(0.9 * side, 0.9 * side, 1.9 * side)), toMillionths(Vec3(0, 0.4 * side, 0)),
                  45);
-    scene.simulation("substeps 4");
+    scene.substeps(4);
     scene.wall(Vec3::UnitY(), 0, elastic, "gray");
     scene.blankLine();
+    scene.spreadOut();
     const double top = writeSteps(scene, side);
     scene.blankLine();
     const PlacementBox cloud{{-side / 2, top, -side / 2}, {side / 2, top + cloudHeight, side / 2}};

@@ -5,14 +5,19 @@
 #include <cmath>
 
 namespace carom {
+namespace {
 
-double toMillionths(double value) {
-    const double rounded = std::round(value * 1e6) / 1e6;
-    return rounded == 0 ? 0.0 : rounded; // no "-0" in a text
+constexpr std::size_t longestLine = 110; ///< the formatter's; a longer declaration gets a line a parameter
+
+} // namespace
+
+double rounded(double value, double perUnit) {
+    const double result = std::round(value * perUnit) / perUnit;
+    return result == 0 ? 0.0 : result;
 }
 
-Vec3 toMillionths(const Vec3& value) {
-    return {toMillionths(value.x()), toMillionths(value.y()), toMillionths(value.z())};
+Vec3 rounded(const Vec3& value, double perUnit) {
+    return {rounded(value.x(), perUnit), rounded(value.y(), perUnit), rounded(value.z(), perUnit)};
 }
 
 void SceneWriter::comment(std::string_view text) {
@@ -31,10 +36,9 @@ void SceneWriter::gravity(const Vec3& acceleration) {
     close();
 }
 
-void SceneWriter::simulation(std::string_view parameters) {
+void SceneWriter::substeps(int count) {
     open("simulation");
-    m_text += ' ';
-    m_text += parameters;
+    parameter("substeps", count);
     close();
 }
 
@@ -82,12 +86,9 @@ void SceneWriter::common(const WrittenBody& body) {
 }
 
 void SceneWriter::open(std::string_view type, std::string_view label) {
-    m_text += type;
-    if (!label.empty()) {
-        m_text += ' ';
-        m_text += label;
-    }
-    m_text += " {";
+    m_head = type;
+    if (!label.empty()) m_head.append(" ").append(label);
+    m_parameters.clear();
 }
 
 void SceneWriter::parameter(std::string_view name, double value) { parameter(name, shortest(value)); }
@@ -100,12 +101,20 @@ void SceneWriter::parameter(std::string_view name, const Vec3& value) {
 }
 
 void SceneWriter::parameter(std::string_view name, std::string_view word) {
-    m_text += ' ';
-    m_text += name;
-    m_text += ' ';
-    m_text += word;
+    m_parameters.emplace_back(name).append(" ").append(word);
 }
 
-void SceneWriter::close() { m_text += " }\n"; }
+void SceneWriter::close() {
+    std::string line = m_head + " {";
+    for (const std::string& parameter : m_parameters)
+        line.append(&parameter == &m_parameters.front() ? " " : "  ").append(parameter);
+    line += " }";
+    if (m_spreadOut || line.size() > longestLine) {
+        line = m_head + " {\n";
+        for (const std::string& parameter : m_parameters) line.append("    ").append(parameter).append("\n");
+        line += "}";
+    }
+    m_text += line + "\n";
+}
 
 } // namespace carom

@@ -7,9 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-// Writes the scene language, one declaration a line, in the canonical layout. Numbers are the shortest that
-// read back exactly (std::to_chars), so equal values are equal bytes on every machine.
+// Writes the scene language, in the canonical layout (a test holds it to the formatter). Numbers are the
+// shortest that read back exactly (std::to_chars), so equal values are equal bytes on every machine.
 
 namespace carom {
 
@@ -25,11 +26,13 @@ struct WrittenBody {
 
 class SceneWriter {
   public:
+    /// From now on a line a parameter, for declarations of which only some would fit one line.
+    void spreadOut() { m_spreadOut = true; }
     /// One comment line for each line of `text`.
     void comment(std::string_view text);
     void blankLine() { m_text += '\n'; }
     void gravity(const Vec3& acceleration);
-    void simulation(std::string_view parameters);
+    void substeps(int count); ///< a `simulation` declaration
     void camera(const Vec3& position, const Vec3& target, double fieldOfView);
     void wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour);
     void sphere(double radius, const WrittenBody& body);
@@ -46,10 +49,16 @@ class SceneWriter {
     void close();
 
     std::string m_text;
+    std::string m_head;                    ///< of the declaration being written: type and label
+    std::vector<std::string> m_parameters; ///< its parameters, "radius 0.1"
+    bool m_spreadOut = false;
 };
 
-/// The nearest multiple of a millionth: what random draws are rounded to, so that texts stay readable.
-double toMillionths(double value);
-Vec3 toMillionths(const Vec3& value);
+/// The nearest multiple of 1/perUnit: what random draws and results are rounded to, so that texts stay
+/// readable. Never -0.
+double rounded(double value, double perUnit);
+Vec3 rounded(const Vec3& value, double perUnit);
+inline double toMillionths(double value) { return rounded(value, 1e6); }
+inline Vec3 toMillionths(const Vec3& value) { return rounded(value, 1e6); }
 
 } // namespace carom

@@ -7,12 +7,13 @@
 
 // Seen from above, x to the right, z towards the reader; nothing falls.
 //
-//                o white            the cylinder turns anticlockwise: its right end
-//                                   goes away from the reader and strikes `white`
-//     ========================
-//                         ^
-//                         |
-//                         O red     arrives later and strikes the end that now lies here
+//                    o white        the cylinder turns anticlockwise: its right end goes
+//                                   away from the reader and strikes `white`; when it
+//     ========================      lies along z, its other end is where `red` comes by
+//
+//                  .    <--O red
+//
+// The speed of `red` grows with the spin, so the same things happen at any spin, only sooner.
 
 namespace carom {
 
@@ -46,13 +47,12 @@ std::string generateSpinningCylinder(const GeneratorRequest& request) {
         commandOf(row, request) +
         "\n\n"
         "What to look for: the cylinder, which only turns, drives the white sphere away and begins to\n"
-        "drift; then the heavier red sphere runs into the cylinder, takes most of its spin and carries it "
-        "along.\n"
-        "Nothing falls here, so the total momentum and angular momentum must stay.");
+        "drift; then the heavier red sphere hits the cylinder, takes nearly all of its spin and drives it\n"
+        "to the left. Nothing falls here: momentum and angular momentum must stay.");
     scene.blankLine();
-    scene.camera({0, 4.2, 2.4}, {0, 0, 0}, 45);
+    scene.camera({0, 5, 2.5}, {0, 0, 0}, 45);
     scene.gravity(Vec3::Zero());
-    scene.simulation("substeps 4");
+    scene.substeps(4);
     scene.blankLine();
     Random random(request.seed);
     const auto jittered = [&](const Vec3& place) {
@@ -61,10 +61,12 @@ std::string generateSpinningCylinder(const GeneratorRequest& request) {
         return result;
     };
     scene.cylinder(0.15, 2, Vec3::UnitX(), {0, spin, 0}, {.label = "bar", .mass = 2, .colour = "aqua"});
-    scene.sphere(0.2, {.label = "white", .centre = jittered({0.4, 0, -0.75}), .mass = 0.5});
-    scene.sphere(
-        0.3,
-        {.label = "red", .centre = jittered({3, 0, 3}), .velocity = {-2, 0, -2}, .mass = 2, .colour = "red"});
+    scene.sphere(0.2, {.label = "white", .centre = jittered({0.7, 0, -0.7}), .mass = 0.4});
+    scene.sphere(0.3, {.label = "red",
+                       .centre = jittered({2, 0, 0.7}),
+                       .velocity = {-0.5 * spin, 0, 0},
+                       .mass = 4,
+                       .colour = "red"});
     return scene.take();
 }
 

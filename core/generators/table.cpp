@@ -42,7 +42,7 @@ std::string generateTable(const GeneratorRequest& request) {
         "process. The table only stands: nothing glues the top to its legs.");
     scene.blankLine();
     scene.camera({1.4, 1.5, 2.4}, {0, 0.6, 0}, 45);
-    scene.simulation("substeps 4");
+    scene.substeps(32);
     scene.wall(Vec3::UnitY(), 0, 0, "olive");
     scene.blankLine();
     for (const double x : {-legPlace, legPlace})
