@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/broadphase.h"
+#include "core/effects/effect.h"
+#include "core/scene/schema.h"
+#include "core/simulation/build.h"
+#include "core/simulation/touching.h"
+#include "core/simulation/world.h"
+
+#include "tests/support/program.h"
+
+#include <QDirIterator>
+#include <QTest>
+
+#include <set>
+
+using namespace carom;
+
+// Every scene that is shipped is opened and run.
+
+class ScenesSmokeTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor_data() { scenes(); }
+    void everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor();
+    void nothingMobileOverlapsAtTheStart_data() { scenes(); }
+    void nothingMobileOverlapsAtTheStart();
+    void everyBroadphaseLeadsToTheSameState_data() { scenes(); }
+    void everyBroadphaseLeadsToTheSameState();
+    void everyEffectHasASceneThatCallsForIt();
+    void theTourShowsEveryDeclarationAndParameter();
+
+  private:
+    static constexpr int frames = 30;
+
+    static void scenes() {
+        QTest::addColumn<QString>("path");
+        const QString root = test::source(QStringLiteral("scenes"));
+        QDirIterator files(root, {QStringLiteral("*.sdl")}, QDir::Files, QDirIterator::Subdirectories);
+        while (files.hasNext()) {
+            const QString path = files.next();
+            QTest::newRow(qPrintable(path.mid(root.size() + 1))) << path;
+        }
+    }
+    static Build built(const QString& path, const SimulationSettings& options = {}) {
+        return build(test::contentOf(path).toStdString(), options);
+    }
+};
+
+void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
+    QFETCH(QString, path);
+    const Build scene = built(path);
+    for (const Diagnostic& diagnostic : scene.diagnostics) {
+        const bool mayStand = diagnostic.code == DiagnosticCode::NotSimulatedYet;
+        QVERIFY2(mayStand, formatDiagnostic(scene.analysis, diagnostic, path.toStdString()).c_str());
+    }
+    QVERIFY(scene.analysis.scene.camera.source);
+    QVERIFY(scene.analysis.text.starts_with("// "));
+    QVERIFY(scene.analysis.text.find("\n// What to look for: ") != std::string::npos);
+}
+
+void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
+    constexpr double rounding = 1e-15; // bodies that stand on each other touch but for rounding [m]
+    QFETCH(QString, path);
+    const Build scene = built(path);
+    for (const TouchingPair& pair : touchingPairs(scene.pipeline->bodies(), scene.pipeline->initialState()))
+        QVERIFY2(pair.manifold.deepest().separation >= -rounding,
+                 qPrintable(QStringLiteral("%1 and %2").arg(pair.pair.a).arg(pair.pair.b)));
+}
+
+void ScenesSmokeTest::everyBroadphaseLeadsToTheSameState() {
+    QFETCH(QString, path);
+    std::set<std::uint64_t> hashes;
+    for (const BroadphaseRow& row : broadphases()) {
+        SimulationSettings options;
+        options.broadphase = std::string(row.name);
+        World world(built(path, options).pipeline);
+        QCOMPARE(world.broadphaseRow().name, row.name);
+        for (int frame = 0; frame < frames; ++frame) world.step();
+        QVERIFY(world.health().finite);
+        QCOMPARE(world.state().frame, frames);
+        hashes.insert(world.stateHash());
+    }
+    QCOMPARE(hashes.size(), std::size_t{1});
+}
+
+void ScenesSmokeTest::everyEffectHasASceneThatCallsForIt() {
+    for (const EffectRow& row : effects()) {
+        const QString name = QString::fromUtf8(row.name.data(), qsizetype(row.name.size()));
+        const Build scene = built(test::source(QStringLiteral("scenes/effects/%1.sdl").arg(name)));
+        bool called = false;
+        for (const EffectDecision& decision : scene.pipeline->effects())
+            called = called || (decision.effect == row.name && decision.status != EffectStatus::Absent);
+        QVERIFY2(called, qPrintable(name));
+    }
+}
+
+void ScenesSmokeTest::theTourShowsEveryDeclarationAndParameter() {
+    const Build tour = built(test::source(QStringLiteral("scenes/tour.sdl")));
+    const Analysis& analysis = tour.analysis;
+    std::set<std::string_view> declarations, parameters;
+    for (const DeclarationSyntax& declaration : analysis.tree.declarations)
+        declarations.insert(textOf(analysis.text, declaration.type));
+    for (const ParameterSyntax& parameter : analysis.tree.parameters)
+        parameters.insert(textOf(analysis.text, parameter.name));
+    for (const DeclarationRow& row : schema()) {
+        QVERIFY2(declarations.contains(row.name), row.name.data());
+        for (const ParameterRow& parameter : row.parameters)
+            QVERIFY2(parameters.contains(parameter.name), parameter.name.data());
+    }
+}
+
+QTEST_APPLESS_MAIN(ScenesSmokeTest)
+#include "scenes_smoke_test.moc"
