@@ -80,6 +80,7 @@ void SceneEditor::configureEditing() {
 }
 
 void SceneEditor::configureMargins() {
+    setMarginsFont(editorFont());
     setMarginType(NumberMargin, MarginType::NumberMargin);
     setMarginType(SymbolMargin, MarginType::SymbolMargin);
     setMarginWidth(SymbolMargin, 16);

@@ -36,13 +36,16 @@ const std::unordered_map<std::string_view, SceneLexer::Style>& knownNames() {
     return names;
 }
 
-SceneLexer::Style styleOf(const Token& token, std::string_view text) {
+/// `before` is the style of the token in front: a name behind a declaration's type is a label, whatever it
+/// says.
+SceneLexer::Style styleOf(const Token& token, std::string_view text, SceneLexer::Style before) {
     switch (token.kind) {
     case TokenKind::Number:
         return SceneLexer::Number;
     case TokenKind::Comment:
         return SceneLexer::Comment;
     case TokenKind::Name: {
+        if (before == SceneLexer::Declaration) return SceneLexer::Plain;
         const auto known = knownNames().find(textOf(text, token.range));
         return known == knownNames().end() ? SceneLexer::Plain : known->second;
     }
@@ -136,9 +139,11 @@ void SceneLexer::styleText(int start, int end) {
 
     startStyling(begin);
     std::uint32_t styled = 0;
+    Style before = Plain;
     for (const Token& token : lex(text, ignored)) {
         if (token.range.offset > styled) setStyling(static_cast<int>(token.range.offset - styled), Plain);
-        setStyling(static_cast<int>(token.range.length), styleOf(token, text));
+        before = styleOf(token, text, before);
+        setStyling(static_cast<int>(token.range.length), before);
         styled = token.range.end();
         const bool opens = token.kind == TokenKind::OpenBrace;
         if (!opens && token.kind != TokenKind::CloseBrace) continue;

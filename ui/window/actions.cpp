@@ -34,11 +34,11 @@ constexpr std::array menuRows = {
     MenuRow{MenuId::Help, QT_TRANSLATE_NOOP("carom::Actions", "&Help")},
 };
 
-/// What the toolbar shows, in groups.
+/// What the toolbar shows, in groups; the transport bar has the rest.
 constexpr std::array toolbarGroups = {
     std::array{ActionId::New, ActionId::Open, ActionId::Save},
     std::array{ActionId::Undo, ActionId::Redo, ActionId::Find},
-    std::array{ActionId::Play, ActionId::Step, ActionId::Reset},
+    std::array{ActionId::Screenshot, ActionId::FrameAll, ActionId::DarkTheme},
 };
 
 QList<QKeySequence> parsed(const char* shortcuts) {

@@ -34,7 +34,7 @@ QPixmap rendered(const QByteArray& svg, const QColor& colour, int size) {
 // Sizes in pixels are those of a screen at 96 dots an inch; Qt scales them on denser ones.
 constexpr const char* sheet = R"(
 QToolTip { background: @panel; color: @text; border: 1px solid @border; padding: 4px; }
-QMainWindow::separator { background: @border; width: 1px; height: 1px; margin: 0 2px; }
+QMainWindow::separator { background: @border; width: 1px; height: 1px; }
 QMenuBar { background: @window; padding: 2px 4px; }
 QMenuBar::item { padding: 4px 8px; border-radius: 4px; background: transparent; }
 QMenuBar::item:selected { background: @hover; }

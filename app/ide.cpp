@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ide.h"
+
+#include "app/errors.h"
+#include "app/files.h"
+#include "app/timed_session.h"
+#include "app/version.h"
+#include "ui/simulation/simulation.h"
+#include "ui/window/main_window.h"
+#include "ui/window/settings.h"
+#include "ui/window/workbench.h"
+
+#include <QApplication>
+#include <QIcon>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+namespace carom {
+namespace {
+
+constexpr int settleTime = 500; // [ms] until a window that only has its picture taken is drawn
+
+void describeApplication() {
+    QApplication::setOrganizationName(QStringLiteral("carom"));
+    QApplication::setApplicationName(QStringLiteral("carom"));
+    QApplication::setApplicationDisplayName(QString());
+    QApplication::setApplicationVersion(QString::fromUtf8(version().data()));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/carom.svg")));
+    QApplication::setDesktopFileName(QStringLiteral("carom"));
+}
+
+/// Every context is made with it, so it must stand before the application does.
+void askForOpenGL33() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setStencilBufferSize(8);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+/// Throws FileError for standard input; a file's own trouble is returned.
+std::optional<QString> openScene(const Workbench& workbench, const std::string& scene) {
+    if (scene != "-") {
+        const std::optional<QString> problem = workbench.document().open(QString::fromStdString(scene));
+        if (!problem) Settings().addRecentFile(workbench.document().path());
+        return problem;
+    }
+    workbench.document().startNew(QByteArray::fromStdString(readText(scene)));
+    return std::nullopt;
+}
+
+} // namespace
+
+int runIde(const IdeRequest& request) {
+    askForOpenGL33();
+    std::string program = request.program;
+    char* arguments[] = {program.data(), nullptr};
+    int argumentCount = 1;
+    QApplication application(argumentCount, arguments);
+    describeApplication();
+
+    Workbench workbench;
+    if (request.scene) {
+        if (const std::optional<QString> problem = openScene(workbench, *request.scene)) {
+            printError("carom: " + problem->toStdString() + "\n");
+            return exitcode::fileError;
+        }
+    } else {
+        workbench.openLastOrWelcome();
+    }
+    std::optional<TimedSession> session;
+    if (request.frames) session.emplace(workbench, *request.frames, request.screenshot);
+    workbench.window().show();
+    if (request.play || request.frames) workbench.simulation().play();
+    if (request.screenshot && !request.frames)
+        QTimer::singleShot(settleTime, &workbench, [&] {
+            QApplication::exit(saveWindow(workbench, *request.screenshot) ? 0 : exitcode::fileError);
+        });
+    return QApplication::exec();
+}
+
+} // namespace carom

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/broadphase_dock.h"
+
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace carom {
+namespace {
+
+constexpr qint64 refreshInterval = 120; // [ms]
+
+QString toText(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString count(std::uint64_t value) { return QLocale::c().toString(static_cast<qulonglong>(value)); }
+
+QString pairsTestedPerPairFound(const FrameStatistics& s) {
+    if (s.broad.pairs == 0) return QStringLiteral("–");
+    const double ratio = static_cast<double>(s.broad.tested) / static_cast<double>(s.broad.pairs);
+    return QString::number(ratio, 'f', 1);
+}
+
+struct FigureRow {
+    const char* title;
+    const char* help;
+    QString (*value)(const FrameStatistics& statistics);
+};
+
+constexpr std::array figures = {
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Boxes"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Boxes looked at in the frame"),
+              [](const FrameStatistics& s) { return count(s.broad.boxes); }},
+    FigureRow{
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Overlapping pairs"),
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs whose boxes overlap: what the narrow phase gets"),
+        [](const FrameStatistics& s) { return count(s.broad.pairs); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs tested"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs of boxes compared to find them"),
+              [](const FrameStatistics& s) { return count(s.broad.tested); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Tested / overlapping"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "1 would be perfect"), pairsTestedPerPairFound},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Contacts"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs found touching or overlapping"),
+              [](const FrameStatistics& s) { return count(s.contacts); }},
+    FigureRow{
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Swaps"),
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Exchanges of neighbouring end points (sweep and sort)"),
+        [](const FrameStatistics& s) { return count(s.broad.swaps); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs added / removed"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs that began and ceased to overlap"),
+              [](const FrameStatistics& s) {
+                  return QStringLiteral("%1 / %2").arg(count(s.broad.added), count(s.broad.removed));
+              }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Cells or nodes"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Cells of a grid or nodes of a tree visited"),
+              [](const FrameStatistics& s) { return count(s.broad.cells); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Memory"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Held by the algorithm"),
+              [](const FrameStatistics& s) {
+                  return QLocale::c().formattedDataSize(static_cast<qint64>(s.broad.memoryBytes), 1);
+              }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Time"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Wall time of the broad-phase in the frame"),
+              [](const FrameStatistics& s) { return QStringLiteral("%1 ms").arg(s.broadphase, 0, 'f', 3); }},
+};
+
+} // namespace
+
+BroadphaseDock::BroadphaseDock(QWidget* parent)
+    : QDockWidget(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel) {
+    setObjectName(QStringLiteral("broadphase"));
+    m_algorithm->setObjectName(QStringLiteral("algorithm"));
+    m_algorithm->setAccessibleName(tr("Algorithm"));
+    m_algorithm->addItem(tr("As the scene asks"));
+    for (const BroadphaseRow& row : broadphases()) {
+        m_algorithm->addItem(toText(row.title), QVariant::fromValue(toText(row.name)));
+        m_algorithm->setItemData(m_algorithm->count() - 1, toText(row.cost) + u'\n' + toText(row.source),
+                                 Qt::ToolTipRole);
+    }
+    m_reason->setWordWrap(true);
+    m_reason->setProperty("role", QStringLiteral("muted"));
+
+    QWidget* content = new QWidget;
+    QVBoxLayout* column = new QVBoxLayout(content);
+    column->setContentsMargins(12, 10, 12, 10);
+    column->setSpacing(8);
+    column->addWidget(m_algorithm);
+    column->addWidget(m_reason);
+    // Two rows of figures side by side: the dock is wide and low where it usually stands.
+    QGridLayout* grid = new QGridLayout;
+    grid->setHorizontalSpacing(16);
+    grid->setVerticalSpacing(6);
+    constexpr int half = static_cast<int>((figures.size() + 1) / 2);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        QLabel* title = new QLabel(tr(figures[i].title));
+        title->setProperty("role", QStringLiteral("muted"));
+        title->setToolTip(tr(figures[i].help));
+        QLabel* value = new QLabel;
+        value->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+        value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        value->setToolTip(tr(figures[i].help));
+        m_values.push_back(value);
+        const int row = static_cast<int>(i) % half, side = static_cast<int>(i) / half;
+        grid->addWidget(title, row, side * 3);
+        grid->addWidget(value, row, side * 3 + 1);
+    }
+    grid->setColumnMinimumWidth(1, 90);
+    grid->setColumnMinimumWidth(2, 32);
+    grid->setColumnMinimumWidth(4, 90);
+    grid->setColumnStretch(5, 1);
+    column->addLayout(grid);
+    column->addStretch();
+
+    QScrollArea* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    setWidget(scroll);
+    setFocusProxy(m_algorithm);
+    connect(m_algorithm, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT algorithmChosen(chosen()); });
+    clear();
+}
+
+void BroadphaseDock::showPipeline(const Pipeline& pipeline) {
+    const RunSettings& settings = pipeline.settings();
+    const QString name = settings.broadphase != nullptr ? toText(settings.broadphase->title) : tr("none");
+    m_algorithm->setItemText(0, tr("As the scene asks (%1)").arg(name));
+    const QString reason = QString::fromStdString(settings.broadphaseReason);
+    m_reason->setText(reason.isEmpty() ? tr("The scene names it.") : tr("Chosen: %1").arg(reason));
+}
+
+void BroadphaseDock::addSamples(std::span<const FrameSample> samples) {
+    if (samples.empty()) return;
+    m_newest = samples.back().statistics;
+    if (m_sinceRefresh.isValid() && m_sinceRefresh.elapsed() < refreshInterval) return;
+    m_sinceRefresh.start();
+    refresh();
+}
+
+void BroadphaseDock::clear() {
+    m_newest = {};
+    m_sinceRefresh.invalidate();
+    refresh();
+}
+
+const BroadphaseRow* BroadphaseDock::chosen() const {
+    const QByteArray name = m_algorithm->currentData().toString().toUtf8();
+    return name.isEmpty() ? nullptr
+                          : findBroadphase({name.constData(), static_cast<std::size_t>(name.size())});
+}
+
+void BroadphaseDock::refresh() {
+    for (std::size_t i = 0; i < figures.size(); ++i)
+        m_values[i]->setText(m_newest.frame > 0 ? figures[i].value(m_newest) : QStringLiteral("–"));
+}
+
+} // namespace carom

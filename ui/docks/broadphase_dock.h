@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/simulation/sample_queue.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/simulation/pipeline.h"
+
+#include <QDockWidget>
+#include <QElapsedTimer>
+
+#include <span>
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+
+namespace carom {
+
+/// What the broad-phase does in the running scene, and which one does it. Figures are those of the newest
+/// frame, refreshed a few times a second so that they can be read.
+class BroadphaseDock : public QDockWidget {
+    Q_OBJECT
+  public:
+    explicit BroadphaseDock(QWidget* parent = nullptr);
+
+    void showPipeline(const Pipeline& pipeline);
+    void addSamples(std::span<const FrameSample> samples);
+    void clear();
+    /// Null: as the scene asks.
+    const BroadphaseRow* chosen() const;
+
+  Q_SIGNALS:
+    void algorithmChosen(const carom::BroadphaseRow* row);
+
+  private:
+    void refresh();
+
+    QComboBox* m_algorithm;
+    QLabel* m_reason;
+    std::vector<QLabel*> m_values; ///< one a row of the table in the source file
+    FrameStatistics m_newest;
+    QElapsedTimer m_sinceRefresh;
+};
+
+} // namespace carom

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/effects_dock.h"
+
+#include "ui/widgets/empty_state.h"
+
+#include "core/base/catalogue.h"
+#include "core/effects/effect.h"
+
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QUrl>
+
+namespace carom {
+namespace {
+
+QString toHtml(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
+}
+
+QColor colourOf(EffectStatus status, const Theme& theme) {
+    switch (status) {
+    case EffectStatus::On:
+        return theme.good;
+    case EffectStatus::Absent:
+        return theme.mutedText;
+    case EffectStatus::NotSimulatedYet:
+        return theme.warning;
+    }
+    return theme.text;
+}
+
+} // namespace
+
+EffectsDock::EffectsDock(const Theme& theme, QWidget* parent)
+    : QDockWidget(tr("Effects"), parent), m_theme(theme), m_text(new QTextBrowser),
+      m_state(new EmptyState(m_text, tr("The scene is empty.\nOnce there are bodies in it, this says which "
+                                        "effects they call for, and why."))) {
+    setObjectName(QStringLiteral("effects"));
+    m_text->setOpenLinks(false);
+    m_text->document()->setDocumentMargin(10);
+    m_text->setAccessibleName(tr("Effects"));
+    connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+        const std::size_t number = link.toString().toULongLong();
+        const std::optional<SourceRange>& source = m_result->build.pipeline->effects()[number].source;
+        if (source) Q_EMIT placeActivated(*source);
+    });
+    setWidget(m_state);
+    setFocusProxy(m_text);
+}
+
+void EffectsDock::show(const SharedBuild& result) {
+    m_result = result;
+    fill();
+}
+
+void EffectsDock::setTheme(const Theme& theme) {
+    m_theme = theme;
+    if (m_result) fill();
+}
+
+/// Title and state on one line, the reason below it, and where the text calls for the effect as a link.
+QString EffectsDock::entry(const EffectDecision& decision, std::size_t number) const {
+    const EffectRow* row = findByName(effects(), decision.effect);
+    const QColor titleColour = decision.status == EffectStatus::Absent ? m_theme.mutedText : m_theme.text;
+    QString html = QStringLiteral("<p style='margin:0 0 12px 0'><b style='color:%1'>%2</b>&nbsp; "
+                                  "<span style='color:%3'>%4</span><br><span style='color:%5'>%6</span>")
+                       .arg(titleColour.name(), toHtml(row != nullptr ? row->title : decision.effect),
+                            colourOf(decision.status, m_theme).name(), toHtml(nameOf(decision.status)),
+                            m_theme.mutedText.name(), toHtml(decision.reason));
+    if (decision.source) {
+        const std::uint32_t line = m_result->build.analysis.positionOf(decision.source->offset).line;
+        html += QStringLiteral(" <a style='color:%1;text-decoration:none' href='%2'>%3</a>")
+                    .arg(m_theme.accent.name())
+                    .arg(number)
+                    .arg(tr("line %1").arg(line));
+    }
+    return html + QStringLiteral("</p>");
+}
+
+void EffectsDock::fill() {
+    QString html;
+    const std::vector<EffectDecision>& decisions = m_result->build.pipeline->effects();
+    for (std::size_t i = 0; i < decisions.size(); ++i) html += entry(decisions[i], i);
+    const int scrolled = m_text->verticalScrollBar()->value();
+    m_text->setHtml(html);
+    m_text->verticalScrollBar()->setValue(scrolled);
+    m_state->setEmpty(m_result->scene().bodies.empty());
+}
+
+} // namespace carom

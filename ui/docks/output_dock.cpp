@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/output_dock.h"
+
+#include <QFontDatabase>
+#include <QPlainTextEdit>
+#include <QTime>
+
+namespace carom {
+
+namespace {
+constexpr int keptLines = 5000;
+}
+
+OutputDock::OutputDock(QWidget* parent)
+    : QDockWidget(tr("Output"), parent), m_text(new QPlainTextEdit(this)) {
+    setObjectName(QStringLiteral("output"));
+    m_text->setReadOnly(true);
+    m_text->setMaximumBlockCount(keptLines);
+    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_text->setPlaceholderText(tr("What is opened, built, run and saved is noted here, with times."));
+    setWidget(m_text);
+    setFocusProxy(m_text);
+}
+
+void OutputDock::add(const QString& line) {
+    const QString time = QTime::currentTime().toString(QStringLiteral("hh:mm:ss"));
+    m_text->appendPlainText(QStringLiteral("%1  %2").arg(time, line));
+}
+
+} // namespace carom

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/problems_model.h"
+
+namespace carom {
+
+ProblemsModel::ProblemsModel(const Theme& theme, QObject* parent) : QAbstractTableModel(parent) {
+    setTheme(theme);
+}
+
+void ProblemsModel::show(const SharedBuild& result) {
+    beginResetModel();
+    m_result = result;
+    endResetModel();
+}
+
+void ProblemsModel::setTheme(const Theme& theme) {
+    const QString icon = QStringLiteral("problems");
+    m_error = theme.icon(icon, theme.error);
+    m_warning = theme.icon(icon, theme.warning);
+    m_hint = theme.icon(icon, theme.hint);
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, Message), index(rowCount() - 1, Message));
+}
+
+SourceRange ProblemsModel::rangeAt(int row) const {
+    return m_result->build.diagnostics[static_cast<std::size_t>(row)].range;
+}
+
+int ProblemsModel::rowCount(const QModelIndex& parent) const {
+    if (parent.isValid() || !m_result) return 0;
+    return static_cast<int>(m_result->build.diagnostics.size());
+}
+
+int ProblemsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    const Diagnostic& diagnostic = m_result->build.diagnostics[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(diagnostic, index.column());
+    case Qt::ToolTipRole:
+        return text(diagnostic, Message);
+    case SortRole:
+        return sortKey(diagnostic, index.column());
+    case Qt::DecorationRole:
+        return index.column() == Message ? QVariant(iconOf(diagnostic.severity())) : QVariant();
+    default:
+        return {};
+    }
+}
+
+QVariant ProblemsModel::text(const Diagnostic& diagnostic, int column) const {
+    const SourcePosition position = m_result->build.analysis.positionOf(diagnostic.range.offset);
+    switch (column) {
+    case Message:
+        return QString::fromStdString(diagnostic.message);
+    case Line:
+        return position.line;
+    case Column:
+        return position.column;
+    default: {
+        const std::string_view code = rowOf(diagnostic.code).code;
+        return QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size()));
+    }
+    }
+}
+
+QVariant ProblemsModel::sortKey(const Diagnostic& diagnostic, int column) const {
+    if (column == Message) return static_cast<int>(diagnostic.severity()); // the gravest first
+    return column == Line ? QVariant(diagnostic.range.offset) : text(diagnostic, column);
+}
+
+QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    switch (section) {
+    case Message:
+        return tr("Message");
+    case Line:
+        return tr("Line");
+    case Column:
+        return tr("Column");
+    default:
+        return tr("Code");
+    }
+}
+
+QIcon ProblemsModel::iconOf(Severity severity) const {
+    switch (severity) {
+    case Severity::Error:
+        return m_error;
+    case Severity::Warning:
+        return m_warning;
+    case Severity::Hint:
+        return m_hint;
+    }
+    return m_error;
+}
+
+} // namespace carom

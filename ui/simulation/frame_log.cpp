@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/simulation/frame_log.h"
+
+#include <utility>
+
+namespace carom {
+
+void FrameLog::clear() {
+    m_waiting.clear();
+    m_shown = 0;
+}
+
+void FrameLog::addFrames(const std::vector<FrameStatistics>& frames) {
+    passOn();
+    for (const FrameStatistics& frame : frames) m_waiting.push_back({frame, 0});
+}
+
+void FrameLog::noteRendered(double milliseconds) {
+    for (FrameSample& sample : m_waiting)
+        if (sample.statistics.frame == m_shown) sample.render = milliseconds;
+    passOn();
+}
+
+void FrameLog::passOn() {
+    if (!m_waiting.empty()) Q_EMIT samplesReady(std::exchange(m_waiting, {}));
+}
+
+} // namespace carom

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/file_commands.h"
+
+#include "ui/editor/scene_editor.h"
+#include "ui/window/actions.h"
+#include "ui/window/main_window.h"
+#include "ui/window/settings.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+
+namespace carom {
+namespace {
+
+const QString sceneFilter = QStringLiteral("Scenes (*.sdl);;All files (*)");
+
+} // namespace
+
+FileCommands::FileCommands(Document& document, MainWindow& window, Settings& settings)
+    : QObject(&window), m_document(document), m_window(window), m_settings(settings) {
+    const Actions& actions = window.actions();
+    const auto on = [&](ActionId id, auto method) {
+        connect(&actions[id], &QAction::triggered, this, method);
+    };
+    on(ActionId::New, &FileCommands::startNew);
+    on(ActionId::Open, &FileCommands::askAndOpen);
+    on(ActionId::Save, &FileCommands::save);
+    on(ActionId::SaveAs, &FileCommands::saveAs);
+    on(ActionId::Reload, &FileCommands::reload);
+    on(ActionId::Screenshot, &FileCommands::savePicture);
+    connect(&actions[ActionId::Quit], &QAction::triggered, &window, &QWidget::close);
+
+    QMenu* recent = new QMenu(&window);
+    actions[ActionId::Recent].setMenu(recent);
+    connect(recent, &QMenu::aboutToShow, this, &FileCommands::fillRecent);
+    fillRecent();
+
+    connect(&document, &Document::pathChanged, this, &FileCommands::updateTitle);
+    connect(&document, &Document::changedOutside, this, &FileCommands::reactToOutsideChange);
+    connect(&window.editor(), &SceneEditor::savedStateChanged, this, &FileCommands::updateTitle);
+    const auto openDropped = [this](const QString& path) { open(path); };
+    connect(&window.editor(), &SceneEditor::fileDropped, this, openDropped);
+    connect(&window, &MainWindow::fileDropped, this, openDropped);
+    window.setMayClose([this] { return mayDiscard(); });
+    updateTitle();
+}
+
+bool FileCommands::open(const QString& path) {
+    if (!mayDiscard()) return false;
+    const bool opened = finish(m_document.open(path), tr("opened %1").arg(path));
+    if (opened) {
+        m_settings.addRecentFile(m_document.path());
+        fillRecent();
+    }
+    return opened;
+}
+
+bool FileCommands::mayDiscard() {
+    if (!m_document.isModified()) return true;
+    const QMessageBox::StandardButton answer = QMessageBox::question(
+        &m_window, tr("Unsaved changes"), tr("“%1” has changes that are not saved.").arg(m_document.name()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) return save();
+    return answer == QMessageBox::Discard;
+}
+
+void FileCommands::startNew() {
+    if (!mayDiscard()) return;
+    m_document.startNew({});
+    Q_EMIT reported(tr("new scene"));
+}
+
+void FileCommands::askAndOpen() {
+    const QString folder = QFileInfo(m_document.path()).absolutePath();
+    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a scene"), folder, sceneFilter);
+    if (!path.isEmpty()) open(path);
+}
+
+bool FileCommands::save() {
+    if (m_document.path().isEmpty()) return saveAs();
+    return finish(m_document.save(), tr("saved %1").arg(m_document.path()));
+}
+
+bool FileCommands::saveAs() {
+    const QString proposed = m_document.path().isEmpty() ? m_document.name() : m_document.path();
+    QFileDialog dialog(&m_window, tr("Save the scene as"), QFileInfo(proposed).absolutePath(), sceneFilter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("sdl"));
+    dialog.selectFile(QFileInfo(proposed).fileName());
+    if (dialog.exec() != QDialog::Accepted) return false;
+    const QString path = dialog.selectedFiles().value(0);
+    const bool saved = finish(m_document.saveAs(path), tr("saved %1").arg(path));
+    if (saved) m_settings.addRecentFile(m_document.path());
+    return saved;
+}
+
+void FileCommands::reload() {
+    if (m_document.path().isEmpty() || !mayDiscard()) return;
+    finish(m_document.reload(), tr("reloaded %1").arg(m_document.path()));
+}
+
+void FileCommands::reactToOutsideChange() {
+    if (!m_document.isModified()) {
+        finish(m_document.reload(), tr("reloaded %1, which was changed outside").arg(m_document.path()));
+        return;
+    }
+    const QMessageBox::StandardButton answer = QMessageBox::question(
+        &m_window, tr("Changed outside"),
+        tr("“%1” was changed by another program, and here, too. Take the file's text and "
+           "give up the changes made here?")
+            .arg(m_document.name()),
+        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    if (answer == QMessageBox::Yes) finish(m_document.reload(), tr("reloaded %1").arg(m_document.path()));
+}
+
+void FileCommands::savePicture() {
+    const QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the window as a picture"),
+                                                      QStringLiteral("carom.png"), tr("Pictures (*.png)"));
+    if (path.isEmpty()) return;
+    const bool saved = m_window.grab().save(path, "PNG");
+    finish(saved ? std::optional<QString>() : tr("“%1” cannot be written").arg(path),
+           tr("saved %1").arg(path));
+}
+
+void FileCommands::updateTitle() {
+    const QString folder = QDir::toNativeSeparators(QFileInfo(m_document.path()).absolutePath());
+    m_window.setWindowTitle(m_document.path().isEmpty()
+                                ? tr("%1[*] – Carom").arg(m_document.name())
+                                : tr("%1[*] (%2) – Carom").arg(m_document.name(), folder));
+    m_window.setWindowModified(m_document.isModified());
+    m_window.actions()[ActionId::Reload].setEnabled(!m_document.path().isEmpty());
+}
+
+void FileCommands::fillRecent() {
+    QAction& action = m_window.actions()[ActionId::Recent];
+    QMenu* menu = action.menu();
+    menu->clear();
+    for (const QString& path : m_settings.recentFiles())
+        connect(menu->addAction(QDir::toNativeSeparators(path)), &QAction::triggered, this,
+                [this, path] { open(path); });
+    action.setEnabled(!menu->isEmpty());
+}
+
+/// Reports how a file operation ended; true where it went well.
+bool FileCommands::finish(const std::optional<QString>& problem, const QString& done) {
+    Q_EMIT reported(problem.value_or(done));
+    if (problem) QMessageBox::warning(&m_window, tr("Carom"), *problem);
+    return !problem;
+}
+
+} // namespace carom

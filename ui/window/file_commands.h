@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/document.h"
+
+#include <QObject>
+
+namespace carom {
+
+class MainWindow;
+class Settings;
+
+/// New, open, recent, save, reload: the questions around the document, and what the title says.
+class FileCommands : public QObject {
+    Q_OBJECT
+  public:
+    FileCommands(Document& document, MainWindow& window, Settings& settings);
+
+    /// Asks about unsaved changes first; says what went wrong in a box. True if the file is open now.
+    bool open(const QString& path);
+    /// False: the user wants to stay.
+    bool mayDiscard();
+
+  Q_SIGNALS:
+    void reported(const QString& sentence);
+
+  private:
+    void startNew();
+    void askAndOpen();
+    bool save();
+    bool saveAs();
+    void reload();
+    void reactToOutsideChange();
+    void savePicture();
+    void updateTitle();
+    void fillRecent();
+    bool finish(const std::optional<QString>& problem, const QString& done);
+
+    Document& m_document;
+    MainWindow& m_window;
+    Settings& m_settings;
+};
+
+} // namespace carom

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/live_build.h"
+
+#include <QObject>
+
+namespace carom {
+
+class Simulation;
+class Viewport;
+
+/// Decides which build is on screen and in motion. While nothing has moved yet an edit shows its scene at
+/// once; once the run has left frame 0 the newest scene waits for the reset. While the text has errors the
+/// last scene without stays, dimmed; a file that is opened with errors shows what could be built.
+class LivePreview : public QObject {
+    Q_OBJECT
+  public:
+    LivePreview(Simulation& simulation, Viewport& viewport, QObject* parent);
+
+    void take(const SharedBuild& result);
+    /// Back to frame 0, with the newest scene.
+    void reset();
+
+    /// What is on screen; null before the first build.
+    const SharedBuild& shown() const { return m_shown; }
+
+  Q_SIGNALS:
+    void shownChanged(const carom::SharedBuild& shown);
+    /// What the user should know about the scene on screen; empty for nothing.
+    void noticeChanged(const QString& notice);
+
+  private:
+    void show(const SharedBuild& result);
+
+    Simulation& m_simulation;
+    Viewport& m_viewport;
+    SharedBuild m_shown;
+    SharedBuild m_waiting; ///< for the reset
+};
+
+} // namespace carom

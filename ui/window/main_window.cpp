@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include "ui/docks/broadphase_dock.h"
+#include "ui/docks/effects_dock.h"
+#include "ui/docks/output_dock.h"
+#include "ui/docks/problems_dock.h"
+#include "ui/docks/timing_dock.h"
+#include "ui/editor/find_bar.h"
+#include "ui/editor/scene_editor.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/window/actions.h"
+#include "ui/window/settings.h"
+
+#include <QCloseEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace carom {
+namespace {
+
+constexpr QSize firstSize{1500, 940}; // [px] of a window nobody has resized yet
+constexpr int bottomHeight = 230;     // [px] of the docks below
+constexpr int rightWidth = 300;       // [px] of the docks at the right
+constexpr int textWidth = 580;        // [px] of the editor
+
+} // namespace
+
+MainWindow::MainWindow(const Theme& theme, const Settings& settings)
+    : m_actions(new Actions(this)), m_editor(new SceneEditor(theme)), m_findBar(new FindBar(*m_editor)),
+      m_viewport(new Viewport), m_transport(new TransportBar(*m_actions)),
+      m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
+      m_effects(new EffectsDock(theme)), m_output(new OutputDock), m_caret(new QLabel) {
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    placeCentre();
+    placeDocks();
+    m_actions->fill(*menuBar());
+    QToolBar* toolbar = addToolBar(tr("Tools"));
+    toolbar->setObjectName(QStringLiteral("tools"));
+    toolbar->setIconSize({20, 20});
+    toolbar->setMovable(false);
+    m_actions->fill(*toolbar);
+    addDockToggles();
+    m_caret->setProperty("role", QStringLiteral("muted"));
+    statusBar()->addPermanentWidget(m_caret);
+    m_editor->releaseKeys(m_actions->shortcuts());
+    setTheme(theme);
+
+    resize(firstSize);
+    restoreGeometry(settings.windowGeometry());
+    restoreState(settings.windowState());
+    m_splitter->restoreState(settings.splitterState());
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::placeCentre() {
+    QWidget* text = new QWidget;
+    QVBoxLayout* textColumn = new QVBoxLayout(text);
+    textColumn->setContentsMargins(0, 0, 0, 0);
+    textColumn->setSpacing(0);
+    textColumn->addWidget(m_editor, 1);
+    textColumn->addWidget(m_findBar);
+
+    m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setHandleWidth(1);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(text);
+    m_splitter->addWidget(m_viewport);
+    m_splitter->setSizes({textWidth, firstSize.width() - rightWidth - textWidth});
+    m_splitter->setStretchFactor(1, 1);
+
+    QWidget* centre = new QWidget;
+    QVBoxLayout* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_splitter, 1);
+    column->addWidget(m_transport);
+    setCentralWidget(centre);
+}
+
+void MainWindow::placeDocks() {
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    addDockWidget(Qt::BottomDockWidgetArea, m_problems);
+    addDockWidget(Qt::BottomDockWidgetArea, m_timing);
+    addDockWidget(Qt::BottomDockWidgetArea, m_broadphase);
+    addDockWidget(Qt::BottomDockWidgetArea, m_output);
+    addDockWidget(Qt::RightDockWidgetArea, m_effects);
+    for (QDockWidget* dock :
+         std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_output})
+        dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
+    tabifyDockWidget(m_problems, m_timing);
+    tabifyDockWidget(m_timing, m_broadphase);
+    tabifyDockWidget(m_broadphase, m_output);
+    m_problems->raise();
+    resizeDocks({m_problems}, {bottomHeight}, Qt::Vertical);
+    resizeDocks({m_effects}, {rightWidth}, Qt::Horizontal);
+}
+
+/// Alt+1 to Alt+9 show a panel and put the keyboard into it, or hide it when it is in front.
+void MainWindow::addDockToggles() {
+    const std::array<std::pair<QDockWidget*, const char*>, 5> docks = {{{m_problems, "problems"},
+                                                                        {m_timing, "timing"},
+                                                                        {m_broadphase, "broadphase"},
+                                                                        {m_output, "output"},
+                                                                        {m_effects, "effects"}}};
+    QMenu& view = m_actions->menu(MenuId::View);
+    view.addSeparator();
+    int number = 0;
+    for (const auto& [dock, icon] : docks) {
+        QAction* action = view.addAction(dock->windowTitle());
+        action->setProperty("icon", QString::fromLatin1(icon));
+        action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number)));
+        action->setStatusTip(tr("Show or hide this panel"));
+        addAction(action);
+        connect(action, &QAction::triggered, dock, [this, panel = dock] {
+            const bool inFront = panel->isVisible() && !panel->visibleRegion().isEmpty();
+            panel->setVisible(!inFront);
+            if (inFront) {
+                m_editor->setFocus();
+                return;
+            }
+            panel->raise();
+            if (panel->focusProxy() != nullptr) panel->setFocus();
+        });
+    }
+}
+
+void MainWindow::setTheme(const Theme& theme) {
+    m_actions->setTheme(theme);
+    m_editor->setTheme(theme);
+    m_viewport->setDarkTheme(theme.dark);
+    m_problems->setTheme(theme);
+    m_effects->setTheme(theme);
+    for (QAction* action : QWidget::actions())
+        if (action->property("icon").isValid())
+            action->setIcon(theme.icon(action->property("icon").toString()));
+}
+
+void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {
+    m_caret->setText(tr("line %1, column %2").arg(line).arg(column));
+}
+
+void MainWindow::saveLayout(Settings& settings) const {
+    settings.setWindow(saveGeometry(), saveState(), m_splitter->saveState());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_mayClose && !m_mayClose())
+        event->ignore();
+    else
+        event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->urls().size() == 1) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.first().isLocalFile()) Q_EMIT fileDropped(urls.first().toLocalFile());
+}
+
+} // namespace carom

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/theme.h"
+
+#include <QMainWindow>
+
+#include <functional>
+
+class QLabel;
+class QSplitter;
+
+namespace carom {
+
+class Actions;
+class BroadphaseDock;
+class EffectsDock;
+class FindBar;
+class OutputDock;
+class ProblemsDock;
+class SceneEditor;
+class Settings;
+class TimingDock;
+class TransportBar;
+class Viewport;
+
+/// The window: owns the widgets and places them, and nothing else. What they show and do is the Workbench's.
+///
+///     menu bar, toolbar
+///     editor            │ viewport
+///     find bar          │                 effects
+///     transport ─────────────────────────
+///     problems | timing | broad-phase | output
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    MainWindow(const Theme& theme, const Settings& settings);
+    ~MainWindow() override;
+
+    Actions& actions() const { return *m_actions; }
+    SceneEditor& editor() const { return *m_editor; }
+    FindBar& findBar() const { return *m_findBar; }
+    Viewport& viewport() const { return *m_viewport; }
+    TransportBar& transport() const { return *m_transport; }
+    ProblemsDock& problems() const { return *m_problems; }
+    TimingDock& timing() const { return *m_timing; }
+    BroadphaseDock& broadphase() const { return *m_broadphase; }
+    EffectsDock& effects() const { return *m_effects; }
+    OutputDock& output() const { return *m_output; }
+
+    void setTheme(const Theme& theme);
+    void showCaret(std::uint32_t line, std::uint32_t column);
+    void saveLayout(Settings& settings) const;
+    /// Asked before the window closes; false keeps it open.
+    void setMayClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
+
+  Q_SIGNALS:
+    void fileDropped(const QString& path);
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void placeCentre();
+    void placeDocks();
+    void addDockToggles();
+
+    Actions* m_actions;
+    SceneEditor* m_editor;
+    FindBar* m_findBar;
+    Viewport* m_viewport;
+    TransportBar* m_transport;
+    ProblemsDock* m_problems;
+    TimingDock* m_timing;
+    BroadphaseDock* m_broadphase;
+    EffectsDock* m_effects;
+    OutputDock* m_output;
+    QSplitter* m_splitter = nullptr;
+    QLabel* m_caret;
+    std::function<bool()> m_mayClose;
+};
+
+} // namespace carom

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/run_commands.h"
+
+#include "ui/docks/broadphase_dock.h"
+#include "ui/docks/timing_dock.h"
+#include "ui/simulation/frame_log.h"
+#include "ui/simulation/simulation.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/window/actions.h"
+#include "ui/window/live_preview.h"
+#include "ui/window/main_window.h"
+
+#include <QShortcut>
+
+namespace carom {
+
+RunCommands::RunCommands(MainWindow& window, Simulation& simulation, FrameLog& log, LivePreview& preview)
+    : QObject(&window), m_window(window), m_simulation(simulation), m_log(log), m_preview(preview) {
+    connectActions();
+    connectFrames();
+    connectPanels();
+}
+
+void RunCommands::setTheme(const Theme& theme) {
+    m_theme = theme;
+    showStatus(m_simulation.status());
+}
+
+void RunCommands::connectActions() {
+    const Actions& actions = m_window.actions();
+    connect(&actions[ActionId::Play], &QAction::triggered, &m_simulation, &Simulation::togglePlay);
+    connect(&actions[ActionId::Step], &QAction::triggered, &m_simulation, &Simulation::step);
+    connect(&actions[ActionId::Reset], &QAction::triggered, &m_preview, &LivePreview::reset);
+    Viewport& viewport = m_window.viewport();
+    connect(&actions[ActionId::FrameSelection], &QAction::triggered, &viewport, &Viewport::frameSelection);
+    connect(&actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
+
+    // Keys that mean something else in the text, so only the viewport has them.
+    const std::pair<QKeySequence, ActionId> viewportKeys[] = {
+        {Qt::Key_Space, ActionId::Play},     {Qt::Key_Right, ActionId::Step},
+        {Qt::Key_Plus, ActionId::Faster},    {Qt::Key_Minus, ActionId::Slower},
+        {Qt::Key_Equal, ActionId::RealTime},
+    };
+    for (const auto& [key, id] : viewportKeys) {
+        QShortcut* shortcut = new QShortcut(key, &viewport, nullptr, nullptr, Qt::WidgetShortcut);
+        connect(shortcut, &QShortcut::activated, &actions[id], &QAction::trigger);
+    }
+    connect(&m_window.transport(), &TransportBar::speedChanged, &m_simulation, &Simulation::setSpeed);
+    m_simulation.setSpeed(m_window.transport().speed());
+}
+
+void RunCommands::connectFrames() {
+    Viewport& viewport = m_window.viewport();
+    connect(&m_simulation, &Simulation::framesArrived, &m_log, &FrameLog::addFrames);
+    connect(&m_simulation, &Simulation::snapshotArrived, this,
+            [this, &viewport](const std::shared_ptr<const Snapshot>& snapshot) {
+                m_log.noteShown(snapshot->frame);
+                viewport.showSnapshot(snapshot);
+                m_window.transport().showTime(snapshot->frame, snapshot->time);
+            });
+    connect(&viewport, &Viewport::frameRendered, &m_log, &FrameLog::noteRendered);
+    connect(&m_simulation, &Simulation::restarted, &m_log, &FrameLog::clear);
+    connect(&m_simulation, &Simulation::stateChanged, this, &RunCommands::showStatus);
+}
+
+void RunCommands::connectPanels() {
+    TimingDock& timing = m_window.timing();
+    BroadphaseDock& broadphase = m_window.broadphase();
+    connect(&m_log, &FrameLog::samplesReady, this,
+            [&timing, &broadphase](const std::vector<FrameSample>& samples) {
+                timing.addSamples(samples);
+                broadphase.addSamples(samples);
+            });
+    connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
+    connect(&m_simulation, &Simulation::restarted, &broadphase, &BroadphaseDock::clear);
+    connect(&broadphase, &BroadphaseDock::algorithmChosen, this, [this](const BroadphaseRow* row) {
+        m_simulation.useBroadphase(row);
+        const std::string_view title = row != nullptr ? row->title : std::string_view("as the scene asks");
+        Q_EMIT reported(
+            tr("broad-phase: %1").arg(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()))));
+    });
+    connect(&m_preview, &LivePreview::shownChanged, &broadphase,
+            [&broadphase](const SharedBuild& shown) { broadphase.showPipeline(*shown->build.pipeline); });
+    connect(&m_preview, &LivePreview::noticeChanged, &m_window.transport(), &TransportBar::showNotice);
+}
+
+void RunCommands::showStatus(const RunStatus& status) {
+    const bool running = status.state == RunState::Running;
+    const bool stopped = status.state == RunState::Stopped;
+    QAction& play = m_window.actions()[ActionId::Play];
+    play.setText(running ? tr("&Pause") : tr("&Play"));
+    play.setIcon(m_theme.icon(running ? QStringLiteral("pause") : QStringLiteral("play")));
+    play.setEnabled(!stopped);
+    m_window.actions()[ActionId::Step].setEnabled(!stopped);
+    m_window.transport().showStatus(status);
+    if (!stopped) return;
+    const std::string name = m_simulation.pipeline()->scene().nameOf(status.health.body);
+    const QString quantity = QString::fromUtf8(status.health.quantity.data(),
+                                               static_cast<qsizetype>(status.health.quantity.size()));
+    const QString sentence = tr("Stopped at frame %1: the %2 of %3 is no longer a finite number")
+                                 .arg(status.health.frame)
+                                 .arg(quantity, QString::fromStdString(name));
+    m_window.transport().showNotice(sentence);
+    Q_EMIT reported(sentence);
+}
+
+} // namespace carom

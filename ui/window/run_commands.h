@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/theme.h"
+
+#include <QObject>
+
+namespace carom {
+
+class FrameLog;
+class LivePreview;
+class MainWindow;
+class Simulation;
+struct RunStatus;
+
+/// The Simulation menu and the transport bar, and the way of snapshots and samples to what shows them.
+class RunCommands : public QObject {
+    Q_OBJECT
+  public:
+    RunCommands(MainWindow& window, Simulation& simulation, FrameLog& log, LivePreview& preview);
+
+    void setTheme(const Theme& theme);
+
+  Q_SIGNALS:
+    void reported(const QString& sentence);
+
+  private:
+    void connectActions();
+    void connectFrames();
+    void connectPanels();
+    void showStatus(const RunStatus& status);
+
+    MainWindow& m_window;
+    Simulation& m_simulation;
+    FrameLog& m_log;
+    LivePreview& m_preview;
+    Theme m_theme;
+};
+
+} // namespace carom

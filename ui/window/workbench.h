@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/live_build.h"
+#include "ui/window/document.h"
+#include "ui/window/settings.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace carom {
+
+class DiagnosticMarks;
+class FileCommands;
+class FrameLog;
+class LivePreview;
+class MainWindow;
+class RunCommands;
+class Selection;
+class Simulation;
+
+/// The IDE put together: the window's widgets on one side, document, builds and simulation on the other, and
+/// the signals between them. What happens on a keystroke reads from top to bottom in connectText().
+class Workbench : public QObject {
+    Q_OBJECT
+  public:
+    Workbench();
+    ~Workbench() override;
+
+    MainWindow& window() const { return *m_window; }
+    Document& document() const { return *m_document; }
+    const LiveBuild& builds() const { return *m_builds; }
+    Simulation& simulation() const { return *m_simulation; }
+    FrameLog& frames() const { return *m_frames; }
+    FileCommands& files() const { return *m_files; }
+    const LivePreview& preview() const { return *m_preview; }
+
+    /// What a session without a scene begins with: the file opened last, else a first scene to play with.
+    void openLastOrWelcome();
+
+  private:
+    void connectText();
+    void connectReports();
+    void showBuild(const SharedBuild& result);
+    void connectTheme();
+    void setDark(bool dark);
+
+    Settings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<LiveBuild> m_builds;
+    std::unique_ptr<Simulation> m_simulation;
+    std::unique_ptr<FrameLog> m_frames;
+    // Owned by the widgets or objects they serve.
+    DiagnosticMarks* m_marks;
+    LivePreview* m_preview;
+    FileCommands* m_files;
+    RunCommands* m_runs;
+    Selection* m_selection;
+};
+
+} // namespace carom
