@@ -31,11 +31,10 @@ constexpr std::size_t framesCharted = 3000;
 
 enum Column : int { Now, Mean, Median, P95, P99, Maximum };
 
-/// The newest frames without the first of the run, which also pays for what is made once.
-std::span<const FrameSample> countedFrames(const std::vector<FrameSample>& samples) {
+/// The first frame of a run also pays for what is made once; it counts apart.
+std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& samples) {
     const bool withFirst = !samples.empty() && samples.front().statistics.frame <= 1;
-    const std::span<const FrameSample> later = std::span(samples).subspan(withFirst ? 1 : 0);
-    return later.last(std::min(later.size(), framesCounted));
+    return std::span(samples).subspan(withFirst ? 1 : 0);
 }
 
 } // namespace
@@ -126,7 +125,8 @@ void TimingDock::updateStatistics() {
     else
         m_first->clear();
 
-    const std::span<const FrameSample> frames = countedFrames(samples);
+    const std::span<const FrameSample> later = withoutFirst(samples);
+    const std::span<const FrameSample> frames = later.last(std::min(later.size(), framesCounted));
     m_table->setToolTip(tr("Of the last %1 frames, without the first").arg(frames.size()));
     std::vector<double> values(frames.size());
     const auto fill = [&](int row, const auto& milliseconds) {
@@ -156,8 +156,10 @@ void TimingDock::showPicked(std::ptrdiff_t index) {
 
 ChartSpec TimingDock::chart() const {
     const std::vector<FrameSample>& samples = m_strip->samples();
-    const std::span<const FrameSample> shown =
-        std::span(samples).last(std::min(samples.size(), framesCharted));
+    // The first frame is apart here, too, unless it is the only one.
+    const std::span<const FrameSample> later = withoutFirst(samples);
+    const std::span<const FrameSample> all = later.empty() ? std::span(samples) : later;
+    const std::span<const FrameSample> shown = all.last(std::min(all.size(), framesCharted));
     ChartSpec spec;
     spec.title = tr("Where the time of each frame goes");
     spec.x = {tr("frame"), {}, false};

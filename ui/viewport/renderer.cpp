@@ -379,6 +379,25 @@ void Renderer::drawOutline(const PictureOptions& options) {
     glDisable(GL_STENCIL_TEST);
 }
 
+Renderer::DepthRange Renderer::depthRange(const PictureOptions& options) const {
+    const Camera& camera = options.camera;
+    const Vec3 eye = camera.eye();
+    const Aabb& bodies = m_table.bounds();
+    const double toRoom = (eye - m_room.centre).norm() + 1.5 * m_room.extent;
+    const double toBodies = (bodies.centre() - eye).norm() + bodies.size().norm() / 2;
+    const double furthest = 1.01 * std::max({toRoom, toBodies, camera.distance * 2});
+    if (camera.orthographic) return {-furthest, furthest};
+
+    // As near as anything can be: the digits of the depth buffer lie where the near plane is.
+    double nearest = (eye - eye.cwiseMax(bodies.lower).cwiseMin(bodies.upper)).norm();
+    for (const RoomFace& face : m_room.faces)
+        nearest = std::min(nearest, std::abs(distanceTo(face.wall, eye)));
+    const double tangent = std::tan(camera.fieldOfView / 2);
+    const double slope = tangent * std::hypot(1.0, options.size.aspect());
+    const double alongSight = nearest / std::hypot(1.0, slope); // in the picture's corner
+    return {std::max(furthest / 20000, 0.9 * alongSight), furthest};
+}
+
 void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) {
     m_table.place(poses, options.camera, lightCamera());
     m_instances.bind();
@@ -387,13 +406,7 @@ void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) 
     drawShadowMap(options);
 
     const Camera& camera = options.camera;
-    const double away = (camera.eye() - m_room.centre).norm();
-    const double bodies =
-        (m_table.bounds().centre() - camera.eye()).norm() + m_table.bounds().size().norm() / 2;
-    const double farDepth = 1.01 * std::max({away + 1.5 * m_room.extent, bodies, camera.distance * 2});
-    // A twenty-thousandth of the far depth leaves 24 bits fine enough to part touching bodies.
-    const double nearDepth =
-        camera.orthographic ? -farDepth : std::min(farDepth / 20000, camera.distance / 10);
+    const auto [nearDepth, farDepth] = depthRange(options);
     const Eigen::Matrix4f clip =
         (projectionMatrix(camera, options.size, nearDepth, farDepth) * viewMatrix(camera)).cast<float>();
     useFrame(camera, options, clip);

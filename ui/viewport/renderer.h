@@ -67,10 +67,15 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
         programCount
     };
 
+    struct DepthRange {
+        double nearest, furthest; ///< in front of the eye [m]
+    };
+
     bool compile(Program program, std::initializer_list<const char*> vertex,
                  std::initializer_list<const char*> fragment);
     QOpenGLShaderProgram& use(Program program);
     void useFrame(const Camera& camera, const PictureOptions& options, const Eigen::Matrix4f& clip);
+    DepthRange depthRange(const PictureOptions& options) const;
     void drawShadowMap(const PictureOptions& options);
     void drawSky(const Eigen::Matrix4f& clip);
     void drawWalls(bool fromBehind);

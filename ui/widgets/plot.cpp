@@ -108,6 +108,10 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         QCPItemText* label = new QCPItemText(&plot);
         label->setText(level.label);
         label->setColor(colours.text);
+        QColor ground = colours.ground;
+        ground.setAlpha(190);
+        label->setBrush(ground);
+        label->setPadding(QMargins(3, 0, 3, 0));
         label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         label->position->setTypeY(QCPItemPosition::ptPlotCoords);

@@ -128,8 +128,8 @@ void TimingStrip::rescale() {
         // The first frame also pays for what is made once; it may leave the picture.
         if (sample.statistics.frame > 1) highest = std::max(highest, totalOf(sample));
     }
-    const double needed = roundedUp(std::max(1.05 * highest, 1e-3));
-    m_fullScale = m_scale == Scale::Fit ? needed : std::max(needed, budgetScale);
+    const double needed = std::max(1.05 * highest, 1e-3);
+    m_fullScale = m_scale == Scale::Budget && needed <= budgetScale ? budgetScale : roundedUp(needed);
 }
 
 void TimingStrip::paintColumns(QImage& image, double pixelRatio) const {

@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/rotation.h"
+#include "tests/support/random_scene.h"
+#include "ui/viewport/viewport.h"
+
+#include <QApplication>
+#include <QImage>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <array>
+#include <cmath>
+
+// What is on the screen against the geometry it shows, pixel by pixel.
+
+namespace carom {
+namespace {
+
+using test::cuboid;
+using test::cylinder;
+using test::sceneOf;
+using test::sphere;
+using test::wall;
+
+constexpr int side = 360; ///< of the picture [px]
+constexpr PictureSize picture{side, side};
+const Vec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1);
+
+Body coloured(Body body, const Vec3& colour) {
+    body.colour = colour;
+    return body;
+}
+
+std::shared_ptr<const Pipeline> pipelineOf(const Scene& scene) {
+    return std::make_shared<const Pipeline>(scene);
+}
+
+std::shared_ptr<Snapshot> startOf(const Scene& scene) {
+    std::shared_ptr<Snapshot> snapshot = std::make_shared<Snapshot>();
+    for (const Body& body : scene.bodies) snapshot->pose.push_back(body.pose);
+    return snapshot;
+}
+
+/// Looks along -z at the origin from 10 m.
+Camera frontCamera(bool orthographic = false) {
+    Camera camera;
+    camera.yaw = camera.pitch = 0;
+    camera.distance = 10;
+    camera.fieldOfView = 0.6;
+    camera.orthographic = orthographic;
+    return camera;
+}
+
+QPointF centreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
+
+/// How far apart two colours are, 0 to 255.
+int difference(QRgb a, QRgb b) {
+    return std::max(
+        {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
+}
+
+/// The strongest of red, green and blue has this index in `colour`; a highlight may share the lead.
+bool leads(QRgb pixel, const Vec3& colour) {
+    const std::array<int, 3> channels = {qRed(pixel), qGreen(pixel), qBlue(pixel)};
+    Eigen::Index strongest = 0;
+    colour.maxCoeff(&strongest);
+    return channels[static_cast<std::size_t>(strongest)] ==
+           *std::max_element(channels.begin(), channels.end());
+}
+
+} // namespace
+
+class ViewportTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Viewport> m_viewport;
+
+    QImage picked() { return m_viewport->grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+    void show(const Scene& scene, const Camera& camera) {
+        m_viewport->showPipeline(nullptr);
+        m_viewport->showPipeline(pipelineOf(scene));
+        m_viewport->setCamera(camera);
+    }
+    /// Wherever the three by three pixels around show one body, the middle has its colour; returns how many.
+    int pixelsInTheirBodysColour(const Scene& scene) {
+        const QImage image = picked();
+        int seen = 0;
+        for (int y = 1; y + 1 < side; ++y) {
+            for (int x = 1; x + 1 < side; ++x) {
+                const BodyIndex body = m_viewport->hitAt(centreOf(x, y)).body;
+                if (body == noBody || isWall(scene.bodies[body].shape)) continue;
+                bool alone = true;
+                for (int i = 0; i < 9; ++i)
+                    alone = alone && m_viewport->hitAt(centreOf(x + i % 3 - 1, y + i / 3 - 1)).body == body;
+                if (!alone) continue;
+                if (!leads(image.pixel(x, y), scene.bodies[body].colour)) {
+                    qWarning("pixel %d, %d is #%06x and should show body %u", x, y,
+                             image.pixel(x, y) & 0xFFFFFF, body);
+                    return -1;
+                }
+                ++seen;
+            }
+        }
+        return seen;
+    }
+
+  private Q_SLOTS:
+    void init() {
+        m_viewport = std::make_unique<Viewport>();
+        QSignalSpy failed(m_viewport.get(), &Viewport::failed);
+        m_viewport->resize(side, side);
+        m_viewport->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
+        QTRY_VERIFY(m_viewport->framesRendered() > 0);
+        QVERIFY(failed.isEmpty());
+        m_viewport->setDarkTheme(false);
+    }
+    void cleanup() { m_viewport.reset(); }
+
+    void aRedSphereIsRedWhereItShouldBe() {
+        show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
+        const QImage image = picked();
+        QCOMPARE(image.size(), QSize(side, side));
+        const QRgb middle = image.pixel(side / 2, side / 2);
+        QVERIFY2(qRed(middle) > 150 && qRed(middle) > 2 * qGreen(middle) && qRed(middle) > 2 * qBlue(middle),
+                 qPrintable(QColor(middle).name()));
+        QVERIFY(!leads(image.pixel(5, 5), red) ||
+                difference(image.pixel(5, 5), image.pixel(side - 6, 5)) == 0);
+    }
+
+    void aSilhouetteIsRightToAPixel_data() {
+        QTest::addColumn<bool>("orthographic");
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("z");
+        QTest::newRow("in the middle") << false << 0.0 << 0.0;
+        QTest::newRow("at the edge, where perspective makes an ellipse") << false << 1.6 << 0.0;
+        QTest::newRow("very near the eye") << false << 0.3 << 7.9;
+        QTest::newRow("orthographic") << true << 1.2 << 0.0;
+    }
+    void aSilhouetteIsRightToAPixel() {
+        QFETCH(bool, orthographic);
+        QFETCH(double, x);
+        QFETCH(double, z);
+        const Camera camera = frontCamera(orthographic);
+        show(sceneOf({}), camera);
+        const QImage background = picked();
+        const Vec3 centre(x, 0.4, z);
+        constexpr double radius = 1;
+        show(sceneOf({coloured(sphere(radius, 1, centre), red)}), camera);
+        const QImage image = picked();
+        int covered = 0;
+        for (int row = 0; row < side; ++row) {
+            for (int column = 0; column < side; ++column) {
+                const Ray ray = rayThrough(camera, picture, {column + 0.5, row + 0.5});
+                const Vec3 toCentre = centre - ray.origin;
+                const double along = toCentre.dot(ray.direction);
+                const double gap = (toCentre - along * ray.direction).norm();
+                const double pixel = camera.pixelSize(picture) * (orthographic ? 1 : along / camera.distance);
+                const bool changed = difference(image.pixel(column, row), background.pixel(column, row)) > 12;
+                if (gap < radius - pixel)
+                    QVERIFY2(changed, "a pixel inside the silhouette shows the background");
+                if (gap > radius + pixel)
+                    QVERIFY2(!changed, "a pixel outside the silhouette shows the sphere");
+                if (changed) ++covered;
+            }
+        }
+        QVERIFY(covered > 1000);
+    }
+
+    void aSphereThatCutsACylinderIsInFrontWhereItIsNearer() {
+        const Scene scene = sceneOf(
+            {coloured(sphere(1, 1, {0.5, 0.2, 0.6}), red), coloured(cylinder(1, 2.4, 1, {0, 0, 0}), blue)});
+        for (const bool orthographic : {false, true}) {
+            Camera camera = frontCamera(orthographic);
+            camera.fieldOfView = 0.35;
+            orbit(camera, 0.7, 0.5);
+            show(scene, camera);
+            QVERIFY(pixelsInTheirBodysColour(scene) > 10000);
+        }
+    }
+
+    void picksMatchPixelsInARandomScene() {
+        Random random(11);
+        Scene scene;
+        const std::array<Vec3, 3> colours = {red, green, blue};
+        for (std::size_t i = 0; i < 60; ++i) {
+            Body body = test::randomBody(random, 1);
+            body.pose.position = test::randomVector(random, 1.2);
+            scene.bodies.push_back(coloured(body, colours[i % 3]));
+        }
+        Camera camera = frontCamera();
+        orbit(camera, 1, 0.3);
+        show(scene, camera);
+        QVERIFY2(pixelsInTheirBodysColour(scene) > 10000, "seed 11");
+    }
+
+    void aWallSeenFromBehindHidesNothing() {
+        show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red), wall(-Vec3::UnitZ(), -3)}), frontCamera());
+        const QRgb middle = picked().pixel(side / 2, side / 2);
+        QVERIFY2(leads(middle, red) && qRed(middle) > 120, qPrintable(QColor(middle).name()));
+    }
+
+    void aBallOverAFloorCastsAShadow() {
+        Camera camera = frontCamera();
+        orbit(camera, 0, 1.2);
+        const Scene floor = sceneOf({wall(Vec3::UnitY(), -1), sphere(0.01, 1, {4, 4, 4})});
+        show(floor, camera);
+        const QImage bare = picked();
+        Scene with = floor;
+        with.bodies.push_back(sphere(0.5, 1, {0, -0.5, 0}));
+        show(with, camera);
+        const QImage shaded = picked();
+        int darker = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                if (m_viewport->hitAt(centreOf(x, y)).body == 0 &&
+                    qGreen(shaded.pixel(x, y)) < qGreen(bare.pixel(x, y)) - 25)
+                    ++darker;
+        QVERIFY2(darker > 300, qPrintable(QString::number(darker)));
+    }
+
+    void aNewStateMovesThePicture() {
+        const Scene scene = sceneOf({coloured(sphere(0.5, 1, {0, 0, 0}), red)});
+        show(scene, frontCamera());
+        std::shared_ptr<Snapshot> moved = startOf(scene);
+        moved->pose[0].position = Vec3(1.5, 0, 0);
+        m_viewport->showSnapshot(moved);
+        const QPointF there(side * (0.5 + 1.5 / (2 * 10 * std::tan(0.3))), side / 2.0);
+        QCOMPARE(m_viewport->hitAt(there).body, 0U);
+        QVERIFY(leads(picked().pixel(there.toPoint()), red));
+
+        // A late state of an earlier scene has other bodies: it is not shown.
+        m_viewport->showSnapshot(startOf(sceneOf({sphere(1, 1, {0, 0, 0}), sphere(1, 1, {3, 0, 0})})));
+        QCOMPARE(m_viewport->hitAt(there).body, 0U);
+    }
+
+    void aBrokenStateLeavesThePictureStanding() {
+        const Scene scene = sceneOf({coloured(sphere(0.5, 1, {0, 0, 0}), red), sphere(0.2, 1, {1, 1, 0})});
+        show(scene, frontCamera());
+        std::shared_ptr<Snapshot> broken = startOf(scene);
+        broken->pose[1].position.setConstant(std::nan(""));
+        m_viewport->showSnapshot(broken);
+        QVERIFY(leads(picked().pixel(side / 2, side / 2), red));
+    }
+
+    void onlyABallThatTurnsShowsAPattern() {
+        const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0})});
+        show(scene, frontCamera());
+        const QImage plain = picked();
+        std::shared_ptr<Snapshot> turned = startOf(scene);
+        turned->pose[0].orientation = fromRotationVector({0.4, 0, 0});
+        m_viewport->showSnapshot(turned);
+        const QImage once = picked();
+        QVERIFY(once != plain);
+        std::shared_ptr<Snapshot> further = startOf(scene);
+        further->pose[0].orientation = fromRotationVector({0.9, 0, 0});
+        m_viewport->showSnapshot(further);
+        QVERIFY(picked() != once);
+    }
+
+    void theSelectionIsOutlinedAndClearedWithoutATrace() {
+        show(sceneOf(
+                 {coloured(sphere(1, 1, {0, 0, 0}), red), coloured(cuboid({1, 1, 1}, 1, {2, 0, 0}), blue)}),
+             frontCamera());
+        const QImage before = picked();
+        for (const BodyIndex body : {0U, 1U}) {
+            m_viewport->setSelectedBody(body);
+            const QImage outlined = picked();
+            int changed = 0, insideChanged = 0;
+            for (int y = 2; y + 2 < side; ++y) {
+                for (int x = 2; x + 2 < side; ++x) {
+                    if (difference(outlined.pixel(x, y), before.pixel(x, y)) <= 12) continue;
+                    ++changed;
+                    bool deep = true;
+                    for (const int step : {-2, 2})
+                        deep = deep && m_viewport->hitAt(centreOf(x + step, y)).body == body &&
+                               m_viewport->hitAt(centreOf(x, y + step)).body == body;
+                    if (deep) ++insideChanged;
+                }
+            }
+            QVERIFY(changed > 200);
+            QCOMPARE(insideChanged, 0);
+        }
+        m_viewport->setSelectedBody(noBody);
+        QVERIFY(picked() == before);
+    }
+
+    void aClickNamesTheBodyAndADragTurnsTheCamera() {
+        show(sceneOf({sphere(1, 1, {0, 0, 0}), sphere(0.5, 1, {2, 0, 0})}), frontCamera());
+        QSignalSpy clicked(m_viewport.get(), &Viewport::bodyClicked);
+        const QPoint second(static_cast<int>(side * (0.5 + 2 / (2 * 10 * std::tan(0.3)))), side / 2);
+        QTest::mouseClick(m_viewport.get(), Qt::LeftButton, {}, second);
+        QCOMPARE(clicked.size(), 1);
+        QCOMPARE(clicked.takeFirst().at(0).value<BodyIndex>(), 1U);
+        QCOMPARE(m_viewport->selectedBody(), 1U);
+        QTest::mouseClick(m_viewport.get(), Qt::LeftButton, {}, {5, 5});
+        QCOMPARE(clicked.takeFirst().at(0).value<BodyIndex>(), noBody);
+
+        const double yaw = m_viewport->camera().yaw;
+        QTest::mousePress(m_viewport.get(), Qt::LeftButton, {}, {100, 100});
+        QTest::mouseMove(m_viewport.get(), {160, 120});
+        QTest::mouseRelease(m_viewport.get(), Qt::LeftButton, {}, {160, 120});
+        QVERIFY(clicked.isEmpty());
+        QVERIFY(m_viewport->camera().yaw < yaw);
+        QVERIFY(m_viewport->camera().pitch > 0);
+    }
+
+    void aRightDragMovesThePointUnderTheCursorWithIt() {
+        show(sceneOf({sphere(1, 1, {0, 0, 0})}), frontCamera());
+        QTest::mousePress(m_viewport.get(), Qt::RightButton, {}, {100, 100});
+        QTest::mouseMove(m_viewport.get(), {140, 70});
+        QTest::mouseRelease(m_viewport.get(), Qt::RightButton, {}, {140, 70});
+        const Eigen::Vector2d origin = *projected(m_viewport->camera(), picture, Vec3::Zero());
+        QVERIFY((origin - Eigen::Vector2d(side / 2.0 + 40, side / 2.0 - 30)).norm() < 1e-6);
+    }
+
+    void theWheelZoomsAtTheCursor() {
+        show(sceneOf({sphere(1, 1, {0, 0, 0}), wall(Vec3::UnitY(), -1)}), frontCamera());
+        Camera camera = frontCamera();
+        orbit(camera, 0.3, 0.4);
+        m_viewport->setCamera(camera);
+        for (const QPointF cursor : {QPointF(190.5, 170.5), QPointF(60, 300), QPointF(300, 5)}) {
+            const Hit hit = m_viewport->hitAt(cursor);
+            const Ray ray = rayThrough(m_viewport->camera(), picture, {cursor.x(), cursor.y()});
+            const double distance = m_viewport->camera().distance;
+            const Vec3 point = ray.origin + (hit ? hit.distance : distance) * ray.direction;
+            QWheelEvent wheel(cursor, m_viewport->mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(m_viewport.get(), &wheel);
+            QVERIFY(m_viewport->camera().distance < 0.8 * distance);
+            const Eigen::Vector2d after = *projected(m_viewport->camera(), picture, point);
+            QVERIFY((after - Eigen::Vector2d(cursor.x(), cursor.y())).norm() < 1e-6);
+        }
+    }
+
+    void theNumberPadLooksFromTopFrontAndRight() {
+        show(sceneOf({sphere(1, 1, {0, 0, 0})}), frontCamera());
+        const auto forward = [this](Qt::Key key) {
+            QTest::keyClick(m_viewport.get(), key, Qt::KeypadModifier);
+            return m_viewport->camera().forward();
+        };
+        QVERIFY((forward(Qt::Key_7) + Vec3::UnitY()).norm() < 1e-12);
+        QVERIFY((forward(Qt::Key_3) + Vec3::UnitX()).norm() < 1e-12);
+        QVERIFY((forward(Qt::Key_1) + Vec3::UnitZ()).norm() < 1e-12);
+        QTest::keyClick(m_viewport.get(), Qt::Key_5, Qt::KeypadModifier);
+        QVERIFY(m_viewport->camera().orthographic);
+        QTest::keyClick(m_viewport.get(), Qt::Key_5, Qt::KeypadModifier);
+        QVERIFY(!m_viewport->camera().orthographic);
+    }
+
+    void fFramesTheSelectionAndHomeEverything() {
+        show(sceneOf({sphere(0.1, 1, {5, 0, 0}), sphere(0.1, 1, {-5, 0, 0})}), frontCamera());
+        m_viewport->setSelectedBody(0);
+        QTest::keyClick(m_viewport.get(), Qt::Key_F);
+        QVERIFY((m_viewport->camera().target - Vec3(5, 0, 0)).norm() < 1e-12);
+        QVERIFY(m_viewport->camera().distance < 5);
+        QTest::keyClick(m_viewport.get(), Qt::Key_Home);
+        QVERIFY(m_viewport->camera().target.norm() < 1e-12);
+        QVERIFY(m_viewport->camera().distance > 10);
+    }
+
+    void theScenesCameraIsTheFirstViewAndLaterEditsKeepTheUsers() {
+        Scene scene = sceneOf({sphere(1, 1, {0, 0, 0})});
+        scene.camera.position = Vec3(0, 3, 8);
+        scene.camera.target = Vec3(0, 1, 0);
+        m_viewport->showPipeline(pipelineOf(scene));
+        QVERIFY((m_viewport->camera().eye() - Vec3(0, 3, 8)).norm() < 1e-9);
+
+        Camera moved = m_viewport->camera();
+        orbit(moved, 1, 0);
+        m_viewport->setCamera(moved);
+        scene.bodies[0].mass = 7;
+        m_viewport->showPipeline(pipelineOf(scene));
+        QVERIFY((m_viewport->camera().eye() - moved.eye()).norm() < 1e-9);
+
+        scene.camera.position = Vec3(1, 1, 9);
+        m_viewport->showPipeline(pipelineOf(scene));
+        QVERIFY((m_viewport->camera().eye() - Vec3(1, 1, 9)).norm() < 1e-9);
+    }
+
+    void aDimmedSceneIsGreyAndSaysWhy() {
+        show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
+        const QColor bright(picked().pixel(side / 2, side / 2));
+        m_viewport->setDimmed(true, QStringLiteral("line 3 does not build"));
+        const QColor grey(picked().pixel(side / 2, side / 2));
+        QVERIFY(grey.hsvSaturation() < bright.hsvSaturation() / 2);
+        QLabel* badge = m_viewport->findChild<QLabel*>(QStringLiteral("viewportBadge"));
+        QVERIFY(badge->isVisible());
+        QCOMPARE(badge->text(), QStringLiteral("line 3 does not build"));
+        m_viewport->setDimmed(false, {});
+        QVERIFY(!badge->isVisible());
+    }
+
+    void clearingShowsTheSkyAndNothingElse() {
+        show(sceneOf({}), frontCamera());
+        const QImage sky = picked();
+        show(sceneOf({sphere(1, 1, {0, 0, 0})}), frontCamera());
+        QVERIFY(picked() != sky);
+        m_viewport->showPipeline(nullptr);
+        m_viewport->setCamera(frontCamera());
+        const QImage cleared = picked();
+        int largest = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                largest = std::max(largest, difference(cleared.pixel(x, y), sky.pixel(x, y)));
+        QVERIFY(largest <= 1); // a gradient's last digit depends on the depth of the empty room
+        QCOMPARE(m_viewport->hitAt({side / 2.0, side / 2.0}).body, noBody);
+    }
+
+    void everyPictureIsCountedAndTimed() {
+        show(sceneOf({sphere(1, 1, {0, 0, 0})}), frontCamera());
+        QSignalSpy rendered(m_viewport.get(), &Viewport::frameRendered);
+        const std::int64_t before = m_viewport->framesRendered();
+        m_viewport->update();
+        QTRY_VERIFY(rendered.size() > 0);
+        QVERIFY(m_viewport->framesRendered() > before);
+        QVERIFY(m_viewport->lastRenderTime() > 0);
+    }
+};
+
+} // namespace carom
+
+QTEST_MAIN(carom::ViewportTest)
+#include "viewport_test.moc"

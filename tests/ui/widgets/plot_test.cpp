@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/plot.h"
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+ChartSpec example(SeriesStyle style) {
+    ChartSpec spec;
+    spec.title = QStringLiteral("Growth");
+    spec.x = {QStringLiteral("bodies"), {}, false};
+    spec.y = {QStringLiteral("time"), QStringLiteral("ms"), false};
+    spec.series = {{QStringLiteral("first"), {1, 2, 3, 4}, {1, 4, 9, 16}, style, {}},
+                   {QStringLiteral("second"), {1, 2, 3, 4}, {2, 3, 4, 5}, style, {}}};
+    spec.levels = {{16.7, QStringLiteral("1/60 s")}};
+    return spec;
+}
+
+int pixelsOf(const QImage& image, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (image.pixel(x, y) == colour.rgb()) ++count;
+    return count;
+}
+
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// All text of a well-formed XML file; nothing where it is not well formed.
+QString textOfXml(const QString& path) {
+    QXmlStreamReader xml(contentOf(path));
+    QString text;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::Characters) text += xml.text();
+    return xml.hasError() ? QString() : text;
+}
+
+} // namespace
+
+class PlotTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+  private Q_SLOTS:
+    void aPngHoldsEverySeriesInItsColour() {
+        for (const SeriesStyle style :
+             {SeriesStyle::Line, SeriesStyle::LineAndMarks, SeriesStyle::Marks, SeriesStyle::Stacked}) {
+            const QString path = m_folder.filePath(QStringLiteral("chart.png"));
+            QCOMPARE(writeChart(example(style), path, {640, 400}), QString());
+            const QImage image(path);
+            QCOMPARE(image.size(), QSize(1280, 800));
+            QVERIFY(pixelsOf(image, seriesColour(0)) > 50);
+            QVERIFY(pixelsOf(image, seriesColour(1)) > 50);
+        }
+    }
+
+    void stackedAreasAreAsLargeAsTheirFigures() {
+        ChartSpec spec = example(SeriesStyle::Stacked);
+        spec.series[0].y = {3, 3, 3, 3};
+        spec.series[1].y = {6, 6, 6, 6};
+        spec.levels.clear();
+        const QString path = m_folder.filePath(QStringLiteral("stack.png"));
+        QCOMPARE(writeChart(spec, path), QString());
+        const QImage image(path);
+        const double ratio =
+            static_cast<double>(pixelsOf(image, seriesColour(1))) / pixelsOf(image, seriesColour(0));
+        QVERIFY2(std::abs(ratio - 2) < 0.05,
+                 qPrintable(QString::number(ratio))); // the legend's squares count too
+    }
+
+    void anSvgIsWellFormedAndHoldsItsWords() {
+        const QString path = m_folder.filePath(QStringLiteral("chart.svg"));
+        QCOMPARE(writeChart(example(SeriesStyle::Line), path), QString());
+        const QString text = textOfXml(path);
+        for (const char* word : {"Growth", "bodies", "time [ms]", "first", "second", "1/60 s"})
+            QVERIFY2(text.contains(QLatin1StringView(word)), word);
+    }
+
+    void aPdfHasItsHeadAndItsEnd() {
+        const QString path = m_folder.filePath(QStringLiteral("chart.pdf"));
+        QCOMPARE(writeChart(example(SeriesStyle::LineAndMarks), path), QString());
+        const QByteArray content = contentOf(path);
+        QVERIFY(content.startsWith("%PDF-"));
+        QVERIFY(content.trimmed().endsWith("%%EOF"));
+    }
+
+    void figuresAnAxisCannotShowAreLeftOut() {
+        ChartSpec spec = example(SeriesStyle::LineAndMarks);
+        spec.x.logarithmic = spec.y.logarithmic = true;
+        spec.series[0].x = {0, 10, 100, 1000, 10000};
+        spec.series[0].y = {5, -1, std::nan(""), 0.1, std::numeric_limits<double>::infinity()};
+        QCOMPARE(writeChart(spec, m_folder.filePath(QStringLiteral("log.svg"))), QString());
+        QVERIFY(!contentOf(m_folder.filePath(QStringLiteral("log.svg"))).contains("nan"));
+    }
+
+    void anEmptyChartIsStillAFile() {
+        QCOMPARE(writeChart({}, m_folder.filePath(QStringLiteral("empty.png"))), QString());
+        QVERIFY(!QImage(m_folder.filePath(QStringLiteral("empty.png"))).isNull());
+    }
+
+    void anUnknownEndingIsRefusedWithTheEndingsThereAre() {
+        const QString problem =
+            writeChart(example(SeriesStyle::Line), m_folder.filePath(QStringLiteral("chart.gif")));
+        QVERIFY(problem.contains(QStringLiteral(".png, .svg or .pdf")));
+    }
+
+    void aFolderThatDoesNotExistIsReported() {
+        const QString path = m_folder.filePath(QStringLiteral("nowhere/chart.png"));
+        const QString problem = writeChart(example(SeriesStyle::Line), path);
+        QVERIFY(problem.contains(path));
+        QVERIFY(!QFile::exists(path));
+    }
+
+    void aPlotOnScreenIsReplacedByTheNextChart() {
+        PlotWidget plot;
+        plot.resize(500, 300);
+        plot.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        ChartSpec other = example(SeriesStyle::Stacked);
+        other.title.clear();
+        other.series.resize(1);
+        for (const ChartSpec& spec : {example(SeriesStyle::Stacked), other, example(SeriesStyle::Stacked)}) {
+            plot.setChart(spec);
+            QTRY_VERIFY(pixelsOf(plot.grab().toImage(), seriesColour(0)) > 500);
+            QTRY_COMPARE(pixelsOf(plot.grab().toImage(), seriesColour(1)) > 500, spec.series.size() > 1);
+        }
+    }
+};
+
+} // namespace carom
+
+QTEST_MAIN(carom::PlotTest)
+#include "plot_test.moc"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/random.h"
+#include "ui/widgets/timing_strip.h"
+
+#include <QImage>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+FrameSample randomSample(Random& random, std::int64_t frame) {
+    FrameSample sample;
+    FrameStatistics& s = sample.statistics;
+    s.frame = frame;
+    s.integrate = random.uniform(0, 2);
+    s.broadphase = random.uniform(0, 5);
+    s.narrowphase = random.uniform(0, 5);
+    s.respond = random.uniform(0, 5);
+    s.simulate = s.integrate + s.broadphase + s.narrowphase + s.respond + random.uniform(0, 1);
+    sample.render = random.uniform(0, 10);
+    return sample;
+}
+
+std::vector<FrameSample> randomSamples(int count, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<FrameSample> samples;
+    for (int i = 1; i <= count; ++i) samples.push_back(randomSample(random, i));
+    return samples;
+}
+
+} // namespace
+
+class TimingStripTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void thePartsOfAFrameAddUpToItsWholeTime() {
+        for (const FrameSample& sample : randomSamples(100, 1))
+            QVERIFY(std::abs(totalOf(sample) - sample.statistics.simulate - sample.render) < 1e-12);
+    }
+
+    void stagesThatExceedTheStepByTheClocksGrainLeaveNoNegativeRest() {
+        FrameSample sample;
+        sample.statistics.simulate = 1;
+        sample.statistics.integrate = 1.000001;
+        for (const FramePart& part : frameParts()) QVERIFY(part.milliseconds(sample) >= 0);
+    }
+
+    void rowsAreTheSharesOfTheScaleToHalfARow() {
+        constexpr int height = 200;
+        constexpr double fullScale = 40;
+        for (const FrameSample& sample : randomSamples(200, 2)) {
+            const std::array<int, framePartCount> rows = stackedRows(sample, fullScale, height);
+            const int sum = std::accumulate(rows.begin(), rows.end(), 0);
+            QVERIFY(std::abs(sum - totalOf(sample) / fullScale * height) <= 0.5);
+            for (std::size_t i = 0; i < framePartCount; ++i)
+                QVERIFY(std::abs(rows[i] - frameParts()[i].milliseconds(sample) / fullScale * height) <= 1);
+        }
+    }
+
+    void aFrameBeyondTheScaleFillsTheHeightAndNoMore() {
+        FrameSample sample;
+        sample.statistics.simulate = sample.statistics.respond = 500;
+        const std::array<int, framePartCount> rows = stackedRows(sample, 40, 100);
+        QCOMPARE(std::accumulate(rows.begin(), rows.end(), 0), 100);
+    }
+
+    void theColumnsOnScreenAreTheSamples() {
+        TimingStrip strip;
+        strip.resize(300, 160);
+        const std::vector<FrameSample> samples = randomSamples(80, 3);
+        strip.addSamples(samples);
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QCOMPARE(strip.fullScale(), 40.0);
+        const QImage image = strip.grab().toImage();
+        for (int x = 299; x >= 300 - 2 * 80; --x) {
+            const std::ptrdiff_t index = strip.frameAt(x);
+            QCOMPARE(index, 80 - 1 - (299 - x) / 2);
+            const std::array<int, framePartCount> rows =
+                stackedRows(samples[static_cast<std::size_t>(index)], 40, 160);
+            std::array<int, framePartCount> seen{};
+            for (int y = 1; y + 1 < 160; ++y)
+                for (std::size_t part = 0; part < framePartCount; ++part)
+                    if (image.pixel(x, y) == frameParts()[part].colour.rgb()) ++seen[part];
+            // The lowest row, the frame of the focus and the two dashed lines may each cover one.
+            for (std::size_t part = 0; part < framePartCount; ++part)
+                QVERIFY(seen[part] <= rows[part] && seen[part] >= rows[part] - 4);
+        }
+        QCOMPARE(strip.frameAt(299 - 2 * 80), TimingStrip::noFrame);
+    }
+
+    void theScaleFollowsTheFramesAndKeepsTheBudgetLinesInView() {
+        TimingStrip strip;
+        strip.resize(300, 160);
+        FrameSample quick;
+        quick.statistics.frame = 2;
+        quick.statistics.simulate = quick.statistics.respond = 0.3;
+        strip.addSamples({&quick, 1});
+        QCOMPARE(strip.fullScale(), 40.0);
+        strip.setScale(TimingStrip::Scale::Fit);
+        QCOMPARE(strip.fullScale(), 0.5);
+        FrameSample slow = quick;
+        slow.statistics.simulate = slow.statistics.respond = 90;
+        strip.addSamples({&slow, 1});
+        QCOMPARE(strip.fullScale(), 100.0);
+    }
+
+    void theFirstFrameDoesNotSetTheScale() {
+        TimingStrip strip;
+        strip.setScale(TimingStrip::Scale::Fit);
+        std::vector<FrameSample> samples(2);
+        samples[0].statistics.frame = 1;
+        samples[0].statistics.simulate = 900;
+        samples[1].statistics.frame = 2;
+        samples[1].statistics.simulate = 1.5;
+        strip.addSamples(samples);
+        QCOMPARE(strip.fullScale(), 2.0);
+    }
+
+    void aClickPicksTheFrameUnderItAndArrowsGoOnFromThere() {
+        TimingStrip strip;
+        strip.resize(300, 100);
+        strip.addSamples(randomSamples(50, 4));
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QSignalSpy picked(&strip, &TimingStrip::framePicked);
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, {299, 50});
+        QCOMPARE(strip.picked(), std::ptrdiff_t{49});
+        QTest::keyClick(&strip, Qt::Key_Left);
+        QCOMPARE(strip.picked(), std::ptrdiff_t{48});
+        QTest::keyClick(&strip, Qt::Key_Right);
+        QTest::keyClick(&strip, Qt::Key_Right); // there is no later one
+        QCOMPARE(strip.picked(), std::ptrdiff_t{49});
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, {5, 50}); // left of the first frame
+        QCOMPARE(strip.picked(), TimingStrip::noFrame);
+        QCOMPARE(picked.size(), 4);
+    }
+
+    void clearingForgetsEverything() {
+        TimingStrip strip;
+        strip.addSamples(randomSamples(10, 5));
+        strip.pick(3);
+        strip.clear();
+        QVERIFY(strip.samples().empty());
+        QCOMPARE(strip.picked(), TimingStrip::noFrame);
+        strip.grab(); // and an empty strip can be painted
+    }
+
+    void aBreakdownNamesEveryPart() {
+        const QString text = breakdownOf(randomSamples(1, 6).front());
+        for (const FramePart& part : frameParts()) QVERIFY(text.contains(nameOf(part)));
+    }
+};
+
+} // namespace carom
+
+QTEST_MAIN(carom::TimingStripTest)
+#include "timing_strip_test.moc"
