@@ -28,15 +28,33 @@ double thicknessOf(const Scene& scene, BodyIndex body) {
     return isWall(scene.bodies[body].shape) ? HUGE_VAL : halfThicknessOf(scene.bodies[body].shape);
 }
 
+/// Pairs of bodies and walls that are looked at, at most: about a tenth of a second's worth.
+constexpr std::size_t mostWallPairs = 10'000'000;
+
+/// A text in the making may put a hundred thousand bodies in one place, and the editor must answer all the
+/// same. Bodies that lie apart, or rest on each other, have at most a dozen neighbours each; where there are
+/// more, the first thousand bodies tell enough of the overlaps.
+constexpr std::size_t mostNeighbours = 20;
+constexpr std::size_t bodiesOfAHeap = 1000;
+
+/// How many boxes overlap a box on average, from a few of them against all.
+std::size_t estimatedNeighbours(std::span<const Aabb> boxes) {
+    constexpr std::size_t samples = 64;
+    const std::size_t stride = std::max<std::size_t>(1, boxes.size() / samples);
+    std::size_t tried = 0, overlapping = 0;
+    for (std::size_t i = 0; i < boxes.size(); i += stride, ++tried)
+        for (const Aabb& box : boxes) overlapping += overlap(boxes[i], box) ? 1 : 0;
+    return tried == 0 ? 0 : overlapping / tried;
+}
+
 // Bodies behind walls and overlaps, each found at most so often.
 class Overlaps {
   public:
     explicit Overlaps(const Scene& scene) : m_scene(scene) {}
 
-    void findAll(const BroadphaseRow& row) {
+    void findAll() {
         const Bodies bodies = bodiesOf(m_scene);
-        for (const BodyIndex wall : bodies.walls)
-            for (const BodyIndex body : bodies.mobileBodies) againstWall(wall, body);
+        againstWalls(bodies);
 
         std::vector<Aabb> boxes;
         std::vector<std::uint8_t> mobile;
@@ -44,14 +62,28 @@ class Overlaps {
             boxes.push_back(boundsOf(bodies.shape[i], m_scene.bodies[i].pose));
             mobile.push_back(bodies.mobile[i]);
         }
-        const std::unique_ptr<Broadphase> broadphase = row.create();
-        broadphase->update({boxes, bodies.bounded, mobile});
+        std::size_t looked = boxes.size();
+        if (estimatedNeighbours(boxes) > mostNeighbours) looked = std::min(looked, bodiesOfAHeap);
+        const BroadphaseInput input{std::span(boxes).first(looked), std::span(bodies.bounded).first(looked),
+                                    std::span(mobile).first(looked)};
+        const std::unique_ptr<Broadphase> broadphase = chooseBroadphase(input).row->create();
+        broadphase->update(input);
         for (const BodyPair pair : broadphase->pairs()) between(pair.a, pair.b);
     }
 
     std::vector<Diagnostic> diagnostics;
 
   private:
+    void againstWalls(const Bodies& bodies) {
+        std::size_t left = mostWallPairs;
+        for (const BodyIndex wall : bodies.walls) {
+            for (const BodyIndex body : bodies.mobileBodies) {
+                if (left-- == 0) return;
+                againstWall(wall, body);
+            }
+        }
+    }
+
     void againstWall(BodyIndex wallIndex, BodyIndex body) {
         const Wall& wall = *std::get_if<Wall>(&m_scene.bodies[wallIndex].shape);
         const double height = distanceTo(wall, m_scene.bodies[body].pose.position);
@@ -129,7 +161,7 @@ std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settin
 std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found = tunnelling(scene, settings);
     Overlaps overlaps(scene);
-    overlaps.findAll(*settings.broadphase);
+    overlaps.findAll();
     for (Diagnostic& diagnostic : overlaps.diagnostics) found.push_back(std::move(diagnostic));
     return found;
 }
