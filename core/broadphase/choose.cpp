@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/broadphase.h"
 
-#include "core/broadphase/uniform_grid.h"
+#include "core/broadphase/crowding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +55,7 @@ BroadphaseChoice chooseBroadphase(const BroadphaseInput& input) {
     if (ratio > manySizes)
         return chosen("bounding_tree",
                       bodies + ", the wide ones " + rounded(ratio) + " times the narrow ones");
-    UniformGrid grid;
-    grid.update(input);
-    const double close = static_cast<double>(grid.counters().pairs) / static_cast<double>(count);
+    const double close = 0.5 * neighboursPerBox(input.boxes); // a pair has two ends
     if (close > lyingClose)
         return chosen("bounding_tree",
                       bodies + " lying close: " + rounded(close) + " overlapping boxes for each");

@@ -2,6 +2,7 @@
 #include "core/simulation/foresight.h"
 
 #include "core/broadphase/broadphase.h"
+#include "core/broadphase/crowding.h"
 #include "core/narrowphase/narrowphase.h"
 
 #include "core/base/figures.h"
@@ -34,18 +35,8 @@ constexpr std::size_t mostWallPairs = 10'000'000;
 /// A text in the making may put a hundred thousand bodies in one place, and the editor must answer all the
 /// same. Bodies that lie apart, or rest on each other, have at most a dozen neighbours each; where there are
 /// more, the first thousand bodies tell enough of the overlaps.
-constexpr std::size_t mostNeighbours = 20;
+constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
-
-/// How many boxes overlap a box on average, from a few of them against all.
-std::size_t estimatedNeighbours(std::span<const Aabb> boxes) {
-    constexpr std::size_t samples = 64;
-    const std::size_t stride = std::max<std::size_t>(1, boxes.size() / samples);
-    std::size_t tried = 0, overlapping = 0;
-    for (std::size_t i = 0; i < boxes.size(); i += stride, ++tried)
-        for (const Aabb& box : boxes) overlapping += overlap(boxes[i], box) ? 1 : 0;
-    return tried == 0 ? 0 : overlapping / tried;
-}
 
 // Bodies behind walls and overlaps, each found at most so often.
 class Overlaps {
@@ -63,7 +54,7 @@ class Overlaps {
             mobile.push_back(bodies.mobile[i]);
         }
         std::size_t looked = boxes.size();
-        if (estimatedNeighbours(boxes) > mostNeighbours) looked = std::min(looked, bodiesOfAHeap);
+        if (neighboursPerBox(boxes) > mostNeighbours) looked = std::min(looked, bodiesOfAHeap);
         const BroadphaseInput input{std::span(boxes).first(looked), std::span(bodies.bounded).first(looked),
                                     std::span(mobile).first(looked)};
         const std::unique_ptr<Broadphase> broadphase = chooseBroadphase(input).row->create();
