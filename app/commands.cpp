@@ -60,11 +60,13 @@ bool hasDisplay() {
 }
 
 /// A first word that is no subcommand is a scene for the IDE, or a slip of the finger.
-void rejectSlip(const std::string& word) {
+void rejectSlip(const std::vector<std::string>& operands) {
+    const std::string& word = operands.front();
+    if (::access(word.c_str(), F_OK) == 0) return;
     const std::optional<std::string_view> near = nearestRow(word, commands());
-    if (near && ::access(word.c_str(), F_OK) != 0)
-        throw UsageError("`" + word + "` is neither a subcommand nor a file; did you mean `" +
-                         std::string(*near) + "`?");
+    if (near || operands.size() > 1)
+        throw UsageError("`" + word + "` is neither a subcommand nor a file" +
+                         (near ? "; did you mean `" + std::string(*near) + "`?" : ""));
 }
 
 int openIde(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
@@ -77,7 +79,7 @@ int openIde(const std::string& program, std::span<const std::string> words, IdeE
         printOut("carom " + std::string(version()) + "\n");
         return exitcode::done;
     }
-    if (!arguments.operands.empty()) rejectSlip(arguments.operands.front());
+    if (!arguments.operands.empty()) rejectSlip(arguments.operands);
     if (arguments.operands.size() > 1)
         throw UsageError("`" + arguments.operands[1] + "` is one scene too many; the IDE opens one");
     IdeRequest request;

@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t longestLine = 100; // columns of a declaration on one line
+constexpr std::size_t longestLine = 110; // columns of a declaration on one line
 constexpr std::string_view indent = "    ";
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/broadphase.h"
 #include "core/effects/effect.h"
+#include "core/language/formatter.h"
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
 #include "core/simulation/touching.h"
@@ -25,6 +26,8 @@ class ScenesSmokeTest : public QObject {
     void everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor();
     void nothingMobileOverlapsAtTheStart_data() { scenes(); }
     void nothingMobileOverlapsAtTheStart();
+    void everySceneIsInTheCanonicalLayout_data() { scenes(); }
+    void everySceneIsInTheCanonicalLayout();
     void everyBroadphaseLeadsToTheSameState_data() { scenes(); }
     void everyBroadphaseLeadsToTheSameState();
     void everyEffectHasASceneThatCallsForIt();
@@ -66,6 +69,12 @@ void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
     for (const TouchingPair& pair : touchingPairs(scene.pipeline->bodies(), scene.pipeline->initialState()))
         QVERIFY2(pair.manifold.deepest().separation >= -rounding,
                  qPrintable(QStringLiteral("%1 and %2").arg(pair.pair.a).arg(pair.pair.b)));
+}
+
+void ScenesSmokeTest::everySceneIsInTheCanonicalLayout() {
+    QFETCH(QString, path);
+    const Analysis analysis = analyse(test::contentOf(path).toStdString());
+    QCOMPARE(QString::fromStdString(formatText(analysis)), QString::fromStdString(analysis.text));
 }
 
 void ScenesSmokeTest::everyBroadphaseLeadsToTheSameState() {
