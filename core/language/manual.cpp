@@ -77,8 +77,9 @@ std::string defaultCell(const ParameterRow& row) {
 
 std::string sentence(const ParameterRow& row) {
     std::string text(row.help);
-    if (row.constraint != Constraint::None) text += " It " + std::string(sentenceOf(row.constraint)) + ".";
-    return text;
+    if (row.constraint == Constraint::None) return text;
+    const bool each = row.kind == ValueKind::Vector && row.constraint == Constraint::Positive;
+    return text + " It " + std::string(sentenceOf(row.constraint)) + (each ? " in each component." : ".");
 }
 
 std::string section(const DeclarationRow& row) {

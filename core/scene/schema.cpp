@@ -57,14 +57,14 @@ Quat rotationOfDegrees(const Vec3& degrees) {
     return fromRotationVector(near.normalized() * (angle * radiansPerDegree));
 }
 
-ParameterRow radiusRow(void (*store)(Declared&, const CheckedValue&)) {
+ParameterRow radiusRow(std::string_view help, void (*store)(Declared&, const CheckedValue&)) {
     return {.name = "radius",
             .kind = ValueKind::Number,
             .unit = "m",
             .required = true,
             .example = "1",
             .constraint = Constraint::Positive,
-            .help = "Distance from the centre line to the surface.",
+            .help = help,
             .store = store};
 }
 
@@ -166,9 +166,10 @@ void addSurfaceRows(std::vector<ParameterRow>& rows) {
 }
 
 DeclarationRow sphereDeclaration() {
-    std::vector<ParameterRow> rows = {radiusRow([](Declared& into, const CheckedValue& value) {
-                                          shape<Sphere>(into).radius = value.number;
-                                      }),
+    std::vector<ParameterRow> rows = {radiusRow("Distance from the centre to the surface.",
+                                                [](Declared& into, const CheckedValue& value) {
+                                                    shape<Sphere>(into).radius = value.number;
+                                                }),
                                       massRow(), centreRow(), velRow(), angvelRow(Layer::Carom)};
     addSurfaceRows(rows);
     rows.push_back(fixedRow());
@@ -183,6 +184,7 @@ DeclarationRow sphereDeclaration() {
 DeclarationRow cylinderDeclaration() {
     std::vector<ParameterRow> rows = {
         radiusRow(
+            "Distance from the axis to the round surface.",
             [](Declared& into, const CheckedValue& value) { shape<Cylinder>(into).radius = value.number; }),
         {.name = "height",
          .kind = ValueKind::Number,
