@@ -34,12 +34,18 @@ Vec3 toRotationVector(const Quat& q) {
 
 Quat shortestRotation(const Vec3& from, const Vec3& to) {
     const double cosine = from.dot(to);
-    if (cosine < -1 + 1e-14) { // opposite: any axis orthogonal to `from` will do, but always the same one
-        const Vec3 axis = from.cross(leastAlignedAxis(from)).normalized();
-        return {0.0, axis.x(), axis.y(), axis.z()};
-    }
-    const Vec3 axis = from.cross(to);
-    return Quat(1.0 + cosine, axis.x(), axis.y(), axis.z()).normalized();
+    const Vec3 cross = from.cross(to);
+    if (cosine >= 0) return Quat(1 + cosine, cross.x(), cross.y(), cross.z()).normalized();
+    // Beyond a right angle 1 + cosine loses its digits, and the cross product its direction. So the axis is
+    // made orthogonal to `from` once more, and cos(half) = sine / (2 sin(half)).
+    constexpr double noSine =
+        1e-15; // rounding: any axis orthogonal to `from` will do, but always the same one
+    const double sine = cross.norm();
+    const Vec3 rough = sine > noSine ? Vec3(cross / sine) : from.cross(leastAlignedAxis(from)).normalized();
+    const Vec3 axis = (rough - from.dot(rough) * from).normalized();
+    const double sinHalf = std::sqrt(0.5 * (1 - cosine));
+    const double cosHalf = sine > noSine ? sine / (2 * sinHalf) : 0;
+    return Quat(cosHalf, sinHalf * axis.x(), sinHalf * axis.y(), sinHalf * axis.z()).normalized();
 }
 
 Tangents tangentsOf(const Vec3& n) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scene.h"
+
+#include <QObject>
+#include <QTest>
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+using carom::Body;
+using carom::Scene;
+using carom::SimulationSettings;
+
+class SceneTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aPairHasTheSmallerRestitutionTheMeanFrictionAndTheLargerRolling() {
+        Body a, b;
+        a.elastic = 0.5;
+        b.elastic = 0.9;
+        a.friction = 0.4;
+        b.friction = 0.9;
+        a.rolling = 0.001;
+        b.rolling = 0.002;
+        QCOMPARE(pairRestitution(a, b), 0.5);
+        QCOMPARE(pairFriction(a, b), 0.6);
+        QCOMPARE(pairRolling(a, b), 0.002);
+        QCOMPARE(pairFriction(a, b), pairFriction(b, a));
+    }
+
+    void theMeanFrictionOfHugeCoefficientsIsFinite() {
+        Body a, b;
+        a.friction = b.friction = 1e300;
+        QVERIFY(std::abs(pairFriction(a, b) / 1e300 - 1) < 1e-15);
+    }
+
+    void bodiesAreNamedByTheirLabelOrKindAndIndex() {
+        Scene scene;
+        scene.bodies.resize(2);
+        scene.bodies[0].label = "cue";
+        scene.bodies[1].shape = carom::Wall{};
+        QCOMPARE(scene.nameOf(0), std::string("`cue`"));
+        QCOMPARE(scene.nameOf(1), std::string("wall 1"));
+        QCOMPARE(scene.nameOf(carom::noBody), std::string("the world"));
+        QCOMPARE(scene.labelled("cue"), carom::BodyIndex{0});
+        QCOMPARE(scene.labelled("ball"), carom::noBody);
+        QCOMPARE(scene.labelled(""), carom::noBody);
+    }
+
+    void whatIsGivenWinsOverWhatIsNot() {
+        SimulationSettings base, over;
+        base.step = 0.1;
+        base.method = "contacts";
+        over.step = 0.2;
+        over.threads = 3;
+        const SimulationSettings both = overridden(base, over);
+        QCOMPARE(*both.step, 0.2);
+        QCOMPARE(*both.method, std::string("contacts"));
+        QCOMPARE(*both.threads, 3);
+        QVERIFY(!both.duration);
+    }
+};
+
+} // namespace
+
+QTEST_APPLESS_MAIN(SceneTest)
+#include "scene_test.moc"
