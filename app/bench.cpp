@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command.h"
+#include "app/errors.h"
+#include "app/files.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "core/base/catalogue.h"
+#include "core/base/text.h"
+#include "core/study/benchmark_report.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <system_error>
+
+namespace carom {
+
+CommandRow benchCommand();
+
+namespace {
+
+/// The words of a list with commas.
+std::vector<std::string> wordsOf(const std::string& list) {
+    std::vector<std::string> words(1);
+    for (const char c : list)
+        if (c == ',')
+            words.emplace_back();
+        else
+            words.back() += c;
+    return words;
+}
+
+template<class Row>
+const Row* rowNamed(const std::string& name, std::span<const Row> rows, const char* kind) {
+    if (const Row* row = findByName(rows, name)) return row;
+    std::vector<std::string_view> names;
+    for (const Row& row : rows) names.push_back(row.name);
+    const std::optional<std::string_view> near = nearestRow(name, rows);
+    throw UsageError("there is no " + std::string(kind) + " `" + name + "`; " +
+                     (near ? "did you mean `" + std::string(*near) + "`?" : "it must be " + listOf(names)));
+}
+
+std::vector<std::int64_t> countsFrom(const std::string& list) {
+    std::vector<std::int64_t> counts;
+    for (const std::string& word : wordsOf(list)) {
+        const std::optional<long long> count = wholeNumberIn(word);
+        if (!count || *count < 1)
+            throw UsageError("`-n` has `" + word +
+                             "`; it must be a list of whole numbers from 1 on, like 100,1000");
+        counts.push_back(*count);
+    }
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+/// What the command line asks for; what it leaves open is the standard benchmark's.
+BenchmarkPlan planFrom(const Arguments& arguments) {
+    BenchmarkPlan plan = standardBenchmark();
+    std::vector<std::string> scenes = arguments.operands;
+    if (const std::optional<std::string> list = arguments.text("scene")) {
+        const std::vector<std::string> listed = wordsOf(*list);
+        scenes.insert(scenes.begin(), listed.begin(), listed.end());
+    } else if (!scenes.empty()) {
+        throw UsageError("`" + scenes.front() + "` is one operand too many; scenes follow `--scene`");
+    }
+    if (!scenes.empty()) plan.scenes.clear();
+    for (const std::string& name : scenes) plan.scenes.push_back(rowNamed(name, generators(), "generator"));
+
+    if (const std::optional<std::string> list = arguments.text("n")) plan.counts = countsFrom(*list);
+    if (const std::optional<std::string> list = arguments.text("broadphase")) {
+        plan.algorithms.clear();
+        for (const std::string& name : wordsOf(*list))
+            plan.algorithms.push_back(rowNamed(name, broadphases(), "broad-phase"));
+    }
+    plan.frames = arguments.wholeNumber("frames", 2, 1'000'000).value_or(plan.frames);
+
+    // The trace is the reference's: 500 spheres on the pyramid. A smaller benchmark has a smaller one.
+    if (std::ranges::count(plan.scenes, plan.traceScene) == 0) plan.traceScene = plan.scenes.front();
+    if (arguments.has("frames")) plan.traceFrames = plan.frames;
+    plan.traceCount = std::min(plan.traceCount, plan.counts.back());
+    for (const GeneratorRow* scene : plan.scenes)
+        for (const std::int64_t n : plan.counts)
+            if (const std::optional<std::string> reason = checkRequest(*scene, requestFor(*scene, n)))
+                throw UsageError(std::string(scene->name) + ": " + *reason);
+    return plan;
+}
+
+void writeFile(const std::filesystem::path& path, const std::string& text) {
+    OutputFile file(path.string());
+    file.write(text);
+    file.close();
+}
+
+int runBench(const Arguments& arguments) {
+    const BenchmarkPlan plan = planFrom(arguments);
+    const std::optional<std::string> folder = arguments.text("output");
+    if (folder) {
+        std::error_code error;
+        std::filesystem::create_directories(*folder, error);
+        if (error) throw FileError("cannot make the folder", *folder, error.value());
+    }
+    catchInterrupts();
+    std::unique_ptr<Progress> progress;
+    const Benchmark benchmark = runBenchmark(plan, [&progress](std::int64_t done, std::int64_t total) {
+        if (!progress) progress = std::make_unique<Progress>(total);
+        progress->update(done);
+        return !interrupted();
+    });
+    progress.reset();
+
+    const std::string summary = summaryOf(benchmark);
+    printOut(summary);
+    if (folder) {
+        const std::filesystem::path base(*folder);
+        writeFile(base / "performance.csv", pointsAsCsv(benchmark));
+        writeFile(base / "trace.csv", tracesAsCsv(benchmark));
+        writeFile(base / "summary.txt", summary);
+    }
+    return benchmark.complete ? exitcode::done : exitcode::interrupted;
+}
+
+} // namespace
+
+CommandRow benchCommand() {
+    return {.name = "bench",
+            .summary = "Measure the broad-phases on scenes of growing size",
+            .operands = "",
+            .example = "carom bench -o results\n"
+                       "carom bench --scene pyramid -n 500,1000,2000 --broadphase all_pairs,sweep_and_sort",
+            .options =
+                {
+                    {"scene", 0, "NAME...",
+                     "generators, separated by blanks or commas (default "
+                     "pool_breaks,brownian,pyramid)"},
+                    {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 100 to 20000)"},
+                    {"broadphase", 0, "LIST", "algorithms, separated by commas (default all)"},
+                    {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
+                    {"output", 'o', "DIR", "write performance.csv, trace.csv and summary.txt there"},
+                },
+            .details =
+                "The worlds of one scene and number take turns, so a disturbance falls on all of them. "
+                "An algorithm that needs more than 60 ms a frame is left out at larger numbers. Ctrl-C "
+                "ends the benchmark: what was measured is written, and the exit code is 130.",
+            .leastOperands = 0,
+            .mostOperands = std::numeric_limits<std::size_t>::max(),
+            .run = runBench};
+}
+
+} // namespace carom

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/benchmark.h"
+
+#include "core/simulation/build.h"
+#include "core/simulation/world.h"
+
+#include "core/base/assert.h"
+#include "core/base/figures.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+namespace carom {
+namespace {
+
+// Frames one world advances before it is the next one's turn: enough to fill its caches, few enough that a
+// disturbance of a tenth of a second falls on several.
+constexpr std::int64_t turn = 10;
+
+/// Worlds that differ in nothing but their broad-phase.
+struct Contest {
+    const GeneratorRow* scene = nullptr;
+    std::int64_t n = 0;
+    std::shared_ptr<const Pipeline> pipeline;
+    std::vector<const BroadphaseRow*> algorithms;
+    std::vector<std::unique_ptr<World>> worlds;
+    std::vector<std::vector<FrameStatistics>> frames; ///< by world
+};
+
+Contest prepare(const GeneratorRow& scene, std::int64_t n,
+                const std::vector<const BroadphaseRow*>& algorithms) {
+    Contest contest{.scene = &scene,
+                    .n = n,
+                    .pipeline = build(generate(scene, requestFor(scene, n))).pipeline,
+                    .algorithms = algorithms,
+                    .worlds = {},
+                    .frames = {}};
+    for (const BroadphaseRow* row : algorithms) {
+        contest.worlds.push_back(std::make_unique<World>(contest.pipeline));
+        contest.worlds.back()->useBroadphase(*row);
+    }
+    contest.frames.resize(algorithms.size());
+    return contest;
+}
+
+double meanOf(std::span<const FrameStatistics> frames, double (*value)(const FrameStatistics&)) {
+    double sum = 0;
+    for (const FrameStatistics& frame : frames) sum += value(frame);
+    return sum / static_cast<double>(std::max<std::size_t>(1, frames.size()));
+}
+
+BenchmarkPoint pointOf(const Contest& contest, std::size_t world) {
+    using Frame = FrameStatistics;
+    const std::span<const Frame> all = contest.frames[world];
+    const std::span<const Frame> later = all.subspan(1);
+    std::vector<double> times;
+    for (const Frame& frame : later) times.push_back(frame.simulate);
+    return {.scene = contest.scene,
+            .n = contest.n,
+            .bodies = contest.pipeline->bodies().count(),
+            .algorithm = contest.algorithms[world],
+            .first = all.front().simulate,
+            .simulate = summarise(times),
+            .broadphase = meanOf(later, [](const Frame& frame) { return frame.broadphase; }),
+            .narrowphase = meanOf(later, [](const Frame& frame) { return frame.narrowphase; }),
+            .pairs = meanOf(later, [](const Frame& frame) { return double(frame.broad.pairs); }),
+            .tested = meanOf(later, [](const Frame& frame) { return double(frame.broad.tested); }),
+            .contacts = meanOf(later, [](const Frame& frame) { return double(frame.contacts); }),
+            .swaps = meanOf(later, [](const Frame& frame) { return double(frame.broad.swaps); }),
+            .memoryBytes = later.back().broad.memoryBytes,
+            .stateHash = contest.worlds[world]->stateHash()};
+}
+
+/// Runs the plan and counts frames for the listener.
+class Runner {
+  public:
+    Runner(const BenchmarkPlan& plan, const BenchmarkListener& goOn) : m_goOn(goOn) {
+        m_result.plan = plan;
+        const std::int64_t worlds = std::ssize(plan.algorithms);
+        m_total = plan.frames * worlds * std::ssize(plan.scenes) * std::ssize(plan.counts);
+        if (plan.traceScene) m_total += plan.traceFrames * worlds;
+    }
+
+    Benchmark run() {
+        m_result.complete = runTraces() && runScenes();
+        return std::move(m_result);
+    }
+
+  private:
+    bool runTraces() {
+        const BenchmarkPlan& plan = m_result.plan;
+        if (!plan.traceScene) return true;
+        Contest contest = prepare(*plan.traceScene, plan.traceCount, plan.algorithms);
+        if (!advance(contest, plan.traceFrames)) return false;
+        for (std::size_t k = 0; k < contest.worlds.size(); ++k)
+            m_result.traces.push_back({.scene = contest.scene,
+                                       .n = contest.n,
+                                       .algorithm = contest.algorithms[k],
+                                       .frames = std::move(contest.frames[k])});
+        return true;
+    }
+
+    bool runScenes() {
+        for (const GeneratorRow* scene : m_result.plan.scenes) {
+            std::vector<const BroadphaseRow*> algorithms = m_result.plan.algorithms;
+            for (const std::int64_t n : m_result.plan.counts) {
+                Contest contest = prepare(*scene, n, algorithms);
+                if (!advance(contest, m_result.plan.frames)) return false;
+                record(contest);
+                dropTheSlow(algorithms, n);
+            }
+        }
+        return true;
+    }
+
+    bool advance(Contest& contest, std::int64_t frames) {
+        for (std::int64_t begin = 0; begin < frames; begin += turn) {
+            for (std::size_t k = 0; k < contest.worlds.size(); ++k) {
+                for (std::int64_t frame = begin; frame < std::min(begin + turn, frames); ++frame) {
+                    contest.worlds[k]->step();
+                    contest.frames[k].push_back(contest.worlds[k]->statistics());
+                    if (!m_goOn(++m_done, m_total)) return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    void record(const Contest& contest) {
+        for (std::size_t k = 0; k < contest.worlds.size(); ++k) {
+            m_result.points.push_back(pointOf(contest, k));
+            if (!contest.worlds[k]->health().finite)
+                m_result.remarks.push_back(std::string(contest.scene->name) + ", N = " +
+                                           std::to_string(contest.n) + ": a state ceased to be finite");
+            if (m_result.points.back().stateHash != contest.worlds.front()->stateHash())
+                m_result.remarks.push_back(
+                    std::string(contest.scene->name) + ", N = " + std::to_string(contest.n) + ": " +
+                    std::string(contest.algorithms[k]->name) + " arrived at another state than " +
+                    std::string(contest.algorithms.front()->name));
+        }
+    }
+
+    /// Takes out of `algorithms` those whose last points were slower than the plan has patience for.
+    void dropTheSlow(std::vector<const BroadphaseRow*>& algorithms, std::int64_t n) {
+        const std::size_t measured = algorithms.size();
+        for (std::size_t p = m_result.points.size() - measured; p < m_result.points.size(); ++p) {
+            const BenchmarkPoint& point = m_result.points[p];
+            if (point.simulate.median <= m_result.plan.patience || n == m_result.plan.counts.back()) continue;
+            std::erase(algorithms, point.algorithm);
+            m_result.remarks.push_back(std::string(point.scene->name) + ": " +
+                                       std::string(point.algorithm->name) +
+                                       " not beyond N = " + std::to_string(n) + ", where a frame took " +
+                                       figure(point.simulate.median) + " ms");
+        }
+        const std::int64_t left = std::count_if(m_result.plan.counts.begin(), m_result.plan.counts.end(),
+                                                [n](std::int64_t count) { return count > n; });
+        m_total -= left * m_result.plan.frames * static_cast<std::int64_t>(measured - algorithms.size());
+    }
+
+    Benchmark m_result;
+    const BenchmarkListener& m_goOn;
+    std::int64_t m_done = 0, m_total = 0;
+};
+
+} // namespace
+
+GeneratorRequest requestFor(const GeneratorRow& scene, std::int64_t n) {
+    GeneratorRequest request;
+    if (scene.defaultN > 0) request.n = n;
+    return request;
+}
+
+BenchmarkPlan standardBenchmark() {
+    BenchmarkPlan plan;
+    for (const std::string_view name : {"pool_breaks", "brownian", "pyramid"})
+        plan.scenes.push_back(findGenerator(name));
+    plan.counts = {100, 200, 500, 1000, 2000, 5000, 10000, 20000};
+    for (const BroadphaseRow& row : broadphases()) plan.algorithms.push_back(&row);
+    plan.traceScene = findGenerator("pyramid");
+    return plan;
+}
+
+Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn) {
+    ASSERT(plan.frames >= 2 && plan.traceFrames >= 2);
+    return Runner(plan, goOn).run();
+}
+
+} // namespace carom

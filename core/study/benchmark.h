@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/generators/generator.h"
+#include "core/math/statistics.h"
+#include "core/simulation/statistics.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+// The reference's performance evaluation (S. Stokes, "Collision Detection in the Simulation of Rigid Body
+// Motion", 2005, section 4.3) for every broad-phase: time against the number of bodies, and the course of a
+// run. For each scene and number the worlds of all algorithms advance in turns, a few frames each, so
+// whatever else the machine does falls on all of them alike.
+
+namespace carom {
+
+struct BenchmarkPlan {
+    std::vector<const GeneratorRow*> scenes;
+    std::vector<std::int64_t> counts; ///< ascending
+    std::vector<const BroadphaseRow*> algorithms;
+    std::int64_t frames = 120; ///< of each world; at least 2
+
+    const GeneratorRow* traceScene = nullptr; ///< null: no traces
+    std::int64_t traceCount = 500;
+    std::int64_t traceFrames = 600;
+
+    /// An algorithm whose median frame took longer is left out at larger numbers of that scene [ms].
+    double patience = 60;
+};
+
+/// The three scenes and every algorithm, at numbers that reach beyond real time.
+BenchmarkPlan standardBenchmark();
+
+/// What the benchmark asks of a generator; one that takes no number makes its only scene.
+GeneratorRequest requestFor(const GeneratorRow& scene, std::int64_t n);
+
+/// One world's run.
+struct BenchmarkPoint {
+    const GeneratorRow* scene = nullptr;
+    std::int64_t n = 0;       ///< asked of the generator
+    std::uint64_t bodies = 0; ///< built, walls included
+    const BroadphaseRow* algorithm = nullptr;
+
+    double first = 0;       ///< [ms], the first frame
+    Summary simulate;       ///< [ms], the frames behind it
+    double broadphase = 0;  ///< [ms], mean of those frames; so are all below
+    double narrowphase = 0; ///< [ms]
+    double pairs = 0, tested = 0, contacts = 0, swaps = 0;
+    std::uint64_t memoryBytes = 0; ///< held by the broad-phase at the end
+    std::uint64_t stateHash = 0;   ///< of the last frame: the same for every algorithm
+};
+
+/// Every frame of one world.
+struct BenchmarkTrace {
+    const GeneratorRow* scene = nullptr;
+    std::int64_t n = 0;
+    const BroadphaseRow* algorithm = nullptr;
+    std::vector<FrameStatistics> frames;
+};
+
+struct Benchmark {
+    BenchmarkPlan plan;
+    std::vector<BenchmarkPoint> points; ///< by scene, then number, then algorithm, as in the plan
+    std::vector<BenchmarkTrace> traces;
+    std::vector<std::string> remarks; ///< what was left out and why
+    bool complete = false;            ///< false: it was told to stop; what is there is whole
+};
+
+/// Told after each frame how many are done of about how many; false ends the benchmark.
+using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t total)>;
+
+Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn);
+
+} // namespace carom
