@@ -96,13 +96,13 @@ void writeFile(const std::filesystem::path& path, const std::string& text) {
 
 int runBench(const Arguments& arguments) {
     const BenchmarkPlan plan = planFrom(arguments);
+    catchInterrupts();
     const std::optional<std::string> folder = arguments.text("output");
     if (folder) {
         std::error_code error;
         std::filesystem::create_directories(*folder, error);
         if (error) throw FileError("cannot make the folder", *folder, error.value());
     }
-    catchInterrupts();
     std::unique_ptr<Progress> progress;
     const Benchmark benchmark = runBenchmark(plan, [&progress](std::int64_t done, std::int64_t total) {
         if (!progress) progress = std::make_unique<Progress>(total);

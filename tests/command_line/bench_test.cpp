@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QTest>
+
+namespace carom::test {
+
+class BenchTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void itWritesFiguresTracesAndASummary() {
+        const QTemporaryDir folder;
+        const QString results = folder.filePath("new/results");
+        const Ended ended = carom({"bench", "--scene", "brownian", "pyramid", "-n", "30,15", "--broadphase",
+                                   "all_pairs,sweep_and_sort", "--frames", "6", "-o", results});
+        QCOMPARE(ended.exitCode, 0);
+        const QStringList points = linesOf(QString::fromUtf8(contentOf(results + "/performance.csv")));
+        QCOMPARE(points.size(), 1 + 2 * 2 * 2);
+        QVERIFY(points[1].startsWith("brownian,15,20,all_pairs,6,"));
+        QVERIFY(points[8].startsWith("pyramid,30,37,sweep_and_sort,6,"));
+        for (const QString& row : points) QCOMPARE(row.count(','), points[0].count(','));
+        QCOMPARE(linesOf(QString::fromUtf8(contentOf(results + "/trace.csv"))).size(), 1 + 2 * 6);
+        QCOMPARE(QString::fromUtf8(contentOf(results + "/summary.txt")), ended.out);
+        QVERIFY(ended.out.contains("sweep_and_sort"));
+    }
+
+    void aWrongWordIsNamedWithTheNearestRightOne() {
+        const auto refused = [](const QStringList& words, const char* message) {
+            const Ended ended = carom(QStringList{"bench"} + words);
+            QCOMPARE(ended.exitCode, 2);
+            QVERIFY2(ended.err.contains(message), qPrintable(ended.err));
+        };
+        refused({"--scene", "pyramids"}, "there is no generator `pyramids`; did you mean `pyramid`?");
+        refused({"--broadphase", "sweep_and_sorts"}, "did you mean `sweep_and_sort`?");
+        refused({"-n", "10,,20"}, "`-n` has ``; it must be a list of whole numbers from 1 on");
+        refused({"-n", "0"}, "`-n` has `0`");
+        refused({"--frames", "1"}, "`--frames`");
+        refused({"pyramid"}, "scenes follow `--scene`");
+    }
+
+    void aFolderThatCannotBeMadeIsAFileError() {
+        const Ended ended =
+            carom({"bench", "--scene", "table", "-n", "1", "--frames", "2", "-o", "/dev/null/x"});
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains("/dev/null/x"), qPrintable(ended.err));
+    }
+
+    void interruptedItWritesWhatItHas() {
+        const QTemporaryDir folder;
+        const QString results = folder.filePath("results");
+        QProcess process;
+        process.start(QStringLiteral(CAROM_PROGRAM),
+                      {"bench", "--scene", "brownian", "-n", "2000", "--frames", "1000000", "-o", results});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(results).exists(), patience); // by then it catches signals
+        process.terminate();
+        const Ended ended = finish(process);
+        QCOMPARE(ended.exitCode, 130);
+        QVERIFY(contentOf(results + "/summary.txt").contains("Stopped early"));
+        QVERIFY(contentOf(results + "/performance.csv").startsWith("scene,n,bodies,"));
+    }
+};
+
+} // namespace carom::test
+
+QTEST_APPLESS_MAIN(carom::test::BenchTest)
+#include "bench_test.moc"
