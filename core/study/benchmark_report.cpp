@@ -187,8 +187,8 @@ std::string sentenceOf(const BenchmarkTrace& trace) {
 std::string summaryOf(const Benchmark& benchmark) {
     std::string text;
     if (!benchmark.points.empty())
-        text += "Median time of a frame [ms] behind the first, over " + std::to_string(benchmark.plan.frames) +
-                " frames; the worlds of one line took turns.\n\n";
+        text += "Median time of a frame [ms] behind the first, over " +
+                std::to_string(benchmark.plan.frames) + " frames; the worlds of one line took turns.\n\n";
     for (const GeneratorRow* scene : benchmark.plan.scenes)
         if (std::any_of(benchmark.points.begin(), benchmark.points.end(),
                         [scene](const BenchmarkPoint& point) { return point.scene == scene; }))
