@@ -39,14 +39,15 @@ class Polytope {
         PolytopeFace best;
         best.distance = std::numeric_limits<double>::infinity();
         for (int i = 0; i < maxIterations; ++i) {
-            const Face nearest =
+            Face& nearest =
                 *std::min_element(m_faces.begin(), m_faces.end(),
                                   [](const Face& f, const Face& g) { return f.distance < g.distance; });
             const DifferencePoint beyond = m_difference.furthest(nearest.outward);
             const double reach = beyond.value.dot(nearest.outward);
             if (reach < best.distance) best = answer(nearest, reach);
             if (best.distance - nearest.distance <= tolerance * m_size) break;
-            if (!addPoint(beyond)) break;
+            // A face that rounding does not let grow has had its say; the others go on.
+            if (!addPoint(beyond)) nearest.distance = std::numeric_limits<double>::infinity();
         }
         return best;
     }
@@ -96,8 +97,8 @@ class Polytope {
         m_faces.push_back({{a, b, c}, outward, outward.dot(value(a))});
     }
 
-    // Replaces every face the point sees by a fan from their common outline. False if rounding has torn the
-    // outline (it is no longer one closed loop) or nothing is seen: then the polytope is as good as it gets.
+    // Replaces every face the point sees by a fan from their common outline. False, and nothing changed, if
+    // rounding has torn the outline (it is no longer one closed loop) or nothing is seen.
     bool addPoint(const DifferencePoint& point) {
         std::vector<std::pair<int, int>> outline;
         const auto crossEdge = [&outline](int from, int to) {

@@ -2,7 +2,9 @@
 #include "core/narrowphase/pair_table.h"
 
 #include "core/base/assert.h"
-#include "core/narrowphase/convex.h"
+#include "core/narrowphase/cuboid_cuboid.h"
+#include "core/narrowphase/cylinder_cuboid.h"
+#include "core/narrowphase/cylinder_cylinder.h"
 #include "core/narrowphase/sphere_pairs.h"
 #include "core/narrowphase/wall_pairs.h"
 
@@ -40,15 +42,17 @@ constexpr PairMethods sphereCuboid = {collideSphereCuboid, proximitySphereCuboid
 constexpr PairMethods wallCylinder = {collideWallCylinder, proximityWallCylinder};
 constexpr PairMethods wallCuboid = {collideWallCuboid, proximityWallCuboid};
 constexpr PairMethods wallWall = {collideNever, proximityNever};
-constexpr PairMethods generic = {collideConvex, proximityConvex};
+constexpr PairMethods cylinderCylinder = {collideCylinderCylinder, proximityCylinderCylinder};
+constexpr PairMethods cylinderCuboid = {collideCylinderCuboid, proximityCylinderCuboid};
+constexpr PairMethods cuboidCuboid = {collideCuboidCuboid, proximityCuboidCuboid};
 
 // clang-format off
 constexpr std::array<std::array<PairMethods, shapeKindCount>, shapeKindCount> table = {{
-    //               sphere                    wall                    cylinder          cuboid
-    /* sphere   */ {{sphereSphere,             sphereWall,             sphereCylinder,   sphereCuboid}},
-    /* wall     */ {{mirrored<sphereWall>,     wallWall,               wallCylinder,     wallCuboid}},
-    /* cylinder */ {{mirrored<sphereCylinder>, mirrored<wallCylinder>, ordered<generic>, generic}},
-    /* cuboid   */ {{mirrored<sphereCuboid>,   mirrored<wallCuboid>,   mirrored<generic>, ordered<generic>}},
+    //               sphere                    wall                    cylinder                   cuboid
+    /* sphere   */ {{sphereSphere,             sphereWall,             sphereCylinder,            sphereCuboid}},
+    /* wall     */ {{mirrored<sphereWall>,     wallWall,               wallCylinder,              wallCuboid}},
+    /* cylinder */ {{mirrored<sphereCylinder>, mirrored<wallCylinder>, ordered<cylinderCylinder>, cylinderCuboid}},
+    /* cuboid   */ {{mirrored<sphereCuboid>,   mirrored<wallCuboid>,   mirrored<cylinderCuboid>,  ordered<cuboidCuboid>}},
 }};
 // clang-format on
 

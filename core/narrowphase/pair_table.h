@@ -3,8 +3,8 @@
 
 #include "core/narrowphase/narrowphase.h"
 
-// Which method answers for which pair of kinds. The table is square and complete: a new shape starts with the
-// generic convex method in its whole row and column, and special pairs are written over it one by one.
+// Which method answers for which pair of kinds. The table is square and complete, and every cell has a
+// method of its own; a new shape can start with the generic one (convex.h) in its whole row and column.
 
 namespace carom {
 

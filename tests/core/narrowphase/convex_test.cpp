@@ -10,7 +10,8 @@ namespace {
 
 // Deep inside round shapes whole regions of the surface are almost equally near, and the generic method's
 // polytope, with its bounded number of faces, may end this far from the best of them, relative to the size.
-constexpr double roundTolerance = 1e-3;
+// (accuracy_test.cpp holds the special pairs to 1e-10.)
+constexpr double roundTolerance = 1e-2;
 constexpr std::uint64_t seed = 20261121;
 constexpr int trials = 1000;
 

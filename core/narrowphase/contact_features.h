@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/narrowphase/axis_search.h"
+
+#include <array>
+
+// From the direction of a contact to its points. Both shapes show a flat or straight feature in the direction
+// of the contact: a cuboid one of its faces, a cylinder a cap or a line of its side. Seen along the normal
+// the two cover each other in a region; its corners are the contact's points, and their separations are
+// measured along the normal between the two features:
+//
+//               n ^     ____________
+//                 |    |     B      |          feature of B: its lower face
+//                 |    '------------'
+//                 |         o-------o          the region, seen from the side, and its corners
+//                      ____________
+//                     |     A      |           feature of A: its upper face
+//
+// No feature is the reference of the other, so nothing flickers when two are equally good, and the least
+// separation in the region is the distance along the normal itself. Where the region misses the nearest
+// points by rounding (a corner on an edge, two rims) they are added.
+
+namespace carom {
+
+/// What a shape shows in a direction.
+struct ContactFeature {
+    enum class Kind { Line, Face, Disc };
+    Kind kind = Kind::Line;
+    std::array<Vec3, 4> corners{}; ///< of a face, in order round it; the ends of a line first [m]
+    Vec3 centre = Vec3::Zero();    ///< of a face or disc; of the cylinder a line belongs to [m]
+    Vec3 normal = Vec3::UnitY();   ///< unit, outward: of a face or disc
+    double radius = 0;             ///< of a disc, or of the cylinder a line belongs to [m]
+    std::uint32_t name = 0;        ///< which of the shape's features of that kind
+};
+
+/// The feature of a bounded shape (cylinder or cuboid) that is flattest across `n`, relative to `origin`.
+ContactFeature featureTowards(const PlacedShape& shape, const Vec3& n, const Vec3& origin);
+
+/// The contact of A and B (each a cylinder or a cuboid), given the direction in which they are furthest apart
+/// or overlap least. At least one point; those further apart than `margin` [m] are left out.
+void fillManifold(const PlacedShape& a, const PlacedShape& b, const BestAxis& axis, double margin,
+                  Manifold& manifold);
+
+/// The same direction with one pair of nearest points (of deepest points, if they overlap).
+Proximity witnessesAlong(const PlacedShape& a, const PlacedShape& b, const BestAxis& axis);
+
+} // namespace carom

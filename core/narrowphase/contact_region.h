@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/narrowphase/contact_features.h"
+
+#include <vector>
+
+namespace carom {
+
+/// The corners of the region in which two features cover each other, seen along a normal.
+class ContactRegion {
+  public:
+    static constexpr std::size_t capacity = 20;
+
+    /// `slack` [m]: features that miss each other by no more still touch.
+    ContactRegion(const ContactFeature& a, const ContactFeature& b, const Vec3& normal, double slack);
+
+    const ContactPoint* begin() const { return m_points.data(); }
+    const ContactPoint* end() const { return m_points.data() + m_count; }
+
+  private:
+    // Features of the two shapes in the order the cases below are written for.
+    struct Sides {
+        const ContactFeature& first;
+        const ContactFeature& second;
+        bool isSwapped;
+    };
+    void meet(const Sides& sides);
+    void meetFaces(const Sides& sides);
+    void meetDiscAndFace(const Sides& sides);
+    void meetDiscs(const Sides& sides);
+    void meetLineAndFace(const Sides& sides);
+    void meetLineAndDisc(const Sides& sides);
+    void meetLines(const Sides& sides);
+    void add(const Sides& sides, const Vec3& onFirst, const Vec3& onSecond, std::uint32_t name);
+    Vec3 alongNormalOnto(const ContactFeature& feature, const Vec3& point) const;
+
+    Vec3 m_normal;
+    double m_slack;
+    std::array<ContactPoint, capacity> m_points;
+    std::size_t m_count = 0;
+};
+
+} // namespace carom

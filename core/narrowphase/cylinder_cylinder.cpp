@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/narrowphase/cylinder_cylinder.h"
+
+#include "core/math/rotation.h"
+#include "core/narrowphase/contact_features.h"
+#include "core/narrowphase/rim_climb.h"
+#include "core/narrowphase/rim_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// The features of a cylinder are its two caps, its side and its two rims; what two cylinders show each other
+// in direction n is one of nine combinations. With axes a, b at an angle whose sine is s, x = a × b / s:
+//
+//     cap  – any     n = ±a or ±b
+//     side – side    n = ±x
+//     side – rim     n across the one axis: one root of a concave function (rim_line.h)
+//     rim  – rim     both free: Newton's method on the sphere of directions (rim_climb.h)
+//
+// Apart, s(n) has one local maximum only, and a witness pair as far apart as the shadows proves it found.
+// Overlapping, there can be several rim – rim maxima, and the climb starts from several places.
+
+namespace carom {
+namespace {
+
+// Axes whose angle [rad] is below this are parallel: rounding of unit vectors is a few 1e-16.
+constexpr double parallel = 1e-14;
+// Below this angle [rad] the lowest point of a cap over another says little about where they come nearest.
+constexpr double nearlyParallel = 0.2;
+
+struct CylinderPair {
+    Cylinder shapeA, shapeB;
+    Vec3 axisA, axisB;
+    Vec3 offset; // from A's centre to B's [m]
+
+    CylinderPair(const PlacedShape& a, const PlacedShape& b)
+        : shapeA(*std::get_if<Cylinder>(a.shape)), shapeB(*std::get_if<Cylinder>(b.shape)),
+          axisA(axisOf(*a.pose)), axisB(axisOf(*b.pose)), offset(b.pose->position - a.pose->position) {}
+
+    const Vec3& between() const { return offset; }
+    double size() const { return boundingRadiusOf(shapeA) + boundingRadiusOf(shapeB); }
+    double separationAlong(const Vec3& n) const {
+        return offset.dot(n) - extentAlong(shapeA, axisA, n) - extentAlong(shapeB, axisB, n);
+    }
+};
+
+// Side of one cylinder (its axis u) against the rims of the other (axis v): n in the plane across u.
+struct SideAndRim {
+    Vec3 u, v, x; // x across both axes
+    const Cylinder& rim;
+};
+void considerSideRim(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const SideAndRim& sides) {
+    const Vec3 y = sides.x.cross(sides.u); // with x a basis of that plane
+    const double k = std::abs(y.dot(sides.v));
+    const double alongX = pair.offset.dot(sides.x);
+    const double alongY = pair.offset.dot(y);
+    const PlaneAngle angle = steepestAngle({std::abs(alongX), std::abs(alongY) - sides.rim.halfHeight * k,
+                                            sides.rim.radius, k, std::abs(sides.u.dot(sides.v))});
+    search.consider(std::copysign(angle.cosine, alongX) * sides.x + std::copysign(angle.sine, alongY) * y);
+}
+
+// The unit normal of both axes. The cross product of nearly parallel axes is mostly rounding, part of it
+// along the axes; without that part it is across both to rounding, whatever its direction.
+Vec3 acrossBoth(const CylinderPair& pair) {
+    const Vec3 cross = pair.axisA.cross(pair.axisB);
+    const Vec3 across = cross - cross.dot(pair.axisA) * pair.axisA;
+    const double sine = across.norm();
+    return sine > parallel ? Vec3(across / sine) : tangentsOf(pair.axisA).first;
+}
+
+// Starts for the climb beside cap A's own direction, leaning out over the rim of A by the angle at which the
+// gap is greatest in that plane.
+Vec3 leaningOut(const RimPair& rims, const Vec3& cap, const Vec3& outward) {
+    const Vec3 fromRim = rims.offset - rims.radiusA * outward;
+    const Vec3 tangent = cap.cross(outward);
+    Vec3 along = rims.axisB - rims.axisB.dot(tangent) * tangent;
+    const double k = along.norm();
+    along = k > 0 ? Vec3(along / k) : cap;
+    const Vec3 beside = tangent.cross(along);
+    const double alongRim = fromRim.dot(along);
+    const double besideRim = fromRim.dot(beside);
+    const PlaneAngle angle = steepestAngle(
+        {std::abs(besideRim), std::abs(alongRim), rims.radiusB, k, std::abs(rims.axisB.dot(tangent))});
+    const Vec3 start =
+        std::copysign(angle.cosine, besideRim) * beside + std::copysign(angle.sine, alongRim) * along;
+    if (start.dot(outward) > 0 && start.dot(cap) > 0) return start;
+    // The greatest gap of that plane is on another side of A; stay near the cap, by a step of Newton's
+    // method.
+    const double sine = cap.cross(rims.axisB).norm();
+    const double slope = fromRim.dot(outward);
+    const double bend = std::abs(rims.offset.dot(cap)) + rims.radiusB * sine + rims.radiusB * k * k;
+    return (cap + std::min(0.1, std::abs(slope) / bend) * outward).normalized();
+}
+
+// Where B overhangs cap A, the cap's own direction is not a maximum. Two ways out: towards the point of B's
+// rim nearest to the plane of the cap, and, where the caps are nearly parallel and that point means little,
+// towards B's centre.
+void considerOverhang(AxisSearch<CylinderPair>& search, const RimPair& rims, const Vec3& cap) {
+    const auto tryTowards = [&](const Vec3& target) {
+        const Vec3 lateral = target - target.dot(cap) * cap;
+        const double reach = lateral.norm();
+        if (reach > 0) search.consider(climb(rims, leaningOut(rims, cap, lateral / reach)));
+        return reach;
+    };
+    const Vec3 across = cap - cap.dot(rims.axisB) * rims.axisB;
+    const double sine = across.norm();
+    if (sine < nearlyParallel) tryTowards(rims.offset);
+    if (sine < parallel) return;
+    const Vec3 nearest = rims.offset - (rims.radiusB / sine) * across;
+    const Vec3 lateral = nearest - nearest.dot(cap) * cap;
+    if (lateral.squaredNorm() > rims.radiusA * rims.radiusA) tryTowards(nearest);
+}
+
+void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const Vec3& x) {
+    for (const double signA : {1.0, -1.0}) {
+        for (const double signB : {1.0, -1.0}) {
+            const Vec3 capA = signA * pair.axisA;
+            const Vec3 capB = signB * pair.axisB;
+            const RimPair rims = {pair.axisA, pair.axisB, pair.shapeA.radius, pair.shapeB.radius,
+                                  pair.offset - pair.shapeA.halfHeight * capA -
+                                      pair.shapeB.halfHeight * capB};
+            const Vec3 between = 0.5 * (capA + capB) + 0.5 * (capA - capB).norm() * x;
+            search.consider(climb(rims, between.normalized()));
+            considerOverhang(search, rims, capA);
+            considerOverhang(search, {rims.axisB, rims.axisA, rims.radiusB, rims.radiusA, rims.offset}, capB);
+        }
+    }
+}
+
+BestAxis searchAxes(const CylinderPair& pair, double margin) {
+    AxisSearch<CylinderPair> search(pair);
+    search.considerEitherWay(pair.axisA);
+    search.considerEitherWay(pair.axisB);
+    if (search.apartBy(margin)) return search.best();
+    const Vec3 x = acrossBoth(pair);
+    search.considerEitherWay(x);
+    considerSideRim(search, pair, {pair.axisA, pair.axisB, x, pair.shapeB});
+    considerSideRim(search, pair, {pair.axisB, pair.axisA, x, pair.shapeA});
+    if (search.apartBy(margin)) return search.best();
+    considerRims(search, pair, pair.offset.dot(x) < 0 ? Vec3(-x) : x);
+    return search.best();
+}
+
+} // namespace
+
+bool collideCylinderCylinder(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
+    const BestAxis best = searchAxes(CylinderPair(a, b), margin);
+    if (!(best.separation <= margin)) return false;
+    fillManifold(a, b, best, margin, manifold);
+    return true;
+}
+
+Proximity proximityCylinderCylinder(const PlacedShape& a, const PlacedShape& b) {
+    const BestAxis best = searchAxes(CylinderPair(a, b), std::numeric_limits<double>::infinity());
+    return witnessesAlong(a, b, best);
+}
+
+} // namespace carom

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/narrowphase/rim_climb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr int maxIterations = 24;
+// Newton has converged when it turns the direction by less than this [rad]; the gap's own error is its
+// square.
+constexpr double converged = 1e-13;
+// A direction this near an axis [rad] is the cap's own, which is considered by itself.
+constexpr double onAxis = 1e-13;
+// A step never turns the direction further than this part of its angle to the nearer axis [rad/rad]: the gap
+// has a kink there, and Newton must go round it, not across.
+constexpr double longestStep = 0.8;
+
+// Where a rim reaches furthest along n.
+struct RimPoint {
+    double sine = 0; // |n × axis|
+    Vec3 radial;     // unit, from the rim's centre
+    Vec3 tangent;    // unit, along the rim
+};
+
+RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
+    RimPoint point;
+    const Vec3 cross = axis.cross(n);
+    point.sine = cross.norm();
+    if (point.sine > 0) {
+        point.tangent = cross / point.sine;
+        point.radial = point.tangent.cross(axis);
+    }
+    return point;
+}
+
+double gapAlong(const RimPair& rims, const Vec3& n) {
+    return rims.offset.dot(n) - rims.radiusA * n.cross(rims.axisA).norm() -
+           rims.radiusB * n.cross(rims.axisB).norm();
+}
+
+// The symmetric matrix of second derivatives in the tangent basis.
+struct Hessian {
+    double xx = 0, xy = 0, yy = 0;
+};
+
+// Newton's step with the eigenvalues made negative, so that it always leads uphill.
+Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, double longest) {
+    const double mean = 0.5 * (hessian.xx + hessian.yy);
+    const double half = 0.5 * (hessian.xx - hessian.yy);
+    const double radius = std::sqrt(half * half + hessian.xy * hessian.xy);
+    // The eigenvector of the larger eigenvalue mean + radius, from the row that does not cancel.
+    Eigen::Vector2d larger =
+        half >= 0 ? Eigen::Vector2d(half + radius, hessian.xy) : Eigen::Vector2d(hessian.xy, radius - half);
+    const double length = larger.norm();
+    larger = length > 0 ? Eigen::Vector2d(larger / length) : Eigen::Vector2d(1, 0);
+    const Eigen::Vector2d smaller(-larger.y(), larger.x());
+    const double least = 1e-12 * (std::abs(mean) + radius); // keeps a flat direction's step finite
+    Eigen::Vector2d step = larger.dot(gradient) / std::max(std::abs(mean + radius), least) * larger +
+                           smaller.dot(gradient) / std::max(std::abs(mean - radius), least) * smaller;
+    const double stepLength = step.norm();
+    return stepLength > longest ? Eigen::Vector2d(step * (longest / stepLength)) : step;
+}
+
+} // namespace
+
+Vec3 climb(const RimPair& rims, const Vec3& start) {
+    Vec3 n = start;
+    double gap = gapAlong(rims, n);
+    for (int i = 0; i < maxIterations; ++i) {
+        const RimPoint onA = furthestOn(rims.axisA, n);
+        const RimPoint onB = furthestOn(rims.axisB, n);
+        if (onA.sine < onAxis || onB.sine < onAxis) break;
+        const Vec3 between = rims.offset - rims.radiusA * onA.radial - rims.radiusB * onB.radial;
+        const Vec3& first = onA.tangent; // with second a basis of the tangent plane
+        const Vec3 second = n.cross(first);
+        const double bx = onB.tangent.dot(first);
+        const double by = onB.tangent.dot(second);
+        const double curvatureB = rims.radiusB / onB.sine;
+        const Hessian hessian = {-rims.radiusA / onA.sine - curvatureB * bx * bx - gap, -curvatureB * bx * by,
+                                 -curvatureB * by * by - gap};
+        Eigen::Vector2d step = uphill(hessian, {between.dot(first), between.dot(second)},
+                                      longestStep * std::min(onA.sine, onB.sine));
+        const double length = step.norm();
+        if (!(length > converged)) break;
+        bool climbed = false;
+        for (int halving = 0; halving < 6 && !climbed; ++halving, step *= 0.5) {
+            const Vec3 next = (n + step.x() * first + step.y() * second).normalized();
+            const double nextGap = gapAlong(rims, next);
+            if (nextGap > gap || (nextGap == gap && halving == 0)) {
+                n = next;
+                gap = nextGap;
+                climbed = true;
+            }
+        }
+        if (!climbed || length < 1e-9) break; // after a step this short the next would be below rounding
+    }
+    return n;
+}
+
+} // namespace carom
