@@ -47,6 +47,10 @@ const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> r
     return fallback;
 }
 
+std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene) {
+    return method.objection != nullptr ? method.objection(scene) : std::nullopt;
+}
+
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
 
@@ -72,6 +76,19 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     settings.substeps = std::max(1, wanted.substeps.value_or(preset->substeps));
     settings.method = rowFor(wanted.method, solvers(), solvers().data(),
                              {scene, "method", options.method.has_value()}, warnings);
+    if (const std::optional<SolverObjection> objection = objectionTo(*settings.method, scene)) {
+        const Asked asked{scene, "method", options.method.has_value()};
+        Diagnostic error{.code = DiagnosticCode::UnsuitableMethod,
+                         .range = objection->place,
+                         .message = "method `" + std::string(settings.method->name) +
+                                    "` cannot treat this scene: " + objection->reason + "; `" +
+                                    std::string(solvers().front().name) + "` runs in its place",
+                         .notes = {},
+                         .fixIt = {}};
+        if (!asked.onCommandLine) error.notes.push_back({asked.place(), "the method is asked for here"});
+        warnings.push_back(std::move(error));
+        settings.method = solvers().data();
+    }
     settings.integrator = rowFor(wanted.integrator, integrators(), integrators().data(),
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
     settings.threads = std::max(1, wanted.threads.value_or(1));

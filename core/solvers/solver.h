@@ -7,9 +7,12 @@
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
+#include "core/scene/scene.h"
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 // A solver is a method of motion: given the state and the forces of the scene it moves the bodies through one
@@ -24,6 +27,7 @@ struct SolverReport {
     double narrowphase = 0; ///< [ms]
     double respond = 0;     ///< [ms]
     std::uint64_t contacts = 0;
+    std::uint64_t events = 0;  ///< of any kind; 0 for methods that step
     double maxPenetration = 0; ///< [m]
     Loss loss;                 ///< the substep was broken off where a body is named
 };
@@ -50,12 +54,20 @@ class Solver {
     virtual SolverReport advance(const SolverInput& input) = 0;
 };
 
+/// Why a method cannot treat a scene, and what in the text rules it out.
+struct SolverObjection {
+    std::string reason;
+    SourceRange place;
+};
+
 struct SolverRow {
     std::string_view name; ///< "microcollisions"
     std::string_view title;
     std::string_view help;   ///< one sentence: what it does, what it costs
     std::string_view source; ///< author, title, year
     std::unique_ptr<Solver> (*create)(const Bodies& bodies) = nullptr;
+    /// Null: the method treats every scene.
+    std::optional<SolverObjection> (*objection)(const Scene& scene) = nullptr;
 };
 
 /// Every method, the reference's first.

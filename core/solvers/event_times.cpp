@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/event_times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace carom {
+namespace {
+
+double valueAt(std::span<const double> q, double t) {
+    double value = 0;
+    for (std::size_t k = q.size(); k-- > 0;) value = value * t + q[k];
+    return value;
+}
+
+/// The root of q between `low` and `high`, where its sign changes: Newton's steps while they stay in the
+/// bracket and halve it, bisection else. Ends when the bracket is two neighbouring numbers wide or hit.
+double bracketedRoot(std::span<const double> q, std::span<const double> derivative, double low, double high) {
+    const bool risesThere = valueAt(q, low) < 0;
+    double t = 0.5 * (low + high);
+    double width = high - low;
+    for (int round = 0; round < 200; ++round) {
+        const double value = valueAt(q, t);
+        if (value == 0) return t;
+        ((value < 0) == risesThere ? low : high) = t;
+        const double slope = valueAt(derivative, t);
+        double next = slope != 0 ? t - value / slope : low;
+        const bool usable = next > low && next < high && std::abs(next - t) < 0.5 * width;
+        if (!usable) next = 0.5 * (low + high);
+        if (next == t || next <= low || next >= high) return next;
+        width = std::abs(next - t);
+        t = next;
+    }
+    return t;
+}
+
+/// Cauchy's bound: no root of q is larger. Infinite where the leading coefficient vanishes against the rest.
+double rootBound(std::span<const double> q) {
+    double largest = 0;
+    for (std::size_t k = 0; k + 1 < q.size(); ++k) largest = std::max(largest, std::abs(q[k]));
+    return 1 + largest / std::abs(q.back());
+}
+
+/// The roots of q in (0, bound), ascending, by those of its derivative: between two extrema q is monotonic.
+struct Roots {
+    std::array<double, 4> at{};
+    std::size_t count = 0;
+};
+
+Roots positiveRoots(std::span<const double> q, double bound) {
+    Roots roots;
+    if (q.size() < 2) return roots;
+    std::array<double, 4> derivative{};
+    for (std::size_t k = 1; k < q.size(); ++k) derivative[k - 1] = static_cast<double>(k) * q[k];
+    const std::span<const double> dq(derivative.data(), q.size() - 1);
+    const Roots extrema = positiveRoots(dq, bound);
+    double low = 0;
+    for (std::size_t k = 0; k <= extrema.count; ++k) {
+        const double high = k < extrema.count ? extrema.at[k] : bound;
+        const double atLow = valueAt(q, low), atHigh = valueAt(q, high);
+        if ((atLow < 0) != (atHigh < 0) && atLow != 0 && roots.count < roots.at.size())
+            roots.at[roots.count++] = bracketedRoot(q, dq, low, high);
+        low = high;
+    }
+    return roots;
+}
+
+} // namespace
+
+double timeToPlane(double s, double w, double a) {
+    if (a < 0) { // comes back sooner or later
+        const double root = std::sqrt(std::max(0.0, w * w - 2 * a * s));
+        if (w > 0) return (w + root) / -a;
+        return s <= 0 ? 0 : 2 * s / (root - w);
+    }
+    if (w >= 0) return never;
+    if (s <= 0) return 0;
+    const double discriminant = w * w - 2 * a * s;
+    return discriminant < 0 ? never : 2 * s / (std::sqrt(discriminant) - w);
+}
+
+double pairTime(const Stamp& a, const Stamp& b, const Vec3& g) {
+    const double later = std::max(a.time, b.time);
+    const double da = later - a.time;
+    const double db = later - b.time;
+    const Vec3 U = (b.velocity - a.velocity) + (db - da) * g;
+    const Vec3 D =
+        (b.position - a.position) + (db * b.velocity - da * a.velocity) + (0.5 * (db * db - da * da)) * g;
+    const double approach = D.dot(U);
+    if (!(approach < 0)) return never;
+    const double R = a.radius + b.radius;
+    const double c = D.squaredNorm() - R * R;
+    if (c <= 0) return later;
+    const double discriminant = approach * approach - U.squaredNorm() * c;
+    return discriminant < 0 ? never : later + c / (std::sqrt(discriminant) - approach);
+}
+
+double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB) {
+    const double later = std::max(a.time, b.time);
+    const Vec3 D = positionAt(b, accelerationOfB, later) - positionAt(a, accelerationOfA, later);
+    const Vec3 U = velocityAt(b, accelerationOfB, later) - velocityAt(a, accelerationOfA, later);
+    const Vec3 A = accelerationOfB - accelerationOfA;
+    const double R = a.radius + b.radius;
+    return later + firstFallingRoot({D.squaredNorm() - R * R, 2 * D.dot(U), U.squaredNorm() + D.dot(A),
+                                     U.dot(A), 0.25 * A.squaredNorm()});
+}
+
+double firstFallingRoot(const std::array<double, 5>& q) {
+    std::size_t terms = q.size();
+    while (terms > 1 && q[terms - 1] == 0) --terms;
+    const std::span<const double> polynomial(q.data(), terms);
+    if (terms == 1) return never;
+    for (std::size_t k = 1; q[0] <= 0 && k < terms; ++k) { // touching: the first term that speaks decides
+        if (q[k] < 0) return 0;
+        if (q[k] > 0) break;
+    }
+    const double bound = rootBound(polynomial);
+    if (!std::isfinite(bound)) return never;
+    const Roots roots = positiveRoots(polynomial, bound);
+    std::array<double, 4> slope{};
+    for (std::size_t k = 1; k < terms; ++k) slope[k - 1] = static_cast<double>(k) * q[k];
+    for (std::size_t k = 0; k < roots.count; ++k)
+        if (valueAt(slope, roots.at[k]) < 0) return roots.at[k];
+    return never;
+}
+
+} // namespace carom

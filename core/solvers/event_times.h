@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/types.h"
+
+#include <array>
+#include <limits>
+
+// When things meet, in closed form. Each function is a pure function of the stamps it is given, never of the
+// moment it is called, so a time found twice is the same to the bit; and exchanging the two bodies of a pair
+// changes the sign of every intermediate and no other bit of it.
+
+namespace carom {
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// A body's motion since its last event: x(t) = position + velocity d + acceleration d²/2 with d = t − time.
+/// One cache line; the acceleration is kept beside it because nearly all bodies share one.
+struct alignas(64) Stamp {
+    Vec3 position = Vec3::Zero(); ///< [m] at `time`
+    double time = 0;              ///< [s]
+    Vec3 velocity = Vec3::Zero(); ///< [m/s] at `time`
+    double radius = 0;            ///< [m]
+};
+static_assert(sizeof(Stamp) == 64);
+
+inline Vec3 positionAt(const Stamp& stamp, const Vec3& acceleration, double time) {
+    const double d = time - stamp.time;
+    return stamp.position + d * (stamp.velocity + (0.5 * d) * acceleration);
+}
+
+inline Vec3 velocityAt(const Stamp& stamp, const Vec3& acceleration, double time) {
+    return stamp.velocity + (time - stamp.time) * acceleration;
+}
+
+/// The time from now until a distance s [m] that changes at rate w [m/s] with acceleration a [m/s²] first
+/// falls through 0; never, if it does not. 0 if it is not positive now and falling. The roots are written in
+/// the form that subtracts no near-equal numbers (W. H. Press et al., "Numerical recipes", 3rd ed.
+/// 2007, 5.6).
+double timeToPlane(double s, double w, double a);
+
+/// When two balls under one common acceleration g touch while approaching: |D + U t| = R is a quadratic, for
+/// g cancels. D, U are relative position and velocity at the later of the two stamps, c = D² − R², b = D·U:
+///
+///     t = c / (sqrt(b² − U² c) − b)      if b < 0 and the root exists
+///
+/// If they overlap by rounding and approach, it is now. Returns the time itself, not the time until then.
+double pairTime(const Stamp& a, const Stamp& b, const Vec3& g);
+
+/// The same for two balls with accelerations of their own (one rests on a wall or is fixed): |D + U t + A
+/// t²/2| = R is a quartic, whose first falling root is isolated between the extrema of its derivatives.
+double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB);
+
+/// The least t > 0 at which q0 + q1 t + ... + q4 t⁴ falls through 0; 0 if it is not positive at 0 and falling
+/// there; never, if there is none. q4 > 0, or the polynomial ends in a positive lower term.
+double firstFallingRoot(const std::array<double, 5>& q);
+
+} // namespace carom

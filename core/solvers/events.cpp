@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/event_gas.h"
+#include "core/solvers/solver.h"
+
+#include "core/base/clock.h"
+#include "core/math/rotation.h"
+
+#include <optional>
+
+// Exact motion of frictionless balls between walls under uniform gravity, by events. There is no step: the
+// frames are the exact states at the frames' times, and cutting time into more of them changes no bit. A ball
+// without friction keeps its spin for ever, so its orientation is a closed form too.
+
+namespace carom {
+namespace {
+
+class Events final : public Solver {
+  public:
+    SolverReport advance(const SolverInput& input) override;
+
+  private:
+    std::optional<EventGas> m_gas; // made at the first substep, when gravity is known
+    std::int64_t m_substeps = 0;
+};
+
+SolverReport Events::advance(const SolverInput& input) {
+    SolverReport report;
+    Stopwatch watch;
+    if (!m_gas) m_gas.emplace(input.bodies, input.state, input.gravity);
+    const EventCounts before = m_gas->counts();
+    report.loss = m_gas->advanceTo(static_cast<double>(++m_substeps) * input.substep);
+    const EventCounts& after = m_gas->counts();
+    report.contacts = (after.collisions - before.collisions) + (after.bounces - before.bounces);
+    report.events = after.events() - before.events();
+    report.respond = watch.lap();
+
+    m_gas->write(input.state);
+    for (const BodyIndex i : input.bodies.rotating) {
+        Quat& orientation = input.state.pose[i].orientation;
+        orientation =
+            (fromRotationVector(input.substep * input.state.angularVelocity[i]) * orientation).normalized();
+    }
+    if (!report.loss) report.loss = findLoss(input.bodies, input.state);
+    report.integrate = watch.lap();
+    return report;
+}
+
+SourceRange placeOf(const Scene& scene, const DeclarationSource& source, std::string_view parameter) {
+    const ParameterSource* given = scene.find(source, parameter);
+    return given != nullptr ? given->value : source.type;
+}
+
+// The method's limits, each with the line that breaks it.
+std::optional<SolverObjection> objection(const Scene& scene) {
+    if (!scene.springs.empty())
+        return SolverObjection{"springs bend the flight of a body between events",
+                               scene.springs.front().source.type};
+    const Body* rough = nullptr;
+    for (const Body& body : scene.bodies) {
+        const ShapeKind kind = kindOf(body.shape);
+        if (kind != ShapeKind::Sphere && kind != ShapeKind::Wall)
+            return SolverObjection{"a " + std::string(nameOf(kind)) + " is neither a sphere nor a wall",
+                                   body.source.type};
+        if (body.rolling > 0)
+            return SolverObjection{"rolling resistance acts between events",
+                                   placeOf(scene, body.source, "rolling")};
+        if (body.friction > 0 && rough != nullptr && (body.mobile() || rough->mobile()))
+            return SolverObjection{"friction would turn and slow the bodies it reaches",
+                                   placeOf(scene, body.source, "friction")};
+        if (body.friction > 0 && (rough == nullptr || body.mobile())) rough = &body;
+    }
+    return std::nullopt;
+}
+
+std::unique_ptr<Solver> create(const Bodies&) { return std::make_unique<Events>(); }
+
+} // namespace
+
+extern const SolverRow eventsRow;
+constinit const SolverRow eventsRow = {
+    .name = "events",
+    .title = "Exact events",
+    .help = "Exact motion of frictionless spheres between walls: time proportional to the collisions.",
+    .source = "B. J. Alder, T. E. Wainwright, Studies in molecular dynamics I, 1959",
+    .create = create,
+    .objection = objection,
+};
+
+} // namespace carom

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
+#include "core/math/random.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+// The exact method against closed forms and conserved quantities: no tolerance here is about a step.
+
+namespace carom {
+namespace {
+
+using test::run;
+using test::sceneOf;
+using test::sphere;
+using test::wall;
+using test::worldOf;
+
+const Vec3 down(0, -9.81, 0);
+
+SimulationSettings exact(double step = 1.0 / 60) {
+    SimulationSettings options;
+    options.step = step;
+    options.method = "events";
+    return options;
+}
+
+Body elastic(Body body, double e) {
+    body.elastic = e;
+    return body;
+}
+
+double energyOf(const World& world) { return world.statistics().kinetic + world.statistics().potential; }
+
+/// A gas of balls at rest-free random places in a box of edge `edge`, closed by six walls.
+Scene gas(int count, double radius, double edge, std::uint64_t seed, const Vec3& gravity) {
+    Scene scene;
+    scene.gravity.acceleration = gravity;
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        scene.bodies.push_back(wall(axis, 0));
+        scene.bodies.push_back(wall(-axis, -edge));
+    }
+    Random random(seed);
+    while (static_cast<int>(scene.bodies.size()) < count + 6) {
+        const Vec3 place(random.uniform(radius, edge - radius), random.uniform(radius, edge - radius),
+                         random.uniform(radius, edge - radius));
+        const bool clear = std::none_of(scene.bodies.begin() + 6, scene.bodies.end(), [&](const Body& other) {
+            return (other.pose.position - place).norm() < 2.01 * radius;
+        });
+        if (clear)
+            scene.bodies.push_back(
+                sphere(radius, 1, place, {random.gaussian(), random.gaussian(), random.gaussian()}));
+    }
+    return scene;
+}
+
+double deepestOverlap(const World& world) {
+    const Bodies& bodies = world.pipeline().bodies();
+    double deepest = 0;
+    for (std::size_t i = 6; i < bodies.count(); ++i)
+        for (std::size_t j = i + 1; j < bodies.count(); ++j) {
+            const double reach =
+                std::get<Sphere>(bodies.shape[i]).radius + std::get<Sphere>(bodies.shape[j]).radius;
+            const double distance = (world.state().pose[i].position - world.state().pose[j].position).norm();
+            deepest = std::max(deepest, 1 - distance / reach);
+        }
+    return deepest;
+}
+
+} // namespace
+
+class EventsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // Hard case 1: 20 s from 5 m; the ball is at h0 − g τ²/2 after the last of its bounces, for ever.
+    void anElasticBallBouncesForEverToTheSameHeight() {
+        World world =
+            worldOf(sceneOf({wall(Vec3::UnitY(), 0), sphere(0.1, 1, Vec3(0, 5.1, 0))}, down), exact());
+        const double initial = energyOf(world);
+        for (int frame = 0; frame < 1200; ++frame) {
+            world.step();
+            QVERIFY(std::abs(energyOf(world) - initial) <= 1e-12 * initial);
+            const double fall = std::sqrt(2 * 5 / 9.81);
+            const double phase = std::fmod(world.state().time + fall, 2 * fall) - fall;
+            QVERIFY(std::abs(world.state().pose[1].position.y() - (5.1 - 0.5 * 9.81 * phase * phase)) <
+                    1e-10);
+        }
+    }
+
+    // Hard case 3: no drop is too low to rebound.
+    void anElasticBallReboundsFromAnyHeight() {
+        for (const double height : {1e-9, 1e-6, 1e-3, 1.0, 1e3}) {
+            const double radius = 0.1, fall = std::sqrt(2 * height / 9.81);
+            World world = worldOf(
+                sceneOf({wall(Vec3::UnitY(), 0), sphere(radius, 1, Vec3(0, radius + height, 0))}, down),
+                exact(2 * fall));
+            run(world, 1); // one fall and one rise: at the top again
+            const double rebound = world.state().pose[1].position.y() - radius;
+            QVERIFY2(std::abs(rebound / height - 1) < 1e-7 && world.statistics().contacts >= 1,
+                     qPrintable(QString::number(height)));
+        }
+    }
+
+    // Hard case 4: the bounces sum to t0 (1+e)/(1−e), after which it rests.
+    void anInelasticBallRestsWhenItsBouncesEnd() {
+        for (const double e : {0.5, 0.9, 0.99}) {
+            const double g = 9.80665, t0 = std::sqrt(2 / g), rest = t0 * (1 + e) / (1 - e);
+            const Scene scene =
+                sceneOf({elastic(wall(Vec3::UnitY(), 0), e), elastic(sphere(0.1, 1, Vec3(0, 1.1, 0)), e)},
+                        {0, -g, 0});
+            World before = worldOf(scene, exact(rest * (1 - 1e-6)));
+            run(before, 1);
+            QVERIFY(before.state().pose[1].position.y() > 0.1 || before.state().velocity[1].y() != 0);
+            World after = worldOf(scene, exact(rest * (1 + 1e-9)));
+            run(after, 3);
+            QVERIFY(std::abs(after.state().pose[1].position.y() - 0.1) < 1e-12);
+            QCOMPARE(after.state().velocity[1], Vec3(0, 0, 0));
+        }
+    }
+
+    // Hard case 5.
+    void aBallLaidOnAFloorDoesNotMoveByABit() {
+        World world =
+            worldOf(sceneOf({wall(Vec3::UnitY(), 0), sphere(0.5, 1, Vec3(0.3, 0.5, -0.7))}, down), exact());
+        run(world, 10'000);
+        QCOMPARE(world.state().pose[1].position, Vec3(0.3, 0.5, -0.7));
+        QCOMPARE(world.state().velocity[1], Vec3(0, 0, 0));
+    }
+
+    // Hard case 6, sphere and sphere: v' = −e v of the relative velocity, momentum kept, at any mass ratio.
+    void aPairPartsWithItsRestitutionTimesItsApproach() {
+        for (const double ratio : {1.0, 1e3, 1e6})
+            for (int k = 0; k <= 20; ++k) {
+                const double e = 0.05 * k;
+                World world =
+                    worldOf(sceneOf({elastic(sphere(0.5, 1, Vec3(-1, 0, 0), Vec3(2, 0, 0)), e),
+                                     elastic(sphere(0.5, ratio, Vec3(1, 0, 0), Vec3(-1, 0, 0)), e)}),
+                            exact(1));
+                run(world, 1);
+                const double vA = world.state().velocity[0].x(), vB = world.state().velocity[1].x();
+                QVERIFY(std::abs((vB - vA) - 3 * e) < 1e-12 * 3);
+                QVERIFY(std::abs((vA + ratio * vB) - (2 - ratio)) < 1e-12 * (2 + ratio));
+            }
+    }
+
+    // Hard case 19: as many balls leave as came in.
+    void theCradlePassesOnAsManyBallsAsCameIn() {
+        for (int in = 1; in <= 4; ++in) {
+            Scene scene;
+            scene.gravity.acceleration = Vec3::Zero();
+            for (int i = 0; i < 5; ++i)
+                scene.bodies.push_back(
+                    sphere(0.5, 1, Vec3(i < in ? i - 1.0 : i, 0, 0), i < in ? Vec3(1, 0, 0) : Vec3::Zero()));
+            World world = worldOf(scene, exact(2));
+            run(world, 1);
+            for (int i = 0; i < 5; ++i)
+                QVERIFY(std::abs(world.state().velocity[static_cast<std::size_t>(i)].x() -
+                                 (i >= 5 - in ? 1 : 0)) < 1e-12);
+        }
+    }
+
+    // Hard case 20.
+    void aBallStruckFromBothSidesStays() {
+        World world =
+            worldOf(sceneOf({sphere(0.5, 1, Vec3(-2, 0, 0), Vec3(5, 0, 0)), sphere(0.5, 1, Vec3::Zero()),
+                             sphere(0.5, 1, Vec3(2, 0, 0), Vec3(-5, 0, 0))}),
+                    exact(1));
+        run(world, 1);
+        QVERIFY((world.state().velocity[0] - Vec3(-5, 0, 0)).norm() < 1e-12);
+        QVERIFY(world.state().velocity[1].norm() < 1e-12);
+        QVERIFY((world.state().velocity[2] - Vec3(5, 0, 0)).norm() < 1e-12);
+    }
+
+    // Hard case 46, short: no drift, and at no frame do two balls overlap by more than rounding.
+    void aGasKeepsItsEnergyAndNeverOverlaps_data() {
+        QTest::addColumn<bool>("gravity");
+        QTest::newRow("without gravity") << false;
+        QTest::newRow("with gravity") << true;
+    }
+    void aGasKeepsItsEnergyAndNeverOverlaps() {
+        QFETCH(bool, gravity);
+        World world = worldOf(gas(200, 0.05, 1, 7, gravity ? down : Vec3::Zero()), exact());
+        const double initial = energyOf(world);
+        std::uint64_t collisions = 0;
+        for (int frame = 0; frame < 600; ++frame) {
+            world.step();
+            collisions += world.statistics().contacts;
+            if (frame % 10 == 0) QVERIFY(deepestOverlap(world) < 1e-12);
+        }
+        QVERIFY(collisions > 10'000);
+        QVERIFY(std::abs(energyOf(world) - initial) <= 1e-12 * initial);
+    }
+
+    void cuttingTimeIntoMoreFramesChangesNoBit() {
+        const Scene scene = gas(100, 0.05, 1, 11, down);
+        World coarse = worldOf(scene, exact(1.0 / 8)), fine = worldOf(scene, exact(1.0 / 64));
+        run(coarse, 24);
+        run(fine, 8 * 24);
+        for (std::size_t i = 6; i < scene.bodies.size(); ++i) {
+            QCOMPARE(coarse.state().pose[i].position, fine.state().pose[i].position);
+            QCOMPARE(coarse.state().velocity[i], fine.state().velocity[i]);
+        }
+    }
+
+    void theOrderOfDeclarationsChangesNoBit() {
+        const Scene scene = gas(100, 0.05, 1, 13, down);
+        Scene reversed = scene;
+        std::reverse(reversed.bodies.begin(), reversed.bodies.end());
+        World forwards = worldOf(scene, exact()), backwards = worldOf(reversed, exact());
+        run(forwards, 120);
+        run(backwards, 120);
+        const std::size_t count = scene.bodies.size();
+        for (std::size_t i = 6; i < count; ++i)
+            QCOMPARE(forwards.state().pose[i].position, backwards.state().pose[count - 1 - i].position);
+    }
+
+    void aBallSlidesOffAFixedBallWhenItsPathDoes() {
+        // Thrown at a fixed ball under gravity: the quartic. Energy stays, and it never enters.
+        Body post = sphere(1, 1, Vec3::Zero());
+        post.fixed = true;
+        World world = worldOf(
+            sceneOf({post, sphere(0.2, 1, Vec3(0.1, 3, 0.05)), wall(Vec3::UnitY(), -2)}, down), exact());
+        const double initial = energyOf(world);
+        std::uint64_t contacts = 0;
+        for (int frame = 0; frame < 300; ++frame) {
+            world.step();
+            contacts += world.statistics().contacts;
+            QVERIFY(world.state().pose[1].position.norm() > 1.2 - 1e-12);
+            QVERIFY(std::abs(energyOf(world) - initial) < 1e-11 * std::abs(initial));
+        }
+        QVERIFY(contacts >= 2);
+    }
+
+    void aRestingBallThatIsHitLeavesAndComesToRestAgain() {
+        const double e = 0.5;
+        World world =
+            worldOf(sceneOf({elastic(wall(Vec3::UnitY(), 0), e), elastic(sphere(0.5, 1, Vec3(0, 0.5, 0)), e),
+                             elastic(sphere(0.5, 1, Vec3(0.3, 4, 0)), e)},
+                            down),
+                    exact());
+        run(world, 1200);
+        for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+            QVERIFY(std::abs(world.state().pose[i].position.y() - 0.5) < 1e-9);
+            QVERIFY(std::abs(world.state().velocity[i].y()) < 1e-9);
+        }
+        QVERIFY(world.health().finite);
+    }
+
+    void aBallSlidesDownAFrictionlessSlopeAsAPointDoes() {
+        const double slope = 0.3;
+        const Vec3 normal(std::sin(slope), std::cos(slope), 0);
+        World world = worldOf(
+            sceneOf({elastic(wall(normal, 0), 0.5), elastic(sphere(0.5, 1, 0.5 * normal), 0.5)}, down),
+            exact(1));
+        run(world, 2);
+        const Vec3 along(std::cos(slope), -std::sin(slope), 0);
+        const Vec3 expected = 0.5 * normal + (0.5 * 9.81 * std::sin(slope) * 4) * along;
+        QVERIFY((world.state().pose[1].position - expected).norm() < 1e-12);
+    }
+
+    void whatTheMethodCannotTreatIsNamedAtItsPlace() {
+        Scene scene = sceneOf({wall(Vec3::UnitY(), 0), test::cylinder(1, 1, 1, Vec3(0, 2, 0))}, down);
+        scene.bodies[1].source.type = {123, 8};
+        const Pipeline pipeline(scene, exact());
+        const bool named =
+            std::any_of(pipeline.warnings().begin(), pipeline.warnings().end(), [](const Diagnostic& d) {
+                return d.code == DiagnosticCode::UnsuitableMethod && d.range == SourceRange{123, 8} &&
+                       d.message.find("cylinder") != std::string::npos;
+            });
+        QVERIFY(named);
+        QCOMPARE(pipeline.settings().method->name, std::string_view("microcollisions"));
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::EventsTest)
+#include "events_test.moc"
