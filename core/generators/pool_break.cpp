@@ -46,7 +46,7 @@ std::string generatePoolBreak(const GeneratorRequest& request) {
         "millimetre: another seed, another break. The front ball hops a little, because the white ball is\n"
         "smaller and meets it below its middle.");
     scene.blankLine();
-    scene.camera({0.55, 0.55, 1.05}, {0, 0, 0.2}, 45);
+    scene.camera({0.4, 0.42, 1.45}, {-0.03, 0, 0.34}, 38);
     writePoolTable(scene, rack.speed);
     scene.blankLine();
     Random random(request.seed);

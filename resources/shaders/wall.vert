@@ -12,7 +12,7 @@ flat out float darkening;
 // Cloth rather than paint: a little of the theme's floor in every colour, and white becomes the floor itself.
 vec3 cloth(vec3 tint) {
     float whiteness = min(min(tint.r, tint.g), tint.b);
-    return mix(tint * vec3(0.78, 0.80, 0.78), floorTint.rgb, max(whiteness, 0.20));
+    return mix(tint * vec3(0.78, 0.80, 0.78), mix(vec3(0.38), floorTint.rgb, whiteness), max(whiteness, 0.24));
 }
 
 void main() {

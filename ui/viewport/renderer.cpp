@@ -18,6 +18,7 @@ namespace {
 
 constexpr int shadowMapSize = 1024; ///< texels along a side
 constexpr int cylinderSegments = 96;
+constexpr int smoothSamples = 4;
 constexpr float outlineWidth = 3;       ///< [px]
 constexpr float wallFromBehind = 0.05F; ///< opacity
 constexpr GLuint frameBinding = 0;
@@ -106,6 +107,9 @@ bool Renderer::initialise() {
                  {"frame.glsl", "light.glsl", "mesh.frag"}) ||
         !compile(MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}))
         return false;
+
+    const QByteArray device = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    m_software = device.contains("llvmpipe") || device.contains("softpipe") || device.contains("SWR");
 
     m_instances.create();
     m_instances.setUsagePattern(QOpenGLBuffer::StreamDraw);
@@ -404,7 +408,27 @@ void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) 
     m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
 
     drawShadowMap(options);
+    if (!options.smooth) return drawPicture(options);
 
+    GLint outer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &outer);
+    const QSize size(static_cast<int>(options.size.width), static_cast<int>(options.size.height));
+    if (!m_smooth || m_smooth->size() != size) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+        format.setSamples(smoothSamples);
+        m_smooth = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    }
+    m_smooth->bind();
+    drawPicture(options);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_smooth->handle());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(outer));
+    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
+}
+
+void Renderer::drawPicture(const PictureOptions& options) {
     const Camera& camera = options.camera;
     const auto [nearDepth, farDepth] = depthRange(options);
     const Eigen::Matrix4f clip =

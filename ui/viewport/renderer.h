@@ -7,11 +7,13 @@
 #include "ui/viewport/view_theme.h"
 
 #include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 
 #include <array>
+#include <memory>
 #include <span>
 
 // Draws a scene with OpenGL 3.3 core, in an order that a software rasteriser is quick with:
@@ -36,6 +38,7 @@ struct PictureOptions {
     ViewTheme theme;
     BodyIndex selected = noBody;
     bool dimmed = false;
+    bool smooth = false; ///< several samples a pixel, for the edges of meshes: spheres are smooth without
 };
 
 class Renderer : protected QOpenGLFunctions_3_3_Core {
@@ -44,6 +47,8 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     /// (problem() says which).
     bool initialise();
     const QString& problem() const { return m_problem; }
+    /// The processor draws: smooth pictures cost four times as much, and are for scenes at rest.
+    bool isSoftware() const { return m_software; }
 
     /// With the context current.
     void show(const Scene& scene, const Room& room);
@@ -76,6 +81,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     QOpenGLShaderProgram& use(Program program);
     void useFrame(const Camera& camera, const PictureOptions& options, const Eigen::Matrix4f& clip);
     DepthRange depthRange(const PictureOptions& options) const;
+    void drawPicture(const PictureOptions& options);
     void drawShadowMap(const PictureOptions& options);
     void drawSky(const Eigen::Matrix4f& clip);
     void drawWalls(bool fromBehind);
@@ -91,9 +97,10 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     QOpenGLBuffer m_walls{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_shadowed{QOpenGLBuffer::VertexBuffer}; ///< the polygon of a wall under the shadow map
     QOpenGLVertexArrayObject m_wallArray, m_shadowedArray, m_emptyArray;
-    GLuint m_frameBuffer = 0;   ///< the uniform block
-    GLuint m_shadowTexture = 0; ///< depth
-    GLuint m_shadowTarget = 0;  ///< framebuffer of m_shadowTexture
+    std::unique_ptr<QOpenGLFramebufferObject> m_smooth; ///< several samples a pixel; made when first wanted
+    GLuint m_frameBuffer = 0;                           ///< the uniform block
+    GLuint m_shadowTexture = 0;                         ///< depth
+    GLuint m_shadowTarget = 0;                          ///< framebuffer of m_shadowTexture
     int m_wallVertices = 0;
     double m_gridSpacing = 1; ///< [m]
     Aabb m_shadowBox;         ///< what the shadow map holds, in the light's coordinates [m]
@@ -101,6 +108,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     double m_shadowTexel = 0; ///< [m]
     Room m_room;
     InstanceTable m_table;
+    bool m_software = false;
     QString m_problem;
 };
 

@@ -23,7 +23,7 @@ inline ViewTheme viewTheme(bool dark) {
                 .skyHorizon = {0.22F, 0.25F, 0.31F},
                 .ground = {0.12F, 0.13F, 0.16F},
                 .floorTint = {0.34F, 0.37F, 0.42F},
-                .grid = 0.30F,
+                .grid = 0.20F,
                 .shadow = 0.92F,
                 .keyLight = {1.12F, 1.06F, 0.98F},
                 .fillLight = {0.16F, 0.20F, 0.27F},

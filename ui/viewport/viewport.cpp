@@ -23,6 +23,7 @@ namespace {
 constexpr double orbitPerPixel = 0.008; ///< [rad]
 constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel is 120 units
 constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
+constexpr int restAfter = 250;          ///< [ms] without a change
 constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
 
 bool same(const CameraSettings& a, const CameraSettings& b) {
@@ -33,8 +34,7 @@ bool declared(const CameraSettings& camera) { return camera.position || camera.t
 
 } // namespace
 
-Viewport::Viewport(QWidget* parent)
-    : QOpenGLWidget(parent), m_renderer(std::make_unique<Renderer>()), m_badge(new QLabel(this)) {
+Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), m_badge(new QLabel(this)) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -50,12 +50,24 @@ Viewport::Viewport(QWidget* parent)
                        "border-radius: 4px;"));
     m_badge->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_badge->hide();
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restAfter);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_atRest = true;
+        update();
+    });
 }
 
 Viewport::~Viewport() {
-    // The renderer's buffers belong to the context, which the base class is about to destroy.
+    if (context()) disconnect(context(), nullptr, this, nullptr);
+    dropRenderer();
+}
+
+void Viewport::dropRenderer() {
+    // Its buffers belong to the context, which is about to go.
     makeCurrent();
     m_renderer.reset();
+    m_ready = false;
     doneCurrent();
 }
 
@@ -65,7 +77,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     m_snapshot.reset();
     m_startPoses.clear();
     m_sceneChanged = true;
-    update();
+    redraw();
     if (!m_pipeline) {
         m_room = {};
         m_selected = noBody;
@@ -90,13 +102,13 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
 void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
     m_snapshot = std::move(snapshot);
-    update();
+    redraw();
 }
 
 void Viewport::setSelectedBody(BodyIndex body) {
     if (m_selected == body) return;
     m_selected = body;
-    update();
+    redraw();
 }
 
 void Viewport::setDimmed(bool dimmed, const QString& badge) {
@@ -104,12 +116,12 @@ void Viewport::setDimmed(bool dimmed, const QString& badge) {
     m_badge->setText(badge);
     m_badge->setVisible(dimmed && !badge.isEmpty());
     placeBadge();
-    update();
+    redraw();
 }
 
 void Viewport::setDarkTheme(bool dark) {
     m_dark = dark;
-    update();
+    redraw();
 }
 
 void Viewport::setCamera(const Camera& camera) {
@@ -117,9 +129,15 @@ void Viewport::setCamera(const Camera& camera) {
     moveCamera();
 }
 
+void Viewport::redraw() {
+    m_atRest = false;
+    if (m_ready && m_renderer->isSoftware()) m_rest.start();
+    update();
+}
+
 void Viewport::moveCamera() {
     m_cameraMoved = true;
-    update();
+    redraw();
 }
 
 PictureSize Viewport::pictureSize() const {
@@ -145,7 +163,7 @@ Hit Viewport::hitAt(const QPointF& position) const {
 
 void Viewport::frameBox(const Aabb& box) {
     frame(m_camera, pictureSize(), box);
-    update();
+    redraw();
 }
 
 void Viewport::frameSelection() {
@@ -168,9 +186,14 @@ void Viewport::lookFrom(double yaw, double pitch) {
 }
 
 void Viewport::initializeGL() {
+    // Comes again with a new context when the widget moves to another window.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::dropRenderer,
+            Qt::UniqueConnection);
+    m_renderer = std::make_unique<Renderer>();
     m_ready = m_renderer->initialise();
     m_sceneChanged = true;
     if (!m_ready) Q_EMIT failed(m_renderer->problem());
+    redraw();
 }
 
 void Viewport::resizeGL(int, int) {
@@ -189,7 +212,8 @@ void Viewport::paintGL() {
                                .camera = m_camera,
                                .theme = viewTheme(m_dark),
                                .selected = m_selected,
-                               .dimmed = m_dimmed});
+                               .dimmed = m_dimmed,
+                               .smooth = m_atRest || !m_renderer->isSoftware()});
     // OpenGL only queues the work; the time that counts is the one until it is done.
     m_renderer->finish();
     m_lastRenderTime = watch.elapsed();

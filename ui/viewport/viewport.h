@@ -9,6 +9,7 @@
 
 #include <QOpenGLWidget>
 #include <QPointF>
+#include <QTimer>
 
 #include <memory>
 #include <span>
@@ -82,7 +83,9 @@ class Viewport : public QOpenGLWidget {
     void frameBox(const Aabb& box);
     void lookFrom(double yaw, double pitch);
     void placeBadge();
+    void dropRenderer();
     void moveCamera();
+    void redraw();
 
     std::unique_ptr<Renderer> m_renderer;
     std::shared_ptr<const Pipeline> m_pipeline;
@@ -97,6 +100,8 @@ class Viewport : public QOpenGLWidget {
     bool m_dark = true;
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;
+    bool m_atRest = false; ///< nothing has changed for a moment: worth a smooth picture
+    QTimer m_rest;
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
     bool m_dragging = false;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 // What is on the screen against the geometry it shows, pixel by pixel.
 
@@ -407,6 +408,38 @@ class ViewportTest : public QObject {
                 largest = std::max(largest, difference(cleared.pixel(x, y), sky.pixel(x, y)));
         QVERIFY(largest <= 1); // a gradient's last digit depends on the depth of the empty room
         QCOMPARE(m_viewport->hitAt({side / 2.0, side / 2.0}).body, noBody);
+    }
+
+    void aSceneAtRestGetsSmoothEdges() {
+        Camera camera = frontCamera();
+        orbit(camera, 0.4, 0.3);
+        show(sceneOf({coloured(cuboid({2, 2, 2}, 1, {0, 0, 0}), red)}), camera);
+        const auto shades = [this] {
+            std::set<QRgb> colours;
+            const QImage image = picked();
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x) colours.insert(image.pixel(x, y) & 0xF8F8F8);
+            return colours.size();
+        };
+        const std::size_t moving = shades();
+        QTRY_VERIFY(shades() > moving + 10); // mixtures along the edges
+        m_viewport->setCamera(camera);
+        QCOMPARE(shades(), moving);
+    }
+
+    // A widget of OpenGL gets a new context with its new window: everything on the graphics card is made
+    // anew.
+    void thePictureSurvivesAMoveIntoAnotherWindow() {
+        show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
+        QWidget window;
+        window.resize(side, side);
+        m_viewport->setParent(&window);
+        m_viewport->show();
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(leads(picked().pixel(side / 2, side / 2), red));
+        QVERIFY(qRed(picked().pixel(side / 2, side / 2)) > 150);
+        m_viewport->setParent(nullptr);
     }
 
     void everyPictureIsCountedAndTimed() {
