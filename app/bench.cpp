@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts.h"
 #include "app/command.h"
 #include "app/errors.h"
 #include "app/files.h"
@@ -18,6 +19,11 @@
 namespace carom {
 
 CommandRow benchCommand();
+
+ChartDrawer& chartDrawer() {
+    static ChartDrawer drawer;
+    return drawer;
+}
 
 namespace {
 
@@ -118,6 +124,7 @@ int runBench(const Arguments& arguments) {
         writeFile(base / "performance.csv", pointsAsCsv(benchmark));
         writeFile(base / "trace.csv", tracesAsCsv(benchmark));
         writeFile(base / "summary.txt", summary);
+        if (chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
     }
     return benchmark.complete ? exitcode::done : exitcode::interrupted;
 }
@@ -138,7 +145,8 @@ CommandRow benchCommand() {
                     {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 100 to 20000)"},
                     {"broadphase", 0, "LIST", "algorithms, separated by commas (default all)"},
                     {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
-                    {"output", 'o', "DIR", "write performance.csv, trace.csv and summary.txt there"},
+                    {"output", 'o', "DIR",
+                     "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there"},
                 },
             .details =
                 "The worlds of one scene and number take turns, so a disturbance falls on all of them. "

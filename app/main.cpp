@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/charts.h"
 #include "app/command.h"
 
 #include <string>
@@ -10,6 +11,9 @@ int main(int argc, char** argv) {
     const carom::IdeEntry ide = carom::runIde;
 #else
     const carom::IdeEntry ide = nullptr;
+#endif
+#ifdef CAROM_CHARTS
+    carom::chartDrawer().benchmark = carom::drawBenchmark;
 #endif
     return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
 }

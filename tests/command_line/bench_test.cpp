@@ -26,6 +26,24 @@ class BenchTest : public QObject {
         QVERIFY(ended.out.contains("sweep_and_sort"));
     }
 
+#ifdef CAROM_CHARTS
+    void itDrawsTheFiguresOfTheReferenceWithoutADisplay() {
+        const QTemporaryDir folder;
+        const Ended ended =
+            shell("unset DISPLAY WAYLAND_DISPLAY QT_QPA_PLATFORM; exec \"$carom\" bench --scene pyramid "
+                  "-n 10,20,40 --frames 6 -o " +
+                  folder.path());
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        for (const char* name : {"frame_rate_pyramid", "naive_and_baraff_pyramid", "trace_all_pairs",
+                                 "trace_first_frame", "trace_sweep_and_sort", "trace"}) {
+            const QString path = folder.filePath(name);
+            QVERIFY2(contentOf(path + ".svg").contains("</svg>"), name);
+            QVERIFY2(contentOf(path + ".png").startsWith("\x89PNG"), name);
+        }
+        QVERIFY(contentOf(folder.filePath("naive_and_baraff_pyramid.svg")).contains("parabola"));
+    }
+#endif
+
     void aWrongWordIsNamedWithTheNearestRightOne() {
         const auto refused = [](const QStringList& words, const char* message) {
             const Ended ended = carom(QStringList{"bench"} + words);

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/benchmark.h"
+
+#include <string>
+
+namespace carom {
+
+/// Draws what a study found into a folder, each chart as SVG and PNG, without any display. Throws FileError.
+struct ChartDrawer {
+    void (*benchmark)(const Benchmark& benchmark, const std::string& folder) = nullptr;
+};
+
+/// The drawer of this build. It needs Qt, which the subcommands do without, so main sets it; empty in a build
+/// without the IDE, whose studies write their figures only.
+ChartDrawer& chartDrawer();
+
+/// In app/charts.cpp, which knows Qt.
+void drawBenchmark(const Benchmark& benchmark, const std::string& folder);
+
+} // namespace carom
