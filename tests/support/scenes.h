@@ -6,8 +6,8 @@
 
 #include <QByteArray>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
-#include <QFileInfo>
 #include <QString>
 #include <QStringList>
 
@@ -66,17 +66,18 @@ inline void run(World& world, int frames) {
     for (int i = 0; i < frames; ++i) world.step();
 }
 
-/// The scenes that ship with the program, by path, ascending.
+/// The scenes that ship with the program, by path from the scenes folder, ascending.
 inline QStringList shippedScenes() {
     const QDir folder(QStringLiteral(CAROM_SOURCE_DIR "/scenes"));
     QStringList paths;
-    for (const QString& name : folder.entryList({QStringLiteral("*.sdl")}, QDir::Files, QDir::Name))
-        paths += folder.filePath(name);
+    QDirIterator files(folder.path(), {QStringLiteral("*.sdl")}, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) paths += folder.relativeFilePath(files.next());
+    paths.sort();
     return paths;
 }
 
-inline std::string textOfFile(const QString& path) {
-    QFile file(path);
+inline std::string textOfScene(const QString& path) {
+    QFile file(QStringLiteral(CAROM_SOURCE_DIR "/scenes/") + path);
     if (!file.open(QIODevice::ReadOnly)) return {};
     return file.readAll().toStdString();
 }

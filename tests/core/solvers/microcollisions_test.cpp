@@ -131,6 +131,19 @@ class MicrocollisionsTest : public QObject {
         World wallBetween = worldOf(sceneOf({pusher, floor, ball}), instant());
         wallBetween.step(); // (pusher, ball) before (wall, ball)
         QVERIFY((wallBetween.state().velocity[2] - Vec3(1, 0, 0)).norm() < rounding);
+        World wallSecond = worldOf(sceneOf({ball, floor, pusher}), instant());
+        wallSecond.step(); // (ball, wall) before (ball, pusher)
+        QVERIFY((wallSecond.state().velocity[0] - Vec3(-1, 0, 0)).norm() < rounding);
+    }
+
+    // The wall is 0.2 m out of the first ball's reach until the second has pushed it 0.3 m that way.
+    void aWallIsMetAtThePoseOfItsTurn() {
+        World world = worldOf(
+            sceneOf({sphere(1, 1, Vec3(1.2, 0, 0)), sphere(1, 1, Vec3(2.6, 0, 0)), wall(Vec3::UnitX(), 0)}),
+            instant());
+        world.step();
+        QCOMPARE(world.statistics().contacts, 2U);
+        QVERIFY((positionOf(world, 0) - Vec3(1, 0, 0)).norm() < rounding);
     }
 
     void eachPairIsTestedAtThePosesOfItsTurn() {
