@@ -65,8 +65,8 @@ class AllocationTest : public QObject {
             const Vec3 centre(random.uniform(-1.8, 1.8), random.uniform(-1.8, 1.8),
                               random.uniform(-1.8, 1.8));
             const Vec3 velocity(random.gaussian(), random.gaussian(), random.gaussian());
-            scene.bodies.push_back(i == 0 ? test::cylinder(0.1, 0.2, 1, centre)
-                                          : test::sphere(0.1, 1, centre, velocity));
+            scene.bodies.push_back(i % 10 == 0 ? test::cylinder(0.1, 0.2, 1, centre)
+                                               : test::sphere(0.1, 1, centre, velocity));
         }
         SimulationSettings options;
         options.broadphase = broadphase.toStdString();

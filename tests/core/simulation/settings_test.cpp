@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
 
+#include "core/base/catalogue.h"
 #include "core/broadphase/broadphase.h"
 #include "core/integrators/integrator.h"
+#include "core/scene/schema.h"
 #include "core/simulation/build.h"
 #include "core/solvers/solver.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 // How the scene's words, the command line's and the preset become the settings of a run.
@@ -35,6 +38,17 @@ class SettingsTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void everyRowIsAWordOfTheLanguage() {
+        const auto holds = [](std::span<const std::string_view> words, std::string_view name) {
+            return std::find(words.begin(), words.end(), name) != words.end();
+        };
+        for (const SolverRow& row : solvers()) QVERIFY(holds(methodWords(), row.name));
+        for (const IntegratorRow& row : integrators()) QVERIFY(holds(integratorWords(), row.name));
+        for (const BroadphaseRow& row : broadphases()) QVERIFY(holds(broadphaseWords(), row.name));
+        for (const PresetRow& row : presets()) QVERIFY(holds(presetWords(), row.name));
+        for (const std::string_view word : presetWords()) QVERIFY(findByName(presets(), word) != nullptr);
+    }
+
     void everyMethodAndPresetSaysWhatItIs() {
         for (const SolverRow& row : solvers()) {
             QVERIFY(!row.name.empty() && !row.title.empty() && !row.help.empty() && !row.source.empty());
@@ -98,10 +112,16 @@ class SettingsTest : public QObject {
         const auto row = [](const char* setting, const char* place) {
             QTest::newRow(setting) << QString::fromLatin1(setting) << QString::fromLatin1(place);
         };
-        row("method contacts", "contacts");
-        row("method events", "events");
-        row("integrator verlet", "verlet");
-        row("integrator rk4", "rk4");
+        const auto word = [](const char* setting, std::string_view name) {
+            const QString text = QString::fromLatin1(setting) + u' ' + q(name);
+            QTest::newRow(qPrintable(text)) << text << q(name);
+        };
+        for (const std::string_view name : methodWords())
+            if (findSolver(name) == nullptr) word("method", name);
+        for (const std::string_view name : integratorWords())
+            if (findIntegrator(name) == nullptr) word("integrator", name);
+        for (const std::string_view name : broadphaseWords())
+            if (name != "auto" && findBroadphase(name) == nullptr) word("broadphase", name);
         row("impacts simultaneous", "simultaneous");
         row("iterations 20", "20");
         row("tolerance 1e-6", "1e-6");
