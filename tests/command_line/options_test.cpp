@@ -200,7 +200,8 @@ void OptionsTest::theShippedManualPageIsMadeFromTheTables() {
     const QString path = test::source("packaging/carom.1");
     if (qEnvironmentVariableIsSet("CAROM_UPDATE"))
         test::writeFile(path, QByteArray::fromStdString(manualPage()));
-    QCOMPARE(QString::fromUtf8(test::contentOf(path)), QString::fromStdString(manualPage()));
+    QVERIFY2(test::contentOf(path) == QByteArray::fromStdString(manualPage()),
+             "this test writes it anew when CAROM_UPDATE is set");
 }
 
 QTEST_APPLESS_MAIN(OptionsTest)
