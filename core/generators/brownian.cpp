@@ -53,7 +53,7 @@ std::string generateBrownian(const GeneratorRequest& request) {
         "other, while the blue particle walks at random. Nothing dissipates: what the energy gains or\n"
         "loses is the error of the method.");
     scene.blankLine();
-    scene.camera(toMillionths(Vec3(0, 0.9 * edge, 2.1 * edge)), toMillionths(Vec3(0, 0.42 * edge, 0)), 40);
+    scene.camera(toMillionths(Vec3(0, 0.9 * edge, 2.5 * edge)), toMillionths(Vec3(0, 0.5 * edge, 0)), 40);
     scene.substeps(4);
     scene.blankLine();
     scene.wall(Vec3::UnitY(), 0, 1, "silver");

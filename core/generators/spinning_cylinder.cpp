@@ -30,7 +30,7 @@ constexpr std::array<GeneratorOption, 2> options = {{
      .help = "standard deviation of each sphere's place, per component"},
     {.name = "spin",
      .unit = "rad/s",
-     .defaultValue = 4,
+     .defaultValue = 2,
      .minimum = 0.5,
      .maximum = 20,
      .help = "angular speed of the cylinder"},
@@ -50,7 +50,7 @@ std::string generateSpinningCylinder(const GeneratorRequest& request) {
         "drift; then the heavier red sphere hits the cylinder, takes nearly all of its spin and drives it\n"
         "to the left. Nothing falls here: momentum and angular momentum must stay.");
     scene.blankLine();
-    scene.camera({0, 5, 2.5}, {0, 0, 0}, 45);
+    scene.camera({0, 6, 3}, {0, 0, -0.2}, 45);
     scene.gravity(Vec3::Zero());
     scene.substeps(4);
     scene.blankLine();

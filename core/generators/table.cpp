@@ -43,7 +43,7 @@ std::string generateTable(const GeneratorRequest& request) {
     scene.blankLine();
     scene.camera({1.4, 1.5, 2.4}, {0, 0.6, 0}, 45);
     scene.substeps(32);
-    scene.wall(Vec3::UnitY(), 0, 0, "olive");
+    scene.wall(Vec3::UnitY(), 0, 0, "gray");
     scene.blankLine();
     for (const double x : {-legPlace, legPlace})
         for (const double z : {-legPlace, legPlace})
