@@ -41,6 +41,8 @@ struct EffectRow {
     std::string_view title; ///< "Rolling resistance"
     std::string_view help;  ///< one sentence
     EffectDecision (*decide)(const Scene& scene) = nullptr;
+    /// What a warning says at each unmet place; empty for effects that have none.
+    std::string_view unmetMessage = {};
 };
 
 /// Every effect, in the order of the report.

@@ -33,6 +33,7 @@ constinit const EffectRow frictionRow = {
     .title = "Friction",
     .help = "Resists sliding by at most the coefficient times the normal force.",
     .decide = decide,
+    .unmetMessage = "friction is not simulated yet; bodies slide without it",
 };
 
 } // namespace carom

@@ -57,6 +57,8 @@ constinit const EffectRow gyroscopicTermRow = {
     .title = "Gyroscopic term",
     .help = "The angular velocity of a free body precesses where its moments of inertia differ.",
     .decide = decide,
+    .unmetMessage =
+        "the gyroscopic term is not simulated yet; the angular velocity stays constant between collisions",
 };
 
 } // namespace carom

@@ -37,6 +37,7 @@ constinit const EffectRow rollingResistanceRow = {
     .title = "Rolling resistance",
     .help = "Resists rolling by a moment of at most the lever arm times the normal force.",
     .decide = decide,
+    .unmetMessage = "rolling resistance is not simulated yet; bodies roll on without it",
 };
 
 } // namespace carom

@@ -34,6 +34,7 @@ constinit const EffectRow springRow = {
     .title = "Springs",
     .help = "Pull and damp along the line between two points of bodies.",
     .decide = decide,
+    .unmetMessage = "springs are not simulated yet; this one exerts no force",
 };
 
 } // namespace carom

@@ -11,12 +11,10 @@ namespace {
 /// Warnings one effect gives at most; the last one says how many more there are.
 constexpr std::size_t mostWarnings = 50;
 
-void warnOfUnmet(const EffectDecision& decision, std::vector<Diagnostic>& warnings) {
-    const EffectRow* row = findEffect(decision.effect);
+void warnOfUnmet(const EffectRow& row, const EffectDecision& decision, std::vector<Diagnostic>& warnings) {
     const std::size_t count = std::min(decision.unmet.size(), mostWarnings);
     for (std::size_t k = 0; k < count; ++k) {
-        std::string message(row->title);
-        message += " is not simulated yet; " + decision.reason;
+        std::string message(row.unmetMessage);
         if (k + 1 == count && decision.unmet.size() > count)
             message += " (and so in " + std::to_string(decision.unmet.size() - count) + " more places)";
         warnings.push_back({.code = DiagnosticCode::NotSimulatedYet,
@@ -35,7 +33,7 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     for (const EffectRow& row : carom::effects()) {
         m_effects.push_back(row.decide(m_scene));
-        warnOfUnmet(m_effects.back(), m_warnings);
+        warnOfUnmet(row, m_effects.back(), m_warnings);
     }
     for (Diagnostic& warning : foreseen(m_scene, m_settings)) m_warnings.push_back(std::move(warning));
     std::stable_sort(m_warnings.begin(), m_warnings.end(), [](const Diagnostic& a, const Diagnostic& b) {

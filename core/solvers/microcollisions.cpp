@@ -15,13 +15,15 @@
 //     1. line of action     through the witness points; they lie along the contact normal
 //     2. incident velocity  relative velocity of the two witness points along it, rotation included
 //     3. parting            no response at all, the overlap stays
-//     4. displacement       half the greatest depth each, along the line; an immobile partner leaves all of
-//     it
+//     4. displacement       half the greatest depth each, along the line; all of it where one is immobile
 //     5. impulse            core/solvers/impulse.h, with the pair's restitution e
 //
 // Where we deviate: the angular response is complete; e is Newton's, where the reference scaled the change of
-// each body's velocity by the other's elasticity and so lost momentum where the two differ; and each pair is
-// treated once a substep, where the reference's naive loop met every pair twice.
+// each body's velocity by the other's elasticity and so lost momentum where the two differ; each pair is
+// treated once a substep, where the reference's naive loop met every pair twice; and where bodies touch in
+// several points the impulse acts at their centre of pressure, not at the deepest one. Where the witness
+// points coincide, or the centres of two spheres do, the narrow phase still gives a normal, and that is the
+// line of action. Between collisions angular velocities are constant, as in the reference.
 //
 // The order. Pairs come in ascending order of (smaller index, larger index), pairs with walls among them, as
 // the reference's two nested loops would meet them. Every broad-phase reports the same pairs in the same

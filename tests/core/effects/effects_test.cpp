@@ -131,6 +131,7 @@ class EffectsTest : public QObject {
         const QString seen = decision.source ? q(textOf(analysis.text, *decision.source)) : QString();
         QCOMPARE(seen, cited);
         QCOMPARE(int(decision.unmet.size()), warnings);
+        QVERIFY(warnings == 0 || !findEffect(effect.toStdString())->unmetMessage.empty());
         for (const SourceRange place : decision.unmet) QVERIFY(place.length > 0);
     }
 

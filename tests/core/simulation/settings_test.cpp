@@ -154,10 +154,10 @@ class SettingsTest : public QObject {
                                   "spring { from world to a stiffness 3 }\n");
         const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 4);
-        QVERIFY(warnings[0].startsWith(QStringLiteral("`0.5`: Friction is not simulated yet")));
-        QVERIFY(warnings[1].startsWith(QStringLiteral("`0.25`: Friction")));
-        QVERIFY(warnings[2].startsWith(QStringLiteral("`0.125`: Rolling resistance")));
-        QVERIFY(warnings[3].startsWith(QStringLiteral("`spring`: Springs")));
+        QVERIFY(warnings[0].startsWith(QStringLiteral("`0.5`: friction is not simulated yet")));
+        QVERIFY(warnings[1].startsWith(QStringLiteral("`0.25`: friction is")));
+        QVERIFY(warnings[2].startsWith(QStringLiteral("`0.125`: rolling resistance is")));
+        QVERIFY(warnings[3].startsWith(QStringLiteral("`spring`: springs are")));
     }
 
     void manyPlacesDoNotBecomeAnAvalanche() {
