@@ -73,6 +73,18 @@ BenchmarkPoint pointOf(const Contest& contest, std::size_t world) {
             .stateHash = contest.worlds[world]->stateHash()};
 }
 
+/// Replaces that time of every frame of the first contest by the median over all of them.
+void takeMedians(std::vector<Contest>& repeats, double FrameStatistics::*time) {
+    std::vector<double> times;
+    for (std::size_t world = 0; world < repeats.front().frames.size(); ++world) {
+        for (std::size_t frame = 0; frame < repeats.front().frames[world].size(); ++frame) {
+            times.clear();
+            for (const Contest& repeat : repeats) times.push_back(repeat.frames[world][frame].*time);
+            repeats.front().frames[world][frame].*time = summarise(times).median;
+        }
+    }
+}
+
 /// Runs the plan and counts frames for the listener.
 class Runner {
   public:
@@ -80,7 +92,7 @@ class Runner {
         m_result.plan = plan;
         const std::int64_t worlds = std::ssize(plan.algorithms);
         m_total = plan.frames * worlds * std::ssize(plan.scenes) * std::ssize(plan.counts);
-        if (plan.traceScene) m_total += plan.traceFrames * worlds;
+        if (plan.traceScene) m_total += plan.traceFrames * worlds * plan.traceRepeats;
     }
 
     Benchmark run() {
@@ -92,8 +104,16 @@ class Runner {
     bool runTraces() {
         const BenchmarkPlan& plan = m_result.plan;
         if (!plan.traceScene) return true;
-        Contest contest = prepare(*plan.traceScene, plan.traceCount, plan.algorithms);
-        if (!advance(contest, plan.traceFrames)) return false;
+        std::vector<Contest> repeats;
+        for (int repeat = 0; repeat < plan.traceRepeats; ++repeat) {
+            repeats.push_back(prepare(*plan.traceScene, plan.traceCount, plan.algorithms));
+            if (!advance(repeats.back(), plan.traceFrames)) return false;
+        }
+        Contest& contest = repeats.front();
+        for (double FrameStatistics::*time :
+             {&FrameStatistics::simulate, &FrameStatistics::integrate, &FrameStatistics::broadphase,
+              &FrameStatistics::narrowphase, &FrameStatistics::respond})
+            takeMedians(repeats, time);
         for (std::size_t k = 0; k < contest.worlds.size(); ++k)
             m_result.traces.push_back({.scene = contest.scene,
                                        .n = contest.n,
@@ -183,7 +203,7 @@ BenchmarkPlan standardBenchmark() {
 }
 
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn) {
-    ASSERT(plan.frames >= 2 && plan.traceFrames >= 2);
+    ASSERT(plan.frames >= 2 && plan.traceFrames >= 2 && plan.traceRepeats >= 1);
     return Runner(plan, goOn).run();
 }
 

@@ -27,6 +27,8 @@ struct BenchmarkPlan {
     const GeneratorRow* traceScene = nullptr; ///< null: no traces
     std::int64_t traceCount = 500;
     std::int64_t traceFrames = 600;
+    int traceRepeats = 3; ///< the motion is the same each time; a frame's time is the median, so that what
+                          ///< else the machine did leaves no spikes
 
     /// An algorithm whose median frame took longer is left out at larger numbers of that scene [ms].
     double patience = 60;

@@ -24,7 +24,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string reachText(const std::optional<RealTimeReach>& reach) {
     if (!reach) return "-";
-    return (reach->measured ? "" : "> ") + figure(reach->n, reach->n < 1e6 ? 6 : 3);
+    return (reach->measured ? "" : "> ") + std::to_string(std::llround(reach->n));
 }
 
 const BenchmarkPoint* pointAt(const std::vector<BenchmarkPoint>& points, std::int64_t n) {

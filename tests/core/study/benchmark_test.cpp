@@ -16,6 +16,7 @@ BenchmarkPlan smallPlan() {
     plan.frames = 12;
     plan.traceCount = 40;
     plan.traceFrames = 15;
+    plan.traceRepeats = 2;
     plan.patience = 1e9;
     return plan;
 }
@@ -75,14 +76,14 @@ class BenchmarkTest : public QObject {
             return done == ++last;
         });
         const std::int64_t algorithms = std::ssize(plan.algorithms);
-        QCOMPARE(last, algorithms * (2 * 2 * plan.frames + plan.traceFrames));
+        QCOMPARE(last, algorithms * (2 * 2 * plan.frames + 2 * plan.traceFrames));
         QCOMPARE(announced, last);
     }
 
     void stoppedEarlyItKeepsWhatIsWhole() {
         const BenchmarkPlan plan = smallPlan();
         const std::int64_t algorithms = std::ssize(plan.algorithms);
-        const std::int64_t firstContest = algorithms * (plan.traceFrames + plan.frames);
+        const std::int64_t firstContest = algorithms * (2 * plan.traceFrames + plan.frames);
         const Benchmark benchmark =
             runBenchmark(plan, [&](std::int64_t done, std::int64_t) { return done <= firstContest; });
         QVERIFY(!benchmark.complete);
