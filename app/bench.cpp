@@ -27,17 +27,6 @@ ChartDrawer& chartDrawer() {
 
 namespace {
 
-/// The words of a list with commas.
-std::vector<std::string> wordsOf(const std::string& list) {
-    std::vector<std::string> words(1);
-    for (const char c : list)
-        if (c == ',')
-            words.emplace_back();
-        else
-            words.back() += c;
-    return words;
-}
-
 template<class Row>
 const Row* rowNamed(const std::string& name, std::span<const Row> rows, const char* kind) {
     if (const Row* row = findByName(rows, name)) return row;

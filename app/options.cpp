@@ -183,6 +183,16 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t colum
     return result;
 }
 
+std::vector<std::string> wordsOf(std::string_view list) {
+    std::vector<std::string> words(1);
+    for (const char c : list)
+        if (c == ',')
+            words.emplace_back();
+        else
+            words.back() += c;
+    return words;
+}
+
 std::string listOf(std::span<const std::string_view> words) {
     std::string result;
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -48,6 +48,9 @@ std::string describe(std::span<const OptionRow> rows);
 /// line stays. `column` is where the first line begins.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t column);
 
+/// The words of a list with commas: "a,b" is two, "" is one that is empty.
+std::vector<std::string> wordsOf(std::string_view list);
+
 /// "`a`, `b` or `c`".
 std::string listOf(std::span<const std::string_view> words);
 

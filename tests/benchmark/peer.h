@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/simulation/pipeline.h"
+
+#include <memory>
+#include <string>
+
+// Other engines behind two interfaces, so that one loop measures them all.
+
+namespace carom {
+
+/// A scene in motion in some engine.
+class PeerWorld {
+  public:
+    virtual ~PeerWorld() = default;
+    PeerWorld() = default;
+    PeerWorld(const PeerWorld&) = delete;
+    PeerWorld& operator=(const PeerWorld&) = delete;
+
+    virtual std::string name() const = 0;
+    /// One frame of the scene's step.
+    virtual void step() = 0;
+    /// Poses and velocities of all bodies, in our numbering, so that one code keeps the accounts of all.
+    virtual void read(State& state) const = 0;
+};
+
+/// Both use the settings an informed user would choose for these scenes: friction and restitution combined as
+/// ours are, no threshold below which restitution ends, no damping, no sleeping, one step a frame.
+std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline);
+std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline);
+
+/// Bullet's broad-phases as ours; what they report is what they keep as overlapping, which includes pairs
+/// whose fattened or quantised boxes overlap, in an order of their own.
+std::unique_ptr<Broadphase> makeBulletTree();
+std::unique_ptr<Broadphase> makeBulletSweep();
+
+} // namespace carom
