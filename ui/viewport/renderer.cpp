@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <numbers>
 
@@ -105,6 +106,7 @@ bool Renderer::initialise() {
                  {"frame.glsl", "sphere_surface.glsl", "sphere_flat.frag"}) ||
         !compile(MeshLit, {"frame.glsl", "instance.glsl", "mesh.vert"},
                  {"frame.glsl", "light.glsl", "mesh.frag"}) ||
+        !compile(Line, {"frame.glsl", "line.vert"}, {"line.frag"}) ||
         !compile(MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}))
         return false;
 
@@ -139,6 +141,19 @@ bool Renderer::initialise() {
         m_shadowed.bind();
         glEnableVertexAttribArray(0);
         glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(float), nullptr);
+    }
+
+    m_lines.create();
+    m_lines.setUsagePattern(QOpenGLBuffer::StreamDraw);
+    m_lineArray.create();
+    {
+        const QOpenGLVertexArrayObject::Binder lines(&m_lineArray);
+        m_lines.bind();
+        glEnableVertexAttribArray(0);
+        glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex), nullptr);
+        glEnableVertexAttribArray(1);
+        glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(LineVertex),
+                              reinterpret_cast<const void*>(offsetof(LineVertex, colour)));
     }
 
     glGenBuffers(1, &m_frameBuffer);
@@ -363,6 +378,27 @@ void Renderer::drawContactShadows() {
 
 void Renderer::drawBodies() { drawRange(SphereLit, MeshLit, 0, nullptr); }
 
+void Renderer::showLines(std::span<const LineVertex> lines) {
+    m_lineVertices = static_cast<int>(lines.size());
+    m_lines.bind();
+    m_lines.allocate(lines.data(), static_cast<int>(lines.size_bytes()));
+}
+
+void Renderer::drawLines() {
+    if (m_lineVertices == 0) return;
+    QOpenGLShaderProgram& program = use(Line);
+    const QOpenGLVertexArrayObject::Binder bound(&m_lineArray);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    program.setUniformValue("opacity", 0.95F);
+    glDrawArrays(GL_LINES, 0, m_lineVertices);
+    glDepthFunc(GL_GREATER);
+    program.setUniformValue("opacity", 0.30F);
+    glDrawArrays(GL_LINES, 0, m_lineVertices);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+}
+
 void Renderer::drawOutline(const PictureOptions& options) {
     const int index = m_table.indexOf(options.selected);
     if (index < 0) return;
@@ -452,6 +488,7 @@ void Renderer::drawPicture(const PictureOptions& options) {
     drawContactShadows();
     drawBodies();
     drawWalls(true);
+    drawLines();
     drawOutline(options);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);

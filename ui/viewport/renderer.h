@@ -3,6 +3,7 @@
 
 #include "ui/viewport/gl_mesh.h"
 #include "ui/viewport/instances.h"
+#include "ui/viewport/overlays.h"
 #include "ui/viewport/room.h"
 #include "ui/viewport/view_theme.h"
 
@@ -25,6 +26,7 @@
 //     meshes                          cylinders and cuboids, instanced
 //     spheres                         one quad each, ray-cast, back to front: smooth edges by coverage
 //     walls seen from behind          a breath of colour, so they never hide the scene
+//     overlays                        lines; what bodies hide of them shows faintly
 //     outline of the selection        by stencil, through everything
 //
 // All bodies come from one buffer of instances that is rewritten for every picture.
@@ -52,6 +54,8 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
 
     /// With the context current.
     void show(const Scene& scene, const Room& room);
+    /// Lines that the next pictures draw over the bodies.
+    void showLines(std::span<const LineVertex> lines);
     /// Draws into the framebuffer that is bound, with the context current.
     void draw(std::span<const Pose> poses, const PictureOptions& options);
     /// Waits until everything drawn is complete.
@@ -69,6 +73,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
         SphereFlat,
         MeshLit,
         MeshFlat,
+        Line,
         programCount
     };
 
@@ -88,6 +93,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     void drawWallShadows();
     void drawContactShadows();
     void drawBodies();
+    void drawLines();
     void drawOutline(const PictureOptions& options);
     void drawRange(Program sphere, Program mesh, float growth, const InstanceRange* only);
 
@@ -96,7 +102,9 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_walls{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_shadowed{QOpenGLBuffer::VertexBuffer}; ///< the polygon of a wall under the shadow map
-    QOpenGLVertexArrayObject m_wallArray, m_shadowedArray, m_emptyArray;
+    QOpenGLBuffer m_lines{QOpenGLBuffer::VertexBuffer};
+    int m_lineVertices = 0;
+    QOpenGLVertexArrayObject m_lineArray, m_wallArray, m_shadowedArray, m_emptyArray;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth; ///< several samples a pixel; made when first wanted
     GLuint m_frameBuffer = 0;                           ///< the uniform block
     GLuint m_shadowTexture = 0;                         ///< depth

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
 
@@ -76,7 +77,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     m_pipeline = std::move(pipeline);
     m_snapshot.reset();
     m_startPoses.clear();
-    m_sceneChanged = true;
+    m_sceneChanged = m_linesChanged = true;
     redraw();
     if (!m_pipeline) {
         m_room = {};
@@ -102,6 +103,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
 void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
     m_snapshot = std::move(snapshot);
+    m_linesChanged = true;
     redraw();
 }
 
@@ -117,6 +119,61 @@ void Viewport::setDimmed(bool dimmed, const QString& badge) {
     m_badge->setVisible(dimmed && !badge.isEmpty());
     placeBadge();
     redraw();
+}
+
+void Viewport::setOverlays(Overlays overlays) {
+    m_overlays = overlays;
+    m_linesChanged = true;
+    redraw();
+}
+
+void Viewport::setOverlay(Overlay overlay, bool shown) {
+    const Overlays one = static_cast<Overlays>(overlay);
+    setOverlays(shown ? m_overlays | one : m_overlays & ~one);
+}
+
+void Viewport::updateLines() {
+    std::vector<LineVertex> lines;
+    if (m_pipeline && m_overlays != 0) {
+        State state = m_pipeline->initialState();
+        if (m_snapshot) {
+            state.pose = m_snapshot->pose;
+            state.velocity = m_snapshot->velocity;
+            state.angularVelocity = m_snapshot->angularVelocity;
+        }
+        std::vector<TouchingPair> touching;
+        // Contacts of a snapshot are found anew: what the simulation knows of them stays on its own thread.
+        if (holds(m_overlays, Overlay::Contacts)) touching = touchingPairs(m_pipeline->bodies(), state);
+        lines = overlayLines(m_overlays, {.scene = m_pipeline->scene(),
+                                          .poses = state.pose,
+                                          .velocities = state.velocity,
+                                          .touching = touching,
+                                          .size = boundsOf(m_pipeline->scene(), m_startPoses).size().norm()});
+    }
+    m_renderer->showLines(lines);
+}
+
+void Viewport::paintLabels() {
+    if (!m_pipeline) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor text = m_dark ? QColor(235, 238, 242) : QColor(20, 24, 28);
+    QColor ground = m_dark ? QColor(20, 22, 28) : QColor(255, 255, 255);
+    ground.setAlpha(170);
+    const Scene& scene = m_pipeline->scene();
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (scene.bodies[i].label.empty() || isWall(scene.bodies[i].shape)) continue;
+        const std::optional<Eigen::Vector2d> at = projected(m_camera, pictureSize(), poses()[i].position);
+        if (!at || !at->allFinite()) continue;
+        const QString words = QString::fromStdString(scene.bodies[i].label);
+        QRectF box(painter.fontMetrics().boundingRect(words).adjusted(-4, -1, 4, 1));
+        box.moveCenter({at->x(), at->y()});
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ground);
+        painter.drawRoundedRect(box, 3, 3);
+        painter.setPen(text);
+        painter.drawText(box, Qt::AlignCenter, words);
+    }
 }
 
 void Viewport::setDarkTheme(bool dark) {
@@ -191,7 +248,7 @@ void Viewport::initializeGL() {
             Qt::UniqueConnection);
     m_renderer = std::make_unique<Renderer>();
     m_ready = m_renderer->initialise();
-    m_sceneChanged = true;
+    m_sceneChanged = m_linesChanged = true;
     if (!m_ready) Q_EMIT failed(m_renderer->problem());
     redraw();
 }
@@ -206,6 +263,8 @@ void Viewport::paintGL() {
     static const Scene nothing;
     if (m_sceneChanged) m_renderer->show(m_pipeline ? m_pipeline->scene() : nothing, m_room);
     m_sceneChanged = false;
+    if (m_linesChanged) updateLines();
+    m_linesChanged = false;
     const double scale = devicePixelRatioF();
     const PictureSize size = pictureSize();
     m_renderer->draw(poses(), {.size = {std::round(size.width * scale), std::round(size.height * scale)},
@@ -214,6 +273,7 @@ void Viewport::paintGL() {
                                .selected = m_selected,
                                .dimmed = m_dimmed,
                                .smooth = m_atRest || !m_renderer->isSoftware()});
+    if (holds(m_overlays, Overlay::Labels)) paintLabels();
     // OpenGL only queues the work; the time that counts is the one until it is done.
     m_renderer->finish();
     m_lastRenderTime = watch.elapsed();

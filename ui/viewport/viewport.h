@@ -4,6 +4,7 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/overlays.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/room.h"
 
@@ -42,6 +43,11 @@ class Viewport : public QOpenGLWidget {
     /// Greys the picture and shows why, while the text does not build.
     void setDimmed(bool dimmed, const QString& badge);
     void setDarkTheme(bool dark);
+
+    /// Which explanations are drawn over the bodies.
+    void setOverlays(Overlays overlays);
+    void setOverlay(Overlay overlay, bool shown);
+    Overlays overlays() const { return m_overlays; }
 
     const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
@@ -84,6 +90,8 @@ class Viewport : public QOpenGLWidget {
     void lookFrom(double yaw, double pitch);
     void placeBadge();
     void dropRenderer();
+    void updateLines();
+    void paintLabels();
     void moveCamera();
     void redraw();
 
@@ -98,6 +106,8 @@ class Viewport : public QOpenGLWidget {
     bool m_sceneChanged = true; ///< the renderer has not seen m_pipeline yet
     bool m_cameraMoved = false; ///< by the user: resizing no longer frames the scene anew
     bool m_dark = true;
+    Overlays m_overlays = 0;
+    bool m_linesChanged = false;
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;
     bool m_atRest = false; ///< nothing has changed for a moment: worth a smooth picture

@@ -36,6 +36,19 @@ void RunCommands::connectActions() {
     connect(&actions[ActionId::FrameSelection], &QAction::triggered, &viewport, &Viewport::frameSelection);
     connect(&actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
 
+    const std::pair<ActionId, Overlay> overlays[] = {
+        {ActionId::ShowAxes, Overlay::Axes},
+        {ActionId::ShowBoxes, Overlay::Boxes},
+        {ActionId::ShowVelocities, Overlay::Velocities},
+        {ActionId::ShowContacts, Overlay::Contacts},
+        {ActionId::ShowLabels, Overlay::Labels},
+    };
+    for (const auto& row : overlays) {
+        actions[row.first].setCheckable(true);
+        connect(&actions[row.first], &QAction::toggled, &viewport,
+                [&viewport, overlay = row.second](bool shown) { viewport.setOverlay(overlay, shown); });
+    }
+
     // Keys that mean something else in the text, so only the viewport has them.
     const std::pair<QKeySequence, ActionId> viewportKeys[] = {
         {Qt::Key_Space, ActionId::Play},     {Qt::Key_Right, ActionId::Step},

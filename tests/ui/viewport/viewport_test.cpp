@@ -427,6 +427,25 @@ class ViewportTest : public QObject {
         QCOMPARE(shades(), moving);
     }
 
+    void everyOverlayShowsAndLeavesNoTrace() {
+        Scene scene = sceneOf({sphere(1, 1, {0.3, 0, 0}, {4, 1, 0}), sphere(1, 1, {0.3, 1.999, 0})});
+        scene.bodies[0].label = "lower";
+        show(scene, frontCamera());
+        const QImage before = picked();
+        for (const Overlay overlay :
+             {Overlay::Axes, Overlay::Boxes, Overlay::Velocities, Overlay::Contacts, Overlay::Labels}) {
+            m_viewport->setOverlay(overlay, true);
+            const QImage with = picked();
+            int changed = 0;
+            for (int y = 0; y < side; ++y)
+                for (int x = 0; x < side; ++x)
+                    if (difference(with.pixel(x, y), before.pixel(x, y)) > 12) ++changed;
+            QVERIFY2(changed > 20, qPrintable(QString::number(static_cast<int>(overlay))));
+            m_viewport->setOverlay(overlay, false);
+            QVERIFY(picked() == before);
+        }
+    }
+
     // A widget of OpenGL gets a new context with its new window: everything on the graphics card is made
     // anew.
     void thePictureSurvivesAMoveIntoAnotherWindow() {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/pipeline.h"
+#include "tests/support/scenes.h"
+#include "ui/viewport/overlays.h"
+
+#include <QTest>
+
+namespace carom {
+namespace {
+
+using test::cuboid;
+using test::sceneOf;
+using test::sphere;
+using test::wall;
+
+constexpr double inFloats = 1e-6;
+
+Vec3 at(const LineVertex& vertex) { return {vertex.position[0], vertex.position[1], vertex.position[2]}; }
+
+std::vector<LineVertex> linesOf(Overlay overlay, const Scene& scene) {
+    const Pipeline pipeline(scene);
+    const State& state = pipeline.initialState();
+    const std::vector<TouchingPair> touching = touchingPairs(pipeline.bodies(), state);
+    return overlayLines(static_cast<Overlays>(overlay), {.scene = pipeline.scene(),
+                                                         .poses = state.pose,
+                                                         .velocities = state.velocity,
+                                                         .touching = touching,
+                                                         .size = 8});
+}
+
+} // namespace
+
+class OverlaysTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aBoxIsTheTwelveEdgesOfABodysBounds() {
+        const std::vector<LineVertex> lines =
+            linesOf(Overlay::Boxes, sceneOf({cuboid({2, 4, 6}, 1, {1, 0, 0}), wall(Vec3::UnitY(), -9)}));
+        QCOMPARE(lines.size(), 24U); // walls have none
+        double total = 0;
+        for (std::size_t i = 0; i < lines.size(); i += 2) total += (at(lines[i + 1]) - at(lines[i])).norm();
+        QVERIFY(std::abs(total - 4 * (2 + 4 + 6)) < inFloats);
+    }
+
+    void aVelocityIsTheWayOfATenthOfASecond() {
+        const Scene scene = sceneOf({sphere(1, 1, {1, 2, 3}, {10, 0, -5}), sphere(1, 1, {9, 9, 9})});
+        const std::vector<LineVertex> lines = linesOf(Overlay::Velocities, scene);
+        QCOMPARE(lines.size(), 10U); // a shaft and four strokes for the head; nothing for the ball at rest
+        QVERIFY((at(lines[0]) - Vec3(1, 2, 3)).norm() < inFloats);
+        QVERIFY((at(lines[1]) - Vec3(2, 2, 2.5)).norm() < inFloats);
+    }
+
+    void aContactIsDrawnWhereBodiesTouch() {
+        const std::vector<LineVertex> lines =
+            linesOf(Overlay::Contacts,
+                    sceneOf({sphere(1, 1, {0, 0.99, 0}), wall(Vec3::UnitY(), 0), sphere(1, 1, {5, 5, 5})}));
+        QCOMPARE(lines.size(), 10U);
+        QVERIFY(at(lines[0]).norm() < 0.011); // within the overlap of the point that touches
+    }
+
+    void axesStartAtTheOriginInTheirColours() {
+        const std::vector<LineVertex> lines = linesOf(Overlay::Axes, sceneOf({sphere(1, 1, {0, 0, 0})}));
+        QCOMPARE(lines.size(), 30U);
+        for (int axis = 0; axis < 3; ++axis) {
+            const LineVertex& tip = lines[static_cast<std::size_t>(10 * axis + 1)];
+            QVERIFY((at(tip) - 2 * Vec3::Unit(axis)).norm() < inFloats);
+            for (int other = 0; other < 3; ++other)
+                QVERIFY(other == axis || tip.colour[axis] > tip.colour[other]);
+        }
+    }
+
+    void nothingIsDrawnThatIsNotAskedFor() {
+        const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0}, {1, 1, 1})});
+        QVERIFY(linesOf(Overlay::Labels, scene).empty()); // words are not lines
+        QVERIFY(overlayLines(0, {.scene = scene, .poses = {}, .velocities = {}, .touching = {}}).empty());
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::OverlaysTest)
+#include "overlays_test.moc"
