@@ -15,7 +15,6 @@ layout(std140) uniform Frame {
     vec4 floorTint;   // what a white wall looks like; w: strength of the grid
     vec4 roomCentre;  // w: radius at which walls have faded
     vec4 picture;     // width, height [px], grid spacing [m], dimming 0..1
-    vec4 accent;
 };
 
 bool orthographic() { return eye.w > 0.5; }

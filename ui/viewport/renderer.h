@@ -2,18 +2,18 @@
 #pragma once
 
 #include "ui/viewport/gl_mesh.h"
+#include "ui/viewport/gl_stream.h"
 #include "ui/viewport/instances.h"
+#include "ui/viewport/lighting.h"
 #include "ui/viewport/overlays.h"
 #include "ui/viewport/room.h"
-#include "ui/viewport/view_theme.h"
+#include "ui/viewport/shaders.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
-#include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 
-#include <array>
 #include <memory>
 #include <span>
 
@@ -32,16 +32,6 @@
 // All bodies come from one buffer of instances that is rewritten for every picture.
 
 namespace carom {
-
-/// Everything a picture needs besides the scene.
-struct PictureOptions {
-    PictureSize size; ///< device pixels
-    Camera camera;
-    ViewTheme theme;
-    BodyIndex selected = noBody;
-    bool dimmed = false;
-    bool smooth = false; ///< several samples a pixel, for the edges of meshes: spheres are smooth without
-};
 
 class Renderer : protected QOpenGLFunctions_3_3_Core {
   public:
@@ -63,57 +53,38 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     const Aabb& bounds() const { return m_table.bounds(); }
 
   private:
-    enum Program : std::size_t {
-        Sky,
-        WallFace,
-        WallShadow,
-        Contact,
-        SphereShadow,
-        SphereLit,
-        SphereFlat,
-        MeshLit,
-        MeshFlat,
-        Line,
-        programCount
-    };
-
     struct DepthRange {
         double nearest, furthest; ///< in front of the eye [m]
     };
 
-    bool compile(Program program, std::initializer_list<const char*> vertex,
-                 std::initializer_list<const char*> fragment);
-    QOpenGLShaderProgram& use(Program program);
-    void useFrame(const Camera& camera, const PictureOptions& options, const Eigen::Matrix4f& clip);
+    void createShadowMap();
+    void useFrame(const FrameUniforms& frame);
     DepthRange depthRange(const PictureOptions& options) const;
-    void drawPicture(const PictureOptions& options);
     void drawShadowMap(const PictureOptions& options);
-    void drawSky(const Eigen::Matrix4f& clip);
+    void drawSmoothly(const PictureOptions& options);
+    void drawPicture(const PictureOptions& options);
+    void drawSky(const Mat4& clipFromWorld);
     void drawWalls(bool fromBehind);
     void drawWallShadows();
     void drawContactShadows();
-    void drawBodies();
     void drawLines();
     void drawOutline(const PictureOptions& options);
-    void drawRange(Program sphere, Program mesh, float growth, const InstanceRange* only);
+    /// All bodies, or the one whose instance this is.
+    void drawBodies(Pass spheres, Pass meshes, float growth = 0, int instance = everyInstance);
 
-    std::array<QOpenGLShaderProgram, programCount> m_programs;
+    static constexpr int everyInstance = -1;
+
+    Shaders m_shaders;
     GlMesh m_square, m_cube, m_cylinder;
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
-    QOpenGLBuffer m_walls{QOpenGLBuffer::VertexBuffer};
-    QOpenGLBuffer m_shadowed{QOpenGLBuffer::VertexBuffer}; ///< the polygon of a wall under the shadow map
-    QOpenGLBuffer m_lines{QOpenGLBuffer::VertexBuffer};
-    int m_lineVertices = 0;
-    QOpenGLVertexArrayObject m_lineArray, m_wallArray, m_shadowedArray, m_emptyArray;
+    GlStream m_walls, m_lines;
+    GlStream m_shadowed; ///< the polygon of a wall under the shadow map
+    QOpenGLVertexArrayObject m_noVertices;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth; ///< several samples a pixel; made when first wanted
     GLuint m_frameBuffer = 0;                           ///< the uniform block
     GLuint m_shadowTexture = 0;                         ///< depth
     GLuint m_shadowTarget = 0;                          ///< framebuffer of m_shadowTexture
-    int m_wallVertices = 0;
-    double m_gridSpacing = 1; ///< [m]
-    Aabb m_shadowBox;         ///< what the shadow map holds, in the light's coordinates [m]
-    Eigen::Matrix4f m_shadowFromWorld = Eigen::Matrix4f::Identity();
-    double m_shadowTexel = 0; ///< [m]
+    ShadowView m_shadow;
     Room m_room;
     InstanceTable m_table;
     bool m_software = false;

@@ -107,6 +107,26 @@ class ViewportTest : public QObject {
         return seen;
     }
 
+    /// Pixels of the first body, a floor, that this state of the others makes darker; seen from above.
+    int pixelsShadedIn(const Scene& scene, const std::shared_ptr<Snapshot>& state) {
+        Camera camera = frontCamera();
+        orbit(camera, 0, 1.2);
+        show(scene, camera);
+        std::shared_ptr<Snapshot> away = startOf(scene);
+        for (std::size_t i = 1; i < away->pose.size(); ++i) away->pose[i].position = Vec3(0, -500, 0);
+        m_viewport->showSnapshot(away);
+        const QImage bare = picked();
+        m_viewport->showSnapshot(state);
+        const QImage shaded = picked();
+        int darker = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                if (m_viewport->hitAt(centreOf(x, y)).body == 0 &&
+                    qGreen(shaded.pixel(x, y)) < qGreen(bare.pixel(x, y)) - 25)
+                    ++darker;
+        return darker;
+    }
+
   private Q_SLOTS:
     void init() {
         m_viewport = std::make_unique<Viewport>();
@@ -204,22 +224,24 @@ class ViewportTest : public QObject {
     }
 
     void aBallOverAFloorCastsAShadow() {
-        Camera camera = frontCamera();
-        orbit(camera, 0, 1.2);
-        const Scene floor = sceneOf({wall(Vec3::UnitY(), -1), sphere(0.01, 1, {4, 4, 4})});
-        show(floor, camera);
-        const QImage bare = picked();
-        Scene with = floor;
-        with.bodies.push_back(sphere(0.5, 1, {0, -0.5, 0}));
-        show(with, camera);
-        const QImage shaded = picked();
-        int darker = 0;
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                if (m_viewport->hitAt(centreOf(x, y)).body == 0 &&
-                    qGreen(shaded.pixel(x, y)) < qGreen(bare.pixel(x, y)) - 25)
-                    ++darker;
+        const Scene scene = sceneOf({wall(Vec3::UnitY(), -1), sphere(0.5, 1, {0, -0.5, 0})});
+        const int darker = pixelsShadedIn(scene, startOf(scene));
         QVERIFY2(darker > 300, qPrintable(QString::number(darker)));
+    }
+
+    // The shadow map once held all bodies: with one of them 200 m off, a texel was a third of a metre wide
+    // and the shadows of all others dissolved.
+    void aBallThatFlewAwayLeavesTheShadowsOfTheOthersSharp() {
+        const Scene scene =
+            sceneOf({wall(Vec3::UnitY(), -1), sphere(0.5, 1, {0, 1, 0}), sphere(0.5, 1, {0, 9, 9})});
+        std::shared_ptr<Snapshot> flown = startOf(scene);
+        flown->pose[2].position = Vec3(150, 1, 150);
+        std::shared_ptr<Snapshot> below = startOf(scene);
+        below->pose[2].position = Vec3(0, -3, 0);
+        const int alone = pixelsShadedIn(scene, below);
+        const int together = pixelsShadedIn(scene, flown);
+        QVERIFY2(alone > 300 && std::abs(together - alone) < 0.1 * alone,
+                 qPrintable(QStringLiteral("%1 and %2").arg(alone).arg(together)));
     }
 
     void aNewStateMovesThePicture() {
