@@ -84,7 +84,7 @@ void FindBar::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (event->key() == Qt::Key_Escape)
         close();
-    else if (enter && m_replace->hasFocus())
+    else if (enter && focusWidget() == m_replace)
         replaceOne();
     else if (enter && event->modifiers().testFlag(Qt::ShiftModifier))
         findPrevious();

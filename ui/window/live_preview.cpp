@@ -52,11 +52,11 @@ void LivePreview::reset() {
     Q_EMIT noticeChanged({});
 }
 
-void LivePreview::show(const SharedBuild& result) {
-    m_shown = result;
+void LivePreview::show(SharedBuild result) {
+    m_shown = std::move(result);
     m_waiting.reset();
-    m_viewport.showPipeline(result->build.pipeline);
-    m_simulation.load(result->build.pipeline);
+    m_viewport.showPipeline(m_shown->build.pipeline);
+    m_simulation.load(m_shown->build.pipeline);
     Q_EMIT shownChanged(m_shown);
 }
 

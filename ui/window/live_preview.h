@@ -31,7 +31,7 @@ class LivePreview : public QObject {
     void noticeChanged(const QString& notice);
 
   private:
-    void show(const SharedBuild& result);
+    void show(SharedBuild result);
 
     Simulation& m_simulation;
     Viewport& m_viewport;

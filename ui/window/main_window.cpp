@@ -125,10 +125,11 @@ void MainWindow::addDockToggles() {
         action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number)));
         action->setStatusTip(tr("Show or hide this panel"));
         addAction(action);
-        connect(action, &QAction::triggered, dock, [this, panel = dock] {
-            const bool inFront = panel->isVisible() && !panel->visibleRegion().isEmpty();
-            panel->setVisible(!inFront);
-            if (inFront) {
+        action->setCheckable(true); // checked: in front
+        connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+        connect(action, &QAction::triggered, dock, [this, panel = dock](bool shown) {
+            panel->setVisible(shown);
+            if (!shown) {
                 m_editor->setFocus();
                 return;
             }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/scene_editor.h"
+#include "ui/simulation/simulation.h"
+#include "ui/window/actions.h"
+#include "ui/window/main_window.h"
+#include "ui/window/workbench.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+
+// The whole IDE in a test, with settings of its own, driven by events as a user's hands would.
+
+namespace carom::test {
+
+/// Longest wait for something that needs a thread, a timer or a picture [ms]; a machine under load is slow.
+inline constexpr int patience = 20000;
+
+/// A QApplication as the program makes it, with an empty home.
+class IdeApplication {
+  public:
+    IdeApplication(int& argumentCount, char** arguments) {
+        qputenv("XDG_CONFIG_HOME", m_home.path().toLocal8Bit());
+        qputenv("XDG_DATA_HOME", m_home.path().toLocal8Bit());
+        QSurfaceFormat format;
+        format.setVersion(3, 3);
+        format.setProfile(QSurfaceFormat::CoreProfile);
+        format.setDepthBufferSize(24);
+        format.setStencilBufferSize(8);
+        QSurfaceFormat::setDefaultFormat(format);
+        m_application = std::make_unique<QApplication>(argumentCount, arguments);
+        QApplication::setOrganizationName(QStringLiteral("carom-test"));
+        QApplication::setApplicationName(QStringLiteral("carom-test"));
+    }
+
+  private:
+    QTemporaryDir m_home;
+    std::unique_ptr<QApplication> m_application;
+};
+
+inline bool writeFile(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+inline QByteArray readFile(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<cannot be read>");
+}
+
+/// Puts the caret behind the first place that says `text`.
+inline void placeCaretBehind(SceneEditor& editor, const QByteArray& text) {
+    const qsizetype at = editor.bytes().indexOf(text);
+    Q_ASSERT(at >= 0);
+    editor.send(QsciScintillaBase::SCI_GOTOPOS, at + text.size());
+}
+
+/// Answers the next dialog as soon as it is there.
+inline void answerNextDialog(std::function<void(QWidget&)> answer) {
+    QTimer* timer = new QTimer(qApp);
+    timer->setInterval(20);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, answer] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (dialog == nullptr) return;
+        timer->deleteLater();
+        timer->stop();
+        answer(*dialog);
+    });
+    timer->start();
+}
+
+} // namespace carom::test
+
+/// main() of a test of the IDE: `TestClass` needs a default constructor.
+#define CAROM_IDE_TEST_MAIN(TestClass)                                                                       \
+    int main(int argc, char** argv) {                                                                        \
+        carom::test::IdeApplication application(argc, argv);                                                 \
+        TestClass test;                                                                                      \
+        return QTest::qExec(&test, argc, argv);                                                              \
+    }

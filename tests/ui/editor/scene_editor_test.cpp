@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ide.h"
+
+#include "ui/editor/diagnostic_marks.h"
+#include "ui/editor/find_bar.h"
+#include "ui/editor/scene_lexer.h"
+
+#include "core/scene/schema.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+
+using namespace carom;
+using namespace carom::test;
+using Sci = QsciScintillaBase;
+
+namespace {
+
+constexpr int errorIndicator = 12; // as diagnostic_marks.cpp defines it
+
+int styleAt(SceneEditor& editor, const QByteArray& where) {
+    editor.send(Sci::SCI_COLOURISE, 0, -1);
+    return static_cast<int>(editor.send(Sci::SCI_GETSTYLEAT, editor.bytes().indexOf(where)));
+}
+
+/// The bytes under error squiggles, one range behind the other.
+QByteArray squiggled(const SceneEditor& editor) {
+    QByteArray marked;
+    const QByteArray text = editor.bytes();
+    for (qsizetype i = 0; i < text.size(); ++i)
+        if (editor.send(Sci::SCI_INDICATORVALUEAT, errorIndicator, i) != 0) marked += text[i];
+    return marked;
+}
+
+SharedBuild built(const SceneEditor& editor) {
+    std::shared_ptr<BuildResult> result = std::make_shared<BuildResult>();
+    result->build = build(editor.bytes().toStdString());
+    return result;
+}
+
+} // namespace
+
+class SceneEditorTest : public QObject {
+    Q_OBJECT
+
+    Theme m_theme = loadTheme(true);
+
+  private Q_SLOTS:
+    void coloursComeFromTheLexerAndTheSchema() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("// note\nsphere red { radius 1.5 colour blue nonsense ! }");
+        QCOMPARE(styleAt(editor, "// note"), int(SceneLexer::Comment));
+        QCOMPARE(styleAt(editor, "sphere"), int(SceneLexer::Declaration));
+        QCOMPARE(styleAt(editor, "red"), int(SceneLexer::Plain)); // a label, although it is a colour's name
+        QCOMPARE(styleAt(editor, "radius"), int(SceneLexer::Parameter));
+        QCOMPARE(styleAt(editor, "1.5"), int(SceneLexer::Number));
+        QCOMPARE(styleAt(editor, "blue"), int(SceneLexer::Word));
+        QCOMPARE(styleAt(editor, "nonsense"), int(SceneLexer::Plain));
+        QCOMPARE(styleAt(editor, "!"), int(SceneLexer::Unknown));
+        QCOMPARE(styleAt(editor, "{"), int(SceneLexer::Punctuation));
+    }
+
+    void everyNameOfTheSchemaIsColoured() {
+        SceneEditor editor(m_theme);
+        for (const DeclarationRow& row : schema()) {
+            editor.setBytes(QByteArray(row.name.data(), qsizetype(row.name.size())));
+            QVERIFY2(styleAt(editor, "") == SceneLexer::Declaration, row.name.data());
+            for (const ParameterRow& parameter : row.parameters) {
+                editor.setBytes("x{" + QByteArray(parameter.name.data(), qsizetype(parameter.name.size())));
+                editor.send(Sci::SCI_COLOURISE, 0, -1);
+                QVERIFY2(editor.send(Sci::SCI_GETSTYLEAT, 2) == SceneLexer::Parameter, parameter.name.data());
+            }
+        }
+    }
+
+    void colouringALineBehindAnEditEqualsColouringEverything() {
+        SceneEditor editor(m_theme), afresh(m_theme);
+        editor.setBytes("sphere {\n  radius 1\n}\nwall { toOrig 0 }\n");
+        editor.send(Sci::SCI_COLOURISE, 0, -1);
+        editor.insertAt(QStringLiteral("// "), 1, 0);
+        editor.insertAt(QStringLiteral("ü{"), 3, 0);
+        afresh.setBytes(editor.bytes());
+        for (SceneEditor* each : {&editor, &afresh}) each->send(Sci::SCI_COLOURISE, 0, -1);
+        for (qsizetype i = 0; i < editor.bytes().size(); ++i)
+            QCOMPARE(editor.send(Sci::SCI_GETSTYLEAT, i), afresh.send(Sci::SCI_GETSTYLEAT, i));
+        for (int line = 0; line < editor.lines(); ++line)
+            QCOMPARE(editor.send(Sci::SCI_GETFOLDLEVEL, line), afresh.send(Sci::SCI_GETFOLDLEVEL, line));
+    }
+
+    void braceBlocksFold() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("sphere {\n  radius 1\n  mass 1\n}\nwall;\n");
+        editor.send(Sci::SCI_COLOURISE, 0, -1);
+        editor.foldLine(0);
+        QVERIFY(!editor.send(Sci::SCI_GETLINEVISIBLE, 1));
+        QVERIFY(!editor.send(Sci::SCI_GETLINEVISIBLE, 2));
+        QVERIFY(editor.send(Sci::SCI_GETLINEVISIBLE, 4));
+    }
+
+    void squigglesCoverExactlyTheBytesOfTheDiagnostic() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        editor.setBytes("// größer\nsphere { raduis 1 mass 1 centre 0,0,0 }\n");
+        marks.show(built(editor));
+        QVERIFY(squiggled(editor).contains("raduis") || squiggled(editor).contains("sphere"));
+        const std::vector<Diagnostic> expected = built(editor)->build.diagnostics;
+        QByteArray ranges;
+        for (const Diagnostic& d : expected)
+            if (d.severity() == Severity::Error) ranges += editor.bytes().mid(d.range.offset, d.range.length);
+        QCOMPARE(squiggled(editor), ranges);
+        QVERIFY(editor.markersAtLine(1) & (1U << ErrorMarker));
+        QVERIFY(!(editor.markersAtLine(0) & (1U << ErrorMarker)));
+    }
+
+    void messagesStandUnderTheirLinesAndCanBeSwitchedOff() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        editor.setBytes("shpere;\n");
+        marks.show(built(editor));
+        QVERIFY(editor.send(Sci::SCI_ANNOTATIONGETLINES, 0) >= 1);
+        marks.setInlineMessages(false);
+        QCOMPARE(editor.send(Sci::SCI_ANNOTATIONGETLINES, 0), 0L);
+    }
+
+    void theFixItAtTheCaretMendsTheWordInOneUndoStep() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        const QByteArray wrong = "sphere { raduis 1 mass 1 centre 0,0,0 }\n";
+        editor.setBytes(wrong);
+        marks.show(built(editor));
+        placeCaretBehind(editor, "radu");
+        QVERIFY(marks.applyFixIt(0));
+        QCOMPARE(editor.bytes(), QByteArray("sphere { radius 1 mass 1 centre 0,0,0 }\n"));
+        editor.undo();
+        QCOMPARE(editor.bytes(), wrong);
+        QVERIFY(!marks.applyFixIt(1)); // checked another revision: places may have moved
+    }
+
+    void f8GoesThroughTheProblemsAndAround() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        editor.setBytes("shpere;\nsphere { radius 1 mass 1 centre 0,0,0 }\nwlal;\n");
+        marks.show(built(editor));
+        editor.send(Sci::SCI_GOTOPOS, 10);
+        marks.goToNext();
+        QCOMPARE(editor.send(Sci::SCI_LINEFROMPOSITION, editor.caret()), 2L);
+        marks.goToNext();
+        QCOMPARE(editor.send(Sci::SCI_LINEFROMPOSITION, editor.caret()), 0L);
+        marks.goToPrevious();
+        QCOMPARE(editor.send(Sci::SCI_LINEFROMPOSITION, editor.caret()), 2L);
+    }
+
+    void togglingCommentsTwiceChangesNothing() {
+        SceneEditor editor(m_theme);
+        const QByteArray before = "wall;\n    sphere;\n\n  cuboid;\n";
+        editor.setBytes(before);
+        editor.selectAll();
+        editor.toggleComment();
+        QCOMPARE(editor.bytes(), QByteArray("// wall;\n//     sphere;\n\n//   cuboid;\n"));
+        editor.selectAll();
+        editor.toggleComment();
+        QCOMPARE(editor.bytes(), before);
+    }
+
+    void newLinesKeepTheFileOwnLineEnds() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("wall;\r\nsphere;\r\n");
+        editor.show();
+        editor.send(Sci::SCI_GOTOPOS, 5);
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QCOMPARE(editor.bytes(), QByteArray("wall;\r\n\r\nsphere;\r\n"));
+    }
+
+    void replacingWithARegularExpressionUsesItsGroups() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("vel 1, 2, 3\nvel 40, 5, 6\n");
+        const SearchQuery query{QStringLiteral("vel ([0-9]+), ([0-9]+)"), true, true};
+        QCOMPARE(countMatches(editor, query), 2);
+        QCOMPARE(replaceAllMatches(editor, query, QStringLiteral("vel \\2, \\1")), 2);
+        QCOMPARE(editor.bytes(), QByteArray("vel 2, 1, 3\nvel 5, 40, 6\n"));
+        editor.undo();
+        QCOMPARE(editor.bytes(), QByteArray("vel 1, 2, 3\nvel 40, 5, 6\n"));
+    }
+
+    void emptyMatchesAndBrokenExpressionsEnd() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("a\nb\n");
+        QCOMPARE(countMatches(editor, {QStringLiteral("x*"), true, false}), 5);
+        QCOMPARE(countMatches(editor, {QStringLiteral("("), true, false}), 0);
+        QCOMPARE(replaceAllMatches(editor, {QStringLiteral("^"), true, false}, QStringLiteral("#")), 3);
+        QCOMPARE(editor.bytes(), QByteArray("#a\n#b\n#"));
+    }
+
+    void theFindBarFindsAsOneTypesAndReplaces() {
+        QWidget parent;
+        SceneEditor editor(m_theme, &parent);
+        FindBar bar(editor, &parent);
+        parent.show();
+        editor.setBytes("sphere; wall; SPHERE;");
+        bar.activate();
+        QLineEdit* find = bar.findChild<QLineEdit*>(QStringLiteral("find"));
+        QTest::keyClicks(find, QStringLiteral("sph"));
+        QCOMPARE(editor.selectedText(), QStringLiteral("sph"));
+        QTest::keyClick(find, Qt::Key_Return);
+        QCOMPARE(editor.send(Sci::SCI_GETSELECTIONSTART), 14L);
+        QTest::keyClick(find, Qt::Key_Return); // around the end
+        QCOMPARE(editor.send(Sci::SCI_GETSELECTIONSTART), 0L);
+        QLineEdit* replace = bar.findChild<QLineEdit*>(QStringLiteral("replace"));
+        replace->setFocus();
+        QTest::keyClicks(replace, QStringLiteral("cub"));
+        QTest::keyClick(replace, Qt::Key_Return);
+        QVERIFY(editor.bytes().startsWith("cubere; wall;"));
+    }
+};
+
+CAROM_IDE_TEST_MAIN(SceneEditorTest)
+#include "scene_editor_test.moc"

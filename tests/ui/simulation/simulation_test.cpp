@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/simulation/frame_log.h"
+#include "ui/simulation/simulation.h"
+
+#include "core/simulation/build.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <string>
+
+using namespace carom;
+
+namespace {
+
+constexpr int patience = 20000; // [ms], for a loaded machine
+
+/// Balls that meet each other and the floor again and again, so that a wrong broad-phase would show.
+std::string jostling() {
+    std::string text = "wall { normal 0,1,0 toOrig 0 }\n";
+    for (int i = 0; i < 24; ++i) {
+        const std::string x = std::to_string(0.21 * (i % 4)), y = std::to_string(0.3 + 0.22 * (i / 8)),
+                          z = std::to_string(0.21 * ((i / 4) % 2));
+        text += "sphere { radius .1 mass 1 centre " + x + "," + y + "," + z + " vel " +
+                std::to_string((i % 3) - 1) + ",0," + std::to_string((i % 5) - 2) + " elastic .9 }\n";
+    }
+    return text;
+}
+
+std::shared_ptr<const Pipeline> compiled(const std::string& text) { return build(text).pipeline; }
+
+/// Collects what a simulation sends.
+struct Witness {
+    std::shared_ptr<const Snapshot> newest;
+    std::vector<std::int64_t> frames;
+
+    explicit Witness(Simulation& simulation) {
+        QObject::connect(&simulation, &Simulation::snapshotArrived,
+                         [this](const std::shared_ptr<const Snapshot>& snapshot) { newest = snapshot; });
+        QObject::connect(&simulation, &Simulation::framesArrived,
+                         [this](const std::vector<FrameStatistics>& batch) {
+                             for (const FrameStatistics& frame : batch) frames.push_back(frame.frame);
+                         });
+    }
+    std::int64_t frame() const { return newest ? newest->frame : -1; }
+};
+
+} // namespace
+
+class SimulationTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void loadingShowsFrameZero() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QVERIFY(simulation.isAtStart());
+        QCOMPARE(witness.newest->pose.size(), std::size_t{25});
+    }
+
+    void everyStepArrivesOnceAndInOrder() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        simulation.setSpeed(std::nullopt);
+        simulation.play();
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frames.size() > 500, patience);
+        simulation.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(static_cast<std::int64_t>(witness.frames.size()), witness.frame(),
+                                  patience);
+        for (std::size_t i = 0; i < witness.frames.size(); ++i)
+            QCOMPARE(witness.frames[i], static_cast<std::int64_t>(i) + 1);
+    }
+
+    void stepMovesOneFrameAndResetGoesBack() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        simulation.step();
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, patience);
+        QVERIFY(!simulation.isAtStart());
+        simulation.reset();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QVERIFY(simulation.isAtStart());
+    }
+
+    void nothingOfAnEarlierRunArrivesAfterLoading() {
+        Simulation simulation;
+        simulation.setSpeed(std::nullopt);
+        simulation.load(compiled(jostling()));
+        simulation.play();
+        QTest::qWait(50);
+        simulation.load(compiled("sphere { radius 1 mass 1 centre 0,0,0 }"));
+        Witness witness(simulation);
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, patience);
+        QCOMPARE(witness.newest->pose.size(), std::size_t{1});
+        QCOMPARE(witness.frames, std::vector<std::int64_t>{1});
+    }
+
+    void switchingTheBroadphaseWhileRunningDoesNotChangeTheMotion() {
+        const std::shared_ptr<const Pipeline> pipeline = compiled(jostling());
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(pipeline);
+        simulation.setSpeed(std::nullopt);
+        for (const BroadphaseRow& row : broadphases()) {
+            simulation.useBroadphase(&row);
+            const std::int64_t before = witness.frame();
+            simulation.play();
+            QTRY_VERIFY_WITH_TIMEOUT(witness.frame() > before + 20, patience);
+        }
+        simulation.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(static_cast<std::int64_t>(witness.frames.size()), witness.frame(),
+                                  patience);
+
+        World alone(pipeline);
+        while (alone.state().frame < witness.frame()) alone.step();
+        for (std::size_t body = 0; body < alone.state().pose.size(); ++body) {
+            QCOMPARE(witness.newest->pose[body].position, alone.state().pose[body].position);
+            QCOMPARE(witness.newest->velocity[body], alone.state().velocity[body]);
+        }
+    }
+
+    void aRunPausesAtTheSceneDuration() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(
+            compiled("simulation { step .01 duration .2 } sphere { radius 1 mass 1 centre 0,0,0 }"));
+        simulation.setSpeed(std::nullopt);
+        simulation.play();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+    }
+
+    void aLostFiniteStateStopsAndNamesTheBody() {
+        Simulation simulation;
+        QSignalSpy states(&simulation, &Simulation::stateChanged);
+        simulation.load(compiled("gravity { accel 0,-1e300,0 } simulation { step 1e10 }"
+                                 "sphere { radius 1 mass 1 centre 0,0,0 }"));
+        simulation.setSpeed(std::nullopt);
+        simulation.play();
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, patience);
+        QVERIFY(!simulation.status().health.finite);
+        QCOMPARE(simulation.status().health.body, BodyIndex{0});
+    }
+
+    void speedIsSimulatedSecondsASecond() {
+        // A tenth of real time: 0.2 s of wall time hold at most 0.02 s, 1.2 frames of the scene, plus the
+        // first frame at once. No lower bound: the machine may be busy.
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        simulation.setSpeed(0.1);
+        QElapsedTimer wall;
+        wall.start();
+        simulation.play();
+        QTest::qWait(200);
+        simulation.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning() && witness.frame() > 0, patience);
+        const double mostFrames = static_cast<double>(wall.elapsed()) * 0.001 * 0.1 * 60 + 1;
+        QVERIFY2(static_cast<double>(witness.frame()) <= mostFrames,
+                 qPrintable(QString::number(witness.frame())));
+    }
+
+    void aFrameOnScreenCarriesItsRenderTime() {
+        FrameLog log;
+        std::vector<FrameSample> seen;
+        QObject::connect(&log, &FrameLog::samplesReady, [&](const std::vector<FrameSample>& samples) {
+            seen.insert(seen.end(), samples.begin(), samples.end());
+        });
+        FrameStatistics first, second;
+        first.frame = 1;
+        second.frame = 2;
+        log.addFrames({first, second});
+        log.noteShown(2);
+        log.noteRendered(7.5);
+        QCOMPARE(seen.size(), std::size_t{2});
+        QCOMPARE(seen[0].render, 0.0);
+        QCOMPARE(seen[1].render, 7.5);
+    }
+};
+
+QTEST_GUILESS_MAIN(SimulationTest)
+#include "simulation_test.moc"

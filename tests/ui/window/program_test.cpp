@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QImage>
+#include <QTest>
+
+using namespace carom::test;
+
+namespace {
+
+const QString program = QStringLiteral(CAROM_PROGRAM);
+const QString scenes = QStringLiteral(CAROM_SOURCE_DIR "/scenes");
+
+} // namespace
+
+class ProgramTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_home;
+
+  private Q_SLOTS:
+    void initTestCase() {
+        qputenv("XDG_CONFIG_HOME", m_home.path().toLocal8Bit());
+        qputenv("XDG_DATA_HOME", m_home.path().toLocal8Bit());
+    }
+
+    void itLeavesAfterTheFramesAskedForWithTheirTimes() {
+        const Ended ended = runCommand(program, {scenes + QStringLiteral("/pool_break.sdl"),
+                                                 QStringLiteral("-n"), QStringLiteral("12")});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        const QStringList lines = ended.out.split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 3);
+        const QStringList columns = lines[0].simplified().split(u' ');
+        QCOMPARE(columns.mid(1), QStringLiteral("frames first mean median p95 p99 max").split(u' '));
+        const QStringList render = lines[2].simplified().split(u' ');
+        QCOMPARE(render[0], QStringLiteral("render"));
+        QCOMPARE(render[1], QStringLiteral("12"));
+        for (int i = 2; i < render.size(); ++i) QVERIFY2(render[i].toDouble() > 0, qPrintable(lines[2]));
+    }
+
+    void theScreenshotIsAPictureOfTheWindow() {
+        const QString path = m_home.filePath(QStringLiteral("window.png"));
+        const Ended ended =
+            runCommand(program, {scenes + QStringLiteral("/pool_break.sdl"), QStringLiteral("-n"),
+                                 QStringLiteral("2"), QStringLiteral("--screenshot"), path});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        const QImage picture(path);
+        QVERIFY(picture.width() > 800 && picture.height() > 500);
+        // The table is green, and a good part of the picture.
+        int green = 0, looked = 0;
+        for (int y = 0; y < picture.height(); y += 10)
+            for (int x = 0; x < picture.width(); x += 10, ++looked) {
+                const QColor colour = picture.pixelColor(x, y);
+                if (colour.green() > 40 && colour.green() > 2 * colour.red() &&
+                    colour.green() > 2 * colour.blue())
+                    ++green;
+            }
+        QVERIFY2(green * 10 > looked, qPrintable(QStringLiteral("%1 of %2").arg(green).arg(looked)));
+    }
+
+    void aSceneThatCannotBeReadEndsWithThree() {
+        const Ended ended = runCommand(program, {QStringLiteral("/no/such/scene.sdl")});
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY(ended.err.contains(QStringLiteral("/no/such/scene.sdl")));
+    }
+
+    void aPictureThatCannotBeWrittenEndsWithThree() {
+        const Ended ended = runCommand(
+            program, {scenes + QStringLiteral("/pool_break.sdl"), QStringLiteral("-n"), QStringLiteral("1"),
+                      QStringLiteral("--screenshot"), QStringLiteral("/no/such/folder/a.png")});
+        QCOMPARE(ended.exitCode, 3);
+    }
+
+    void everyShippedSceneOpensAndRuns_data() {
+        QTest::addColumn<QString>("path");
+        QDir folder(scenes);
+        for (const QString& name : folder.entryList({QStringLiteral("*.sdl")}, QDir::Files))
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
+
+    void everyShippedSceneOpensAndRuns() {
+        QFETCH(QString, path);
+        const Ended ended = runCommand(program, {path, QStringLiteral("-n"), QStringLiteral("30")});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+    }
+};
+
+QTEST_GUILESS_MAIN(ProgramTest)
+#include "program_test.moc"

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ide.h"
+
+#include <QSet>
+
+using namespace carom;
+
+namespace {
+
+/// Contrast of two colours (W3C, Web Content Accessibility Guidelines 2.1, 1.4.3): 1 to 21.
+double contrast(const QColor& a, const QColor& b) {
+    const auto luminance = [](const QColor& colour) {
+        const auto linear = [](double v) {
+            return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+               0.0722 * linear(colour.blueF());
+    };
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+constexpr double readable = 4.5; // the guideline's level AA for text
+constexpr double visible = 3.0;  // its level for large text and symbols
+
+} // namespace
+
+class ThemeTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyRoleHasAColour_data() {
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("dark") << true;
+        QTest::newRow("light") << false;
+    }
+
+    void everyRoleHasAColour() {
+        QFETCH(bool, dark);
+        const Theme theme = loadTheme(dark);
+#define CAROM_ROLE(name) QVERIFY2(theme.name.isValid(), #name);
+#include "ui/window/theme_roles.def"
+#undef CAROM_ROLE
+        QVERIFY(!theme.styleSheet().contains(u'@'));
+    }
+
+    void textCanBeReadOnItsBackground_data() { everyRoleHasAColour_data(); }
+
+    void textCanBeReadOnItsBackground() {
+        QFETCH(bool, dark);
+        const Theme t = loadTheme(dark);
+        for (const QColor& ink : {t.editorText, t.number, t.declaration, t.parameter, t.word, t.error})
+            QVERIFY2(contrast(ink, t.editor) >= readable, qPrintable(ink.name()));
+        QVERIFY(contrast(t.text, t.window) >= readable);
+        QVERIFY(contrast(t.text, t.panel) >= readable);
+        QVERIFY(contrast(t.text, t.selection) >= readable);
+        for (const QColor& ink : {t.comment, t.punctuation, t.warning, t.hint, t.good, t.mutedText})
+            QVERIFY2(contrast(ink, t.panel) >= visible, qPrintable(ink.name()));
+    }
+
+    void everyIconOfTheActionsExists() {
+        const Theme theme = loadTheme(true);
+        for (const ActionRow& row : actionRows()) {
+            if (row.icon == nullptr || *row.icon == '\0') continue;
+            QVERIFY2(!theme.icon(QString::fromLatin1(row.icon)).isNull(), row.icon);
+        }
+    }
+
+    void noTwoActionsShareAShortcut() {
+        QObject owner;
+        const Actions actions(&owner);
+        QSet<QString> seen;
+        for (const QKeySequence& key : actions.shortcuts()) {
+            QVERIFY2(!key.isEmpty(), "a shortcut that is none");
+            QVERIFY2(!seen.contains(key.toString()), qPrintable(key.toString()));
+            seen.insert(key.toString());
+        }
+    }
+
+    void everyActionSaysWhatItDoes() {
+        for (const ActionRow& row : actionRows())
+            if (row.text != nullptr) QVERIFY2(QByteArray(row.tip).size() > 10, row.text);
+    }
+};
+
+CAROM_IDE_TEST_MAIN(ThemeTest)
+#include "theme_test.moc"

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ide.h"
+
+#include "ui/docks/broadphase_dock.h"
+#include "ui/docks/effects_dock.h"
+#include "ui/docks/problems_dock.h"
+#include "ui/editor/find_bar.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/live_preview.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+using namespace carom;
+using namespace carom::test;
+using Sci = QsciScintillaBase;
+
+namespace {
+
+const QByteArray twoBalls = "camera { position 0,1,6 target 0,1,0 fov 40 }\n"
+                            "wall { normal 0,1,0 toOrig 0 }\n"
+                            "sphere left { radius .5 mass 1 centre -1,1,0 vel 0,3,0 colour red }\n"
+                            "sphere right { radius .5 mass 1 centre 1,1,0 colour blue }\n";
+
+/// The whole IDE with the two balls in it, on the screen.
+struct Ide {
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("balls.sdl"));
+    Workbench bench;
+    SceneEditor& editor = bench.window().editor();
+    Viewport& viewport = bench.window().viewport();
+    Simulation& simulation = bench.simulation();
+    std::int64_t frame = -1;
+
+    explicit Ide(const QByteArray& text = twoBalls) {
+        QObject::connect(&simulation, &Simulation::snapshotArrived, &bench,
+                         [this](const std::shared_ptr<const Snapshot>& s) { frame = s->frame; });
+        bench.window().show();
+        if (!writeFile(path, text) || bench.document().open(path))
+            qFatal("the test's scene cannot be opened");
+        bench.window().activateWindow();
+        if (!QTest::qWaitForWindowActive(&bench.window(), patience)) qFatal("the window is not active");
+    }
+    ~Ide() { editor.markSaved(); }
+
+    void trigger(ActionId id) { bench.window().actions()[id].trigger(); }
+    int problems() { return bench.window().problems().findChild<QAbstractItemView*>()->model()->rowCount(); }
+    bool current() const { return bench.builds().isCurrent(); }
+    QColor pixel(double x, double y) {
+        const QImage picture = viewport.grabFramebuffer();
+        return picture.pixelColor(static_cast<int>(x * picture.width()),
+                                  static_cast<int>(y * picture.height()));
+    }
+    QPoint place(double x, double y) const {
+        return {static_cast<int>(x * viewport.width()), static_cast<int>(y * viewport.height())};
+    }
+    /// Where a body is on screen: the first hit on a coarse raster.
+    QPoint placeOf(BodyIndex body) const {
+        for (int y = 4; y < viewport.height(); y += 8)
+            for (int x = 4; x < viewport.width(); x += 8)
+                if (viewport.hitAt(QPointF(x, y)).body == body) return {x, y};
+        return {-1, -1};
+    }
+};
+
+void typeAtTheEnd(SceneEditor& editor, const char* text) {
+    editor.send(Sci::SCI_GOTOPOS, editor.bytes().size());
+    QTest::keyClicks(&editor, QString::fromLatin1(text));
+}
+
+bool hasErrorSquiggle(const SceneEditor& editor, const QByteArray& word) {
+    const qsizetype at = editor.bytes().indexOf(word);
+    for (qsizetype i = 0; i < word.size(); ++i)
+        if (editor.send(Sci::SCI_INDICATORVALUEAT, 12, at + i) == 0) return false;
+    return editor.send(Sci::SCI_INDICATORVALUEAT, 12, at + word.size()) == 0;
+}
+
+} // namespace
+
+class WorkbenchTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void aWrongWordIsMarkedAndListedUntilItIsMended() {
+        Ide ide;
+        QCOMPARE(ide.problems(), 0);
+        placeCaretBehind(ide.editor, "colour red");
+        QTest::keyClicks(&ide.editor, QStringLiteral(" raduis 2"));
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 1, patience);
+        QVERIFY(hasErrorSquiggle(ide.editor, "raduis"));
+        for (int i = 0; i < 9; ++i) QTest::keyClick(&ide.editor, Qt::Key_Backspace);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 0, patience);
+        QCOMPARE(ide.editor.send(Sci::SCI_INDICATOREND, 12, 0), 0L);
+    }
+
+    void aClickInTheProblemsGoesToThePlace() {
+        Ide ide(twoBalls + "spere { radius 1 }\n");
+        QCOMPARE(ide.problems(), 1);
+        QAbstractItemView* rows = ide.bench.window().problems().findChild<QAbstractItemView*>();
+        const QRect first = rows->visualRect(rows->model()->index(0, 0));
+        QTest::mouseClick(rows->viewport(), Qt::LeftButton, {}, first.center());
+        QCOMPARE(ide.editor.selectedText(), QStringLiteral("spere"));
+    }
+
+    void playMovesTheBallsAndResetBringsThemBack() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QImage start = ide.viewport.grabFramebuffer();
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 8, patience);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTest::qWait(50);
+        const std::int64_t pausedAt = ide.frame;
+        QVERIFY(ide.viewport.grabFramebuffer() != start);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F10);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, pausedAt + 1, patience);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F5, Qt::ShiftModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QCOMPARE(ide.viewport.grabFramebuffer(), start);
+    }
+
+    void spaceAndTheRightArrowWorkInTheViewportOnly() {
+        Ide ide;
+        ide.viewport.setFocus();
+        QTest::keyClick(&ide.viewport, Qt::Key_Right);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, patience);
+        QTest::keyClick(&ide.viewport, Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning(), patience);
+        QTest::keyClick(&ide.viewport, Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        const QByteArray before = ide.editor.bytes();
+        ide.editor.setFocus();
+        QTest::keyClick(&ide.editor, Qt::Key_Space);
+        QCOMPARE(ide.editor.bytes().size(), before.size() + 1);
+        QVERIFY(!ide.simulation.isRunning());
+    }
+
+    void anEditAtFrameZeroShowsTheNewSceneAtOnce() {
+        Ide ide;
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
+        typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 colour lime }");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
+                                  patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(3) != QPoint(-1, -1), patience);
+    }
+
+    void anEditDuringARunWaitsForTheReset() {
+        Ide ide;
+        ide.trigger(ActionId::Step);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, patience);
+        typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 }");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
+        ide.trigger(ActionId::Reset);
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+    }
+
+    void errorsWhileTypingKeepTheLastGoodSceneDimmedWithABadge() {
+        Ide ide;
+        QLabel* badge = ide.viewport.findChild<QLabel*>(QStringLiteral("viewportBadge"));
+        QVERIFY(!badge->isVisible());
+        typeAtTheEnd(ide.editor, "spere { radius 1 }");
+        QTRY_VERIFY_WITH_TIMEOUT(badge->isVisible(), patience);
+        QVERIFY(badge->text().contains(QStringLiteral("1 error")));
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
+        while (ide.editor.isUndoAvailable()) ide.editor.undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!badge->isVisible(), patience);
+    }
+
+    void aFileOpenedWithErrorsShowsWhatCouldBeBuilt() {
+        Ide ide(twoBalls + "spere { radius 1 }\n");
+        QVERIFY(!ide.viewport.findChild<QLabel*>(QStringLiteral("viewportBadge"))->isVisible());
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
+    }
+
+    void aClickOnABodyShowsItsDeclaration() {
+        Ide ide;
+        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(2) != QPoint(-1, -1), patience);
+        QTest::mouseClick(&ide.viewport, Qt::LeftButton, {}, ide.placeOf(2));
+        QCOMPARE(ide.viewport.selectedBody(), BodyIndex{2});
+        QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("sphere right")));
+        QVERIFY(ide.editor.markersAtLine(3) & (1U << DeclarationMarker));
+        QVERIFY(!(ide.editor.markersAtLine(2) & (1U << DeclarationMarker)));
+    }
+
+    void theCaretInADeclarationOutlinesItsBody() {
+        Ide ide;
+        const auto caretBehind = [&](const QByteArray& word) { placeCaretBehind(ide.editor, word); };
+        caretBehind("sphere le");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{1}, patience);
+        caretBehind("centre 1,1");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{2}, patience);
+        caretBehind("camera {");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), noBody, patience);
+    }
+
+    void theBroadphaseIsSwitchedWhileRunning() {
+        Ide ide;
+        QComboBox* box = ide.bench.window().broadphase().findChild<QComboBox*>(QStringLiteral("algorithm"));
+        QCOMPARE(box->count(), static_cast<int>(broadphases().size()) + 1);
+        ide.trigger(ActionId::Play);
+        for (int i = 1; i < box->count(); ++i) {
+            box->setCurrentIndex(i);
+            const std::int64_t before = ide.frame;
+            QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before + 2, patience);
+        }
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QCOMPARE(ide.simulation.status().state, RunState::Paused);
+    }
+
+    void theUnsavedQuestionSavesDiscardsOrStays() {
+        Ide ide;
+        const auto answer = [](QMessageBox::StandardButton button) {
+            answerNextDialog([button](QWidget& dialog) {
+                QTest::mouseClick(static_cast<QMessageBox&>(dialog).button(button), Qt::LeftButton);
+            });
+        };
+        typeAtTheEnd(ide.editor, "// mine");
+        QVERIFY(ide.bench.window().isWindowModified());
+        answer(QMessageBox::Cancel);
+        QVERIFY(!ide.bench.window().close());
+        QVERIFY(ide.bench.window().isVisible());
+        QCOMPARE(readFile(ide.path), twoBalls);
+        answer(QMessageBox::Save);
+        QVERIFY(ide.bench.window().close());
+        QCOMPARE(readFile(ide.path), twoBalls + "// mine");
+        QVERIFY(!ide.bench.window().isWindowModified());
+
+        typeAtTheEnd(ide.editor, "// theirs");
+        answer(QMessageBox::Discard);
+        QVERIFY(ide.bench.window().close());
+        QCOMPARE(readFile(ide.path), twoBalls + "// mine");
+    }
+
+    void savingAndOpeningFillTheRecentMenu() {
+        Ide ide;
+        QVERIFY(ide.bench.files().open(ide.path));
+        const QMenu* recent = ide.bench.window().actions()[ActionId::Recent].menu();
+        QCOMPARE(recent->actions().size(), 1);
+        QVERIFY(recent->actions().first()->text().endsWith(QStringLiteral("balls.sdl")));
+        typeAtTheEnd(ide.editor, "// more");
+        QTest::keyClick(&ide.bench.window(), Qt::Key_S, Qt::ControlModifier);
+        QCOMPARE(readFile(ide.path), twoBalls + "// more");
+        ide.trigger(ActionId::New);
+        QVERIFY(ide.editor.bytes().isEmpty());
+        recent->actions().first()->trigger();
+        QCOMPARE(ide.editor.bytes(), twoBalls + "// more");
+    }
+
+    void bothThemesReachTheTextAndThePicture() {
+        Ide ide;
+        QAction& dark = ide.bench.window().actions()[ActionId::DarkTheme];
+        QVERIFY(dark.isChecked());
+        const QColor darkSky = ide.pixel(0.5, 0.05);
+        dark.trigger();
+        QCOMPARE(QApplication::palette().color(QPalette::Window), loadTheme(false).window);
+        QVERIFY(ide.pixel(0.5, 0.05).lightness() > darkSky.lightness());
+        QCOMPARE(ide.editor.grab().toImage().pixelColor(ide.editor.width() - 40, ide.editor.height() - 40),
+                 loadTheme(false).editor);
+    }
+
+    void everyPanelIsReachedByKeyAndEscapeReturnsToTheText() {
+        Ide ide;
+        QDockWidget& broadphase = ide.bench.window().broadphase();
+        QSignalSpy inFront(&broadphase, &QDockWidget::visibilityChanged);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_3, Qt::AltModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(inFront.count(), 1, patience);
+        QVERIFY(inFront.first().first().toBool());
+        QVERIFY(broadphase.findChild<QComboBox*>()->hasFocus());
+        QTest::keyClick(&ide.bench.window(), Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.hasFocus(), patience);
+    }
+
+    void aLongTextIsBuiltWhileOneTypes() {
+        QByteArray text = twoBalls;
+        while (text.size() < 2'000'000) text += "sphere { radius .1 mass 1 centre 0,9,0 fixed yes }\n";
+        Ide ide(text);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        placeCaretBehind(ide.editor, "colour red");
+        QTest::keyClicks(&ide.editor, QStringLiteral(" friction .5"));
+        QVERIFY(!ide.current()); // typed, not yet built
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QCOMPARE(ide.bench.builds().latest()->scene().bodies[1].friction, 0.5);
+    }
+};
+
+CAROM_IDE_TEST_MAIN(WorkbenchTest)
+#include "workbench_test.moc"
