@@ -37,6 +37,9 @@ std::optional<std::string_view> nearestName(std::string_view name,
     std::size_t least = 0;
     for (const std::string_view candidate : candidates) {
         const std::size_t allowed = std::max<std::size_t>(1, std::max(name.size(), candidate.size()) / 3);
+        const std::size_t lengths =
+            std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+        if (lengths > allowed) continue; // each edit changes the length by at most one
         const std::size_t distance = editDistance(name, candidate);
         if (distance <= allowed && (!nearest || distance < least)) {
             nearest = candidate;

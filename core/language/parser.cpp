@@ -3,6 +3,7 @@
 
 #include "core/base/numeral.h"
 #include "core/base/text.h"
+#include "core/language/token_cursor.h"
 #include "core/language/wording.h"
 #include "core/scene/schema.h"
 
@@ -16,13 +17,13 @@
 namespace carom {
 namespace {
 
-class Parser {
+class Parser : private TokenCursor {
   public:
     Parser(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
            std::size_t mostDeclarations)
-        : m_text(text), m_tokens(tokens), m_diagnostics(diagnostics), m_mostDeclarations(mostDeclarations) {
-        reserve();
-        m_at = significantFrom(0);
+        : TokenCursor(text, tokens), m_text(text), m_diagnostics(diagnostics),
+          m_mostDeclarations(mostDeclarations) {
+        reserve(tokens);
     }
 
     SyntaxTree run() {
@@ -40,54 +41,9 @@ class Parser {
     }
 
   private:
-    bool at(TokenKind kind) const { return m_tokens[m_at].kind == kind; }
-    bool atScalar() const { return at(TokenKind::Number) || at(TokenKind::Minus) || at(TokenKind::Faulty); }
-    SourceRange here() const { return m_tokens[m_at].range; }
-    std::string_view spelling(SourceRange range) const { return textOf(m_text, range); }
-
-    std::size_t significantFrom(std::size_t i) const {
-        while (m_tokens[i].kind == TokenKind::Comment || m_tokens[i].kind == TokenKind::Invalid) ++i;
-        return i;
-    }
-
     void advance() {
-        m_last = here();
-        const std::size_t next = significantFrom(m_at + 1);
-        for (std::size_t i = m_at + 1; m_inside && i < next; ++i)
-            if (m_tokens[i].kind == TokenKind::Invalid) m_now.broken = true;
-        m_at = next;
-    }
-
-    TokenKind kindAhead() const {
-        return at(TokenKind::EndOfText) ? TokenKind::EndOfText : m_tokens[significantFrom(m_at + 1)].kind;
-    }
-
-    bool beginsLine(SourceRange range) const {
-        for (std::size_t i = range.offset; i > 0; --i) {
-            const char c = m_text[i - 1];
-            if (c == '\n' || c == '\r') return true;
-            if (c != ' ' && c != '\t' && c != '\f') return i == 3 && m_text.starts_with("\xEF\xBB\xBF");
-        }
-        return true;
-    }
-
-    // The name of a known declaration type at the start of a line: where reading can safely begin anew.
-    bool atNewDeclaration() const {
-        return at(TokenKind::Name) && findDeclaration(spelling(here())) != nullptr && beginsLine(here());
-    }
-
-    // Inside a list: also a known type that is followed by what only a declaration's type is followed by.
-    bool atDeclarationInside() const {
-        if (!at(TokenKind::Name) || findDeclaration(spelling(here())) == nullptr) return false;
-        if (beginsLine(here()) || kindAhead() == TokenKind::OpenBrace) return true;
-        if (kindAhead() != TokenKind::Name) return false;
-        const std::size_t label = significantFrom(m_at + 1);
-        return m_tokens[significantFrom(label + 1)].kind == TokenKind::OpenBrace;
-    }
-
-    std::string found() const {
-        return at(TokenKind::EndOfText) ? std::string(nameOf(TokenKind::EndOfText))
-                                        : quoted(spelling(here()));
+        const bool unexpected = TokenCursor::advance();
+        m_now.broken = m_now.broken || (unexpected && m_inside);
     }
 
     // Reports inside the declaration being read.
@@ -99,15 +55,15 @@ class Parser {
     void skipStray() {
         const SourceRange first = here();
         if (at(TokenKind::CloseBrace) || at(TokenKind::Semicolon)) {
-            const TokenKind kind = m_tokens[m_at].kind;
-            while (at(kind)) advance();
-            const SourceRange run = spanning(first, m_last);
-            const bool brace = kind == TokenKind::CloseBrace;
+            const TokenKind run = kind();
+            while (at(run)) advance();
+            const SourceRange all = spanning(first, last());
+            const bool brace = run == TokenKind::CloseBrace;
             if (Diagnostic* diagnostic = m_diagnostics.report(
-                    brace ? DiagnosticCode::StrayBrace : DiagnosticCode::ExpectedDeclaration, run)) {
+                    brace ? DiagnosticCode::StrayBrace : DiagnosticCode::ExpectedDeclaration, all)) {
                 diagnostic->message = brace ? "`}` closes nothing; remove it, or put the `{` it belongs to"
                                             : "`;` ends nothing; a `;` stands in the place of `{ ... }`";
-                diagnostic->fixIt = removal(m_text, run, brace ? "remove `}`" : "remove `;`");
+                diagnostic->fixIt = removal(m_text, all, brace ? "remove `}`" : "remove `;`");
             }
             return;
         }
@@ -170,10 +126,10 @@ class Parser {
         const bool atEnd = at(TokenKind::EndOfText) || atNewDeclaration();
         Diagnostic* diagnostic = fail(DiagnosticCode::ExpectedParameterList, atEnd ? m_now.type : here());
         if (diagnostic == nullptr) return;
-        diagnostic->message = "expected `{` or `;` behind " + quoted(spelling(m_last)) + ", found " + found();
+        diagnostic->message = "expected `{` or `;` behind " + quoted(spelling(last())) + ", found " + found();
         const bool labelIsParameter = m_row != nullptr && m_row->find(spelling(m_now.label)) != nullptr;
         const bool braceMissing = labelIsParameter || (!atEnd && parameterRow(here()) != nullptr);
-        const SourceRange behind = {labelIsParameter ? m_now.type.end() : m_last.end(), 0};
+        const SourceRange behind = {labelIsParameter ? m_now.type.end() : last().end(), 0};
         if (braceMissing) diagnostic->fixIt = FixIt{"insert `{`", {behind, " {"}};
     }
 
@@ -186,7 +142,7 @@ class Parser {
 
     void finish() {
         m_inside = false;
-        m_now.range = spanning(m_now.type, m_last);
+        m_now.range = spanning(m_now.type, last());
         m_now.parameterCount = static_cast<std::uint32_t>(m_tree.parameters.size()) - m_now.firstParameter;
         m_tree.declarations.push_back(m_now);
     }
@@ -220,7 +176,7 @@ class Parser {
         if (diagnostic == nullptr) return;
         diagnostic->message = "this `{` is never closed; a `}` is missing before " + found();
         diagnostic->notes.push_back({here(), "the `}` is missed here"});
-        diagnostic->fixIt = FixIt{"insert `}`", {{m_last.end(), 0}, " }"}};
+        diagnostic->fixIt = FixIt{"insert `}`", {{last().end(), 0}, " }"}};
     }
 
     void reportSemicolon() {
@@ -267,10 +223,8 @@ class Parser {
 
     // `10m`: a name that touches the number before it and is no parameter was meant as its unit.
     bool isUnitOfNumber() {
-        const bool touches = m_at > 0 && m_tokens[m_at - 1].kind == TokenKind::Number &&
-                             m_tokens[m_at - 1].range.end() == here().offset;
-        if (!touches || m_row == nullptr || parameterRow(here()) != nullptr) return false;
-        const SourceRange whole = spanning(m_tokens[m_at - 1].range, here());
+        if (!touchesNumber() || m_row == nullptr || parameterRow(here()) != nullptr) return false;
+        const SourceRange whole = spanning(last(), here());
         if (Diagnostic* diagnostic = fail(DiagnosticCode::MalformedNumber, whole)) {
             diagnostic->message =
                 quoted(spelling(whole)) + " is not a number; units are not written, all are SI units";
@@ -316,7 +270,7 @@ class Parser {
                                       std::string(takes) + ", found " + found();
                 if (goesOn && m_expected != nullptr) {
                     const std::string example(m_expected->example);
-                    diagnostic->fixIt = FixIt{"insert `" + example + "`", {{m_last.end(), 0}, " " + example}};
+                    diagnostic->fixIt = FixIt{"insert `" + example + "`", {{last().end(), 0}, " " + example}};
                 }
             }
         }
@@ -343,7 +297,7 @@ class Parser {
                 break;
             }
         }
-        parameter.value = spanning(first, m_last);
+        parameter.value = spanning(first, last());
         if (!components.reported) judge(parameter, components);
         if (components.reported) {
             m_now.broken = true;
@@ -370,7 +324,7 @@ class Parser {
             into.reported = true;
         } else {
             if (!into.reported)
-                if (Diagnostic* diagnostic = fail(DiagnosticCode::ExpectedValue, spanning(first, m_last)))
+                if (Diagnostic* diagnostic = fail(DiagnosticCode::ExpectedValue, spanning(first, last())))
                     diagnostic->message = "expected a number behind `-`, found " + found();
             into.reported = true;
             return false;
@@ -442,11 +396,11 @@ class Parser {
 
     // Room for the most there can be (pages never touched cost nothing), so that no vector is ever copied
     // while it is large.
-    void reserve() {
+    void reserve(std::span<const Token> tokens) {
         std::size_t lists = 0;
         std::size_t numbers = 0;
         std::size_t names = 0;
-        for (const Token& token : m_tokens) {
+        for (const Token& token : tokens) {
             lists += token.kind == TokenKind::OpenBrace || token.kind == TokenKind::Semicolon ? 1 : 0;
             numbers += token.kind == TokenKind::Number ? 1 : 0;
             names += token.kind == TokenKind::Name ? 1 : 0;
@@ -457,12 +411,9 @@ class Parser {
     }
 
     std::string_view m_text;
-    std::span<const Token> m_tokens;
     DiagnosticList& m_diagnostics;
     std::size_t m_mostDeclarations;
     SyntaxTree m_tree;
-    std::size_t m_at = 0;
-    SourceRange m_last;                       ///< the token before the cursor
     DeclarationSyntax m_now;                  ///< the declaration being read
     const DeclarationRow* m_row = nullptr;    ///< its row; null where its type is unknown
     const ParameterRow* m_expected = nullptr; ///< the row of the parameter being read

@@ -4,6 +4,7 @@
 #include "core/base/assert.h"
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
+#include "core/language/body_labels.h"
 #include "core/language/value_check.h"
 #include "core/language/wording.h"
 #include "core/scene/limits.h"
@@ -21,15 +22,17 @@ namespace {
 
 constexpr std::size_t mostParameters = 32; // of one declaration type
 
-// Comparing names costs time; a text of nothing but unknown labels must not cost minutes.
-constexpr std::size_t labelComparisons = 50'000;
+// Beyond so many unknown parameters nobody is told any more what they may have meant.
+constexpr std::size_t mostSuggestions = 100'000;
 
 class Validator {
   public:
     Validator(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics)
-        : m_text(text), m_tree(tree), m_diagnostics(diagnostics), m_values{text, tree, diagnostics} {}
+        : m_text(text), m_tree(tree), m_diagnostics(diagnostics), m_values{text, tree, diagnostics},
+          m_labels(text, diagnostics) {}
 
     Scene run() {
+        m_scene.bodies.reserve(expectedBodies());
         std::vector<const DeclarationSyntax*> naming; // those that name bodies
         for (const DeclarationSyntax& syntax : m_tree.declarations) {
             const DeclarationRow* row = syntax.nameless ? nullptr : findDeclaration(spelling(syntax.type));
@@ -46,10 +49,16 @@ class Validator {
     }
 
   private:
-    struct Labelled {
-        SourceRange label;
-        BodyIndex body = noBody; ///< noBody: its declaration was left out
-    };
+    // Every body has at least two parameters; what has fewer will be left out.
+    std::size_t expectedBodies() const {
+        std::size_t count = 0;
+        for (const DeclarationSyntax& syntax : m_tree.declarations) {
+            if (syntax.broken || syntax.parameterCount < 2) continue;
+            const DeclarationRow* row = findDeclaration(spelling(syntax.type));
+            if (row != nullptr && row->isBody) ++count;
+        }
+        return count;
+    }
 
     // The parameters of one declaration, by their rows' places in the schema.
     struct Given {
@@ -61,7 +70,7 @@ class Validator {
     std::string_view spelling(SourceRange range) const { return textOf(m_text, range); }
 
     void leaveOutUnknown(const DeclarationSyntax& syntax) {
-        if (syntax.label.length > 0) m_labels.try_emplace(spelling(syntax.label), Labelled{syntax.label});
+        if (syntax.label.length > 0) m_labels.remember(syntax.label);
         if (syntax.nameless) return;
         Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownDeclaration, syntax.type);
         if (diagnostic == nullptr) return;
@@ -102,7 +111,7 @@ class Validator {
         body.label = spelling(source.label);
         body.source = source;
         if (!body.label.empty())
-            m_labels[spelling(source.label)].body = static_cast<BodyIndex>(m_scene.bodies.size());
+            m_labels.setBody(source.label, static_cast<BodyIndex>(m_scene.bodies.size()));
         m_scene.bodies.push_back(std::move(body));
     }
     void add(Spring& spring, const DeclarationSource& source) {
@@ -124,26 +133,11 @@ class Validator {
 
     bool claimLabel(const DeclarationSyntax& syntax, const DeclarationRow& row) {
         if (syntax.label.length == 0) return true;
-        const std::string_view label = spelling(syntax.label);
-        if (!row.isBody) {
-            if (Diagnostic* diagnostic =
-                    m_diagnostics.report(DiagnosticCode::UnexpectedLabel, syntax.label)) {
-                diagnostic->message = std::string(row.name) + " takes no label, found " + quoted(label) +
-                                      "; only bodies are labelled";
-                diagnostic->fixIt = removal(m_text, syntax.label, "remove the label");
-            }
-            return false;
-        }
-        if (label == "world") {
-            if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::ReservedLabel, syntax.label))
-                diagnostic->message = "`world` is reserved for the world itself; choose another label";
-            return false;
-        }
-        const auto [entry, isNew] = m_labels.try_emplace(label, Labelled{syntax.label});
-        if (isNew) return true;
-        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::DuplicateLabel, syntax.label)) {
-            diagnostic->message = "the label " + quoted(label) + " is taken; choose another";
-            diagnostic->notes.push_back({entry->second.label, "first given here"});
+        if (row.isBody) return m_labels.claim(syntax.label);
+        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnexpectedLabel, syntax.label)) {
+            diagnostic->message = std::string(row.name) + " takes no label, found " +
+                                  quoted(spelling(syntax.label)) + "; only bodies are labelled";
+            diagnostic->fixIt = removal(m_text, syntax.label, "remove the label");
         }
         return false;
     }
@@ -189,7 +183,12 @@ class Validator {
             return;
         }
         std::optional<CheckedValue> value = checkValue(m_values, *parameterRow, parameter);
-        if (!value || (parameterRow->kind == ValueKind::Label && !resolve(*value, parameter))) {
+        if (value && parameterRow->kind == ValueKind::Label) {
+            const std::optional<BodyIndex> body = m_labels.find(parameter.value);
+            if (body) value->body = *body;
+            if (!body) value.reset();
+        }
+        if (!value) {
             given.sound = false;
             return;
         }
@@ -199,8 +198,9 @@ class Validator {
 
     void reportUnknownParameter(const ParameterSyntax& parameter, const DeclarationRow& row, Given& given) {
         const std::string_view name = spelling(parameter.name);
-        const std::optional<std::string_view> nearest =
-            nearestRow(name, std::span<const ParameterRow>(row.parameters));
+        std::optional<std::string_view> nearest;
+        if (++m_suggestions <= mostSuggestions)
+            nearest = nearestRow(name, std::span<const ParameterRow>(row.parameters));
         if (nearest)
             given.suggested.set(static_cast<std::size_t>(row.find(*nearest) - row.parameters.data()));
         Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownParameter, parameter.name);
@@ -235,23 +235,28 @@ class Validator {
     }
 
     void reportMissing(const DeclarationSyntax& syntax, const DeclarationRow& row, Given& given) {
-        std::vector<std::string_view> missing;
-        std::string mend;
+        std::bitset<mostParameters> missing;
         for (std::size_t i = 0; i < row.parameters.size(); ++i) {
             const ParameterRow& parameter = row.parameters[i];
             if (!parameter.required || given.parameters[i] != nullptr || excused(parameter, row, given))
                 continue;
             given.sound = false;
-            if (given.suggested[i]) continue; // its misspelling is reported already
-            missing.push_back(parameter.name);
+            missing.set(i, !given.suggested[i]); // else its misspelling is reported already
+        }
+        if (missing.none()) return;
+        Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::MissingParameter, syntax.type);
+        if (diagnostic == nullptr) return;
+        std::vector<std::string_view> names;
+        std::string mend;
+        for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+            if (!missing[i]) continue;
+            const ParameterRow& parameter = row.parameters[i];
+            names.push_back(parameter.name);
             mend += (mend.empty() ? "" : "  ") + std::string(parameter.name) + " " +
                     std::string(parameter.example);
         }
-        if (missing.empty()) return;
-        Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::MissingParameter, syntax.type);
-        if (diagnostic == nullptr) return;
-        diagnostic->message = std::string(row.name) + " lacks " + listed(missing, "and") +
-                              (missing.size() == 1 ? "; it is required" : "; they are required");
+        diagnostic->message = std::string(row.name) + " lacks " + listed(names, "and") +
+                              (names.size() == 1 ? "; it is required" : "; they are required");
         diagnostic->fixIt = FixIt{"insert `" + mend + "`", insertion(syntax, mend)};
     }
 
@@ -267,43 +272,6 @@ class Validator {
         const bool ownLine = line > 0 && (m_text[line - 1] == '\n' || m_text[line - 1] == '\r');
         const std::string indent = "\n" + std::string(m_text.substr(line, before.name.offset - line));
         return {{behind, 0}, (ownLine ? indent : "  ") + parameters};
-    }
-
-    // Finds the body a label names.
-    bool resolve(CheckedValue& value, const ParameterSyntax& parameter) {
-        if (value.word == "world") return true;
-        const auto entry = m_labels.find(value.word);
-        if (entry != m_labels.end() && entry->second.body != noBody) {
-            value.body = entry->second.body;
-            return true;
-        }
-        Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, parameter.value);
-        if (diagnostic == nullptr) return false;
-        if (entry != m_labels.end()) {
-            diagnostic->message = "the declaration of " + quoted(value.word) +
-                                  " is left out because of a mistake in it; mend that first";
-            diagnostic->notes.push_back({entry->second.label, "declared here"});
-            return false;
-        }
-        diagnostic->message = "no body is labelled " + quoted(value.word);
-        if (const std::optional<std::string_view> nearest = nearestLabel(value.word)) {
-            diagnostic->message += "; did you mean `" + std::string(*nearest) + "`?";
-            diagnostic->fixIt = replaceBy(parameter.value, *nearest);
-        } else {
-            diagnostic->message += "; name one by its label, as in `sphere ball { ... }`, or write `world`";
-        }
-        return false;
-    }
-
-    std::optional<std::string_view> nearestLabel(std::string_view label) {
-        std::vector<std::string_view> candidates = {"world"};
-        for (const Body& body : m_scene.bodies) {
-            if (m_comparisons >= labelComparisons) break;
-            if (body.label.empty()) continue;
-            ++m_comparisons;
-            candidates.push_back(body.label);
-        }
-        return nearestName(label, candidates);
     }
 
     bool hasTwoEnds(const DeclarationSyntax& syntax, const Spring& spring) {
@@ -378,9 +346,9 @@ class Validator {
     DiagnosticList& m_diagnostics;
     ValueCheckInput m_values;
     Scene m_scene;
-    std::unordered_map<std::string_view, Labelled> m_labels;
+    BodyLabels m_labels;
     std::unordered_map<const DeclarationRow*, SourceRange> m_once;
-    std::size_t m_comparisons = 0;
+    std::size_t m_suggestions = 0;
     Extreme m_lightest;
     Extreme m_heaviest;
     bool m_anyMass = false;

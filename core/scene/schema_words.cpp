@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/schema.h"
 
-#include "core/base/catalogue.h"
-
 #include <array>
 
 // The words of the scene language and the phrases by which messages and the manual name its rules.
@@ -87,17 +85,5 @@ std::string_view phraseOf(ValueKind kind) {
     }
     return "a value";
 }
-
-const ParameterRow* DeclarationRow::find(std::string_view parameter) const {
-    return findByName(std::span<const ParameterRow>(parameters), parameter);
-}
-
-bool DeclarationRow::takesLabels() const {
-    for (const ParameterRow& row : parameters)
-        if (row.kind == ValueKind::Label) return true;
-    return false;
-}
-
-const DeclarationRow* findDeclaration(std::string_view name) { return findByName(schema(), name); }
 
 } // namespace carom

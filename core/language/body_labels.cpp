@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/body_labels.h"
+
+#include "core/base/catalogue.h"
+#include "core/language/wording.h"
+
+#include <algorithm>
+#include <string>
+
+namespace carom {
+namespace {
+
+// Comparing names costs time; a text of nothing but unknown labels must not cost minutes.
+constexpr std::size_t mostComparisons = 50'000;
+
+} // namespace
+
+bool BodyLabels::claim(SourceRange label) {
+    if (spelling(label) == "world") {
+        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::ReservedLabel, label))
+            diagnostic->message = "`world` is reserved for the world itself; choose another label";
+        return false;
+    }
+    const auto [entry, isNew] = m_entries.try_emplace(spelling(label), Entry{label});
+    if (isNew) return true;
+    if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::DuplicateLabel, label)) {
+        diagnostic->message = "the label " + quoted(spelling(label)) + " is taken; choose another";
+        diagnostic->notes.push_back({entry->second.label, "first given here"});
+    }
+    return false;
+}
+
+void BodyLabels::remember(SourceRange label) { m_entries.try_emplace(spelling(label), Entry{label}); }
+
+void BodyLabels::setBody(SourceRange label, BodyIndex body) {
+    m_entries[spelling(label)] = {label, body};
+    m_names.push_back(spelling(label));
+}
+
+std::optional<BodyIndex> BodyLabels::find(SourceRange label) {
+    if (spelling(label) == "world") return noBody;
+    const auto found = m_entries.find(spelling(label));
+    if (found == m_entries.end()) {
+        reportUnknown(label);
+        return std::nullopt;
+    }
+    if (found->second.body != noBody) return found->second.body;
+    if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label)) {
+        diagnostic->message = "the declaration of " + quoted(spelling(label)) +
+                              " is left out because of a mistake in it; mend that first";
+        diagnostic->notes.push_back({found->second.label, "declared here"});
+    }
+    return std::nullopt;
+}
+
+void BodyLabels::reportUnknown(SourceRange label) {
+    Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label);
+    if (diagnostic == nullptr) return;
+    const std::size_t compared = std::min(m_names.size(), mostComparisons - m_comparisons);
+    m_comparisons += compared;
+    std::vector<std::string_view> candidates = {"world"};
+    candidates.insert(candidates.end(), m_names.begin(),
+                      m_names.begin() + static_cast<std::ptrdiff_t>(compared));
+    diagnostic->message = "no body is labelled " + quoted(spelling(label));
+    if (const std::optional<std::string_view> nearest = nearestName(spelling(label), candidates)) {
+        diagnostic->message += "; did you mean `" + std::string(*nearest) + "`?";
+        diagnostic->fixIt = replaceBy(label, *nearest);
+    } else {
+        diagnostic->message += "; name one by its label, as in `sphere ball { ... }`, or write `world`";
+    }
+}
+
+} // namespace carom

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic_list.h"
+#include "core/base/index.h"
+#include "core/base/source.h"
+
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace carom {
+
+/// Who carries which label, and the messages about it.
+class BodyLabels {
+  public:
+    BodyLabels(std::string_view text, DiagnosticList& diagnostics)
+        : m_text(text), m_diagnostics(diagnostics) {}
+
+    /// Gives a label to a declaration that is not built yet; false, and reported, where it cannot have it.
+    bool claim(SourceRange label);
+    /// The same for a declaration that will never be built, so that springs to it can be told why.
+    void remember(SourceRange label);
+    /// The declaration that claimed the label was built as `body`.
+    void setBody(SourceRange label, BodyIndex body);
+
+    /// The body that carries the label written at `label` (noBody for `world`); nothing, and reported, where
+    /// no built body does.
+    std::optional<BodyIndex> find(SourceRange label);
+
+  private:
+    struct Entry {
+        SourceRange label;
+        BodyIndex body = noBody; ///< noBody: its declaration was left out
+    };
+
+    std::string_view spelling(SourceRange range) const { return textOf(m_text, range); }
+    void reportUnknown(SourceRange label);
+
+    std::string_view m_text;
+    DiagnosticList& m_diagnostics;
+    std::unordered_map<std::string_view, Entry> m_entries;
+    std::vector<std::string_view> m_names; ///< in the order of the text, for suggestions
+    std::size_t m_comparisons = 0;
+};
+
+} // namespace carom

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/schema.h"
+
+// The rows of the schema, made by the files that hold their stores; read them through schema().
+
+namespace carom {
+
+DeclarationRow sphereDeclaration();
+DeclarationRow cylinderDeclaration();
+DeclarationRow wallDeclaration();
+DeclarationRow cuboidDeclaration();
+
+DeclarationRow gravityDeclaration();
+DeclarationRow springDeclaration();
+DeclarationRow simulationDeclaration();
+DeclarationRow cameraDeclaration();
+
+} // namespace carom
