@@ -18,12 +18,6 @@ constexpr std::size_t fewEscaped = 8;
 // whatever is done, and a fat box would only meet more others.
 constexpr double framesAhead = 8, leastMargin = 0.01, mostMargin = 0.25;
 
-Aabb fattened(const Aabb& box, const Vec3& lastLower) {
-    const double width = (box.upper - box.lower).maxCoeff();
-    const double ahead = framesAhead * (box.lower - lastLower).cwiseAbs().maxCoeff();
-    return ahead > mostMargin * width ? box : grown(box, std::max(ahead, leastMargin * width));
-}
-
 double girthOf(const Aabb& box) { return box.size().sum(); }
 
 } // namespace
@@ -31,6 +25,7 @@ double girthOf(const Aabb& box) { return box.size().sum(); }
 void BoundingTree::update(const BroadphaseInput& input) {
     m_counters = {};
     m_escaped.clear();
+    ++m_update;
     const std::size_t count = input.boxes.size();
     const double costOfNew = buildCost * static_cast<double>(count) * std::log2(2 + double(count));
     if (m_items.size() != count || m_regret > costOfNew) {
@@ -55,30 +50,36 @@ void BoundingTree::update(const BroadphaseInput& input) {
     for (const PairKey key : m_candidates)
         if (overlap(input.boxes[firstOf(key)], input.boxes[secondOf(key)])) m_overlapping.push_back(key);
     translate(m_overlapping, input, m_pairs);
-    m_last.resize(count);
-    for (std::size_t i = 0; i < count; ++i) m_last[i] = input.boxes[i].lower;
 
     m_counters.boxes = count;
     m_counters.pairs = m_pairs.size();
     m_counters.tested += m_candidates.size();
-    m_counters.memoryBytes = m_nodes.capacity() * sizeof(Node) + m_items.capacity() * sizeof(Item) +
-                             m_last.capacity() * sizeof(Vec3) + m_hasEscaped.capacity() +
-                             (m_escaped.capacity() + m_stack.capacity()) * sizeof(std::uint32_t) +
-                             (m_candidates.capacity() + m_overlapping.capacity()) * sizeof(PairKey) +
-                             m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
+    m_counters.memoryBytes =
+        m_nodes.capacity() * sizeof(Node) + m_items.capacity() * sizeof(Item) +
+        m_fat.capacity() * sizeof(Aabb) + m_hasEscaped.capacity() +
+        (m_placeOf.capacity() + m_since.capacity() + m_escaped.capacity() + m_stack.capacity()) *
+            sizeof(std::uint32_t) +
+        (m_candidates.capacity() + m_overlapping.capacity()) * sizeof(PairKey) + m_order.bytes() +
+        m_pairs.capacity() * sizeof(BodyPair);
 }
 
 void BoundingTree::build(const BroadphaseInput& input) {
     const std::uint32_t count = static_cast<std::uint32_t>(input.boxes.size());
     const bool first = m_items.size() != count;
     m_items.resize(count);
+    m_fat.resize(count);
+    m_placeOf.resize(count);
+    m_since.resize(count, m_update);
     m_hasEscaped.assign(count, 0);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3& last = first ? input.boxes[i].lower : m_last[i];
-        m_items[i] = {fattened(input.boxes[i], last), i, input.mobile[i]};
+        if (first) m_fat[i] = input.boxes[i];
+        m_fat[i] = fattened(input.boxes[i], i);
+        m_since[i] = m_update;
+        m_items[i] = {m_fat[i], i, input.mobile[i]};
     }
     m_nodes.clear();
     if (count > 0) buildNode(0, count);
+    for (std::uint32_t p = 0; p < count; ++p) m_placeOf[m_items[p].entry] = p;
     refit();
     m_girthWhenNew = m_girth;
     m_regret = 0;
@@ -109,15 +110,27 @@ std::uint32_t BoundingTree::buildNode(std::uint32_t first, std::uint32_t count) 
 }
 
 void BoundingTree::renewFatBoxes(const BroadphaseInput& input) {
-    for (std::uint32_t p = 0; p < m_items.size(); ++p) {
-        Item& item = m_items[p];
-        const Aabb& box = input.boxes[item.entry];
-        const bool inside = contains(item.fat, box);
-        m_hasEscaped[item.entry] = inside ? 0 : 1;
+    for (std::uint32_t i = 0; i < m_fat.size(); ++i) {
+        const Aabb& box = input.boxes[i];
+        const bool inside = contains(m_fat[i], box);
+        m_hasEscaped[i] = inside ? 0 : 1;
         if (inside) continue;
-        item.fat = fattened(box, m_last[item.entry]);
-        m_escaped.push_back(p);
+        m_fat[i] = fattened(box, i);
+        m_since[i] = m_update;
+        m_items[m_placeOf[i]].fat = m_fat[i];
+        m_escaped.push_back(m_placeOf[i]);
     }
+}
+
+// What it moved, or grew beyond its fat box, since that was made.
+Aabb BoundingTree::fattened(const Aabb& box, std::uint32_t entry) const {
+    const Aabb& last = m_fat[entry];
+    const double moved = (box.centre() - last.centre()).cwiseAbs().maxCoeff();
+    const double out = std::max((last.lower - box.lower).maxCoeff(), (box.upper - last.upper).maxCoeff());
+    const double updates = std::max<std::uint32_t>(1, m_update - m_since[entry]);
+    const double ahead = framesAhead * std::max(moved, out) / updates;
+    const double width = (box.upper - box.lower).maxCoeff();
+    return ahead > mostMargin * width ? box : grown(box, std::max(ahead, leastMargin * width));
 }
 
 // Children come after their parents, so one pass from the end meets every child before its parent.

@@ -41,6 +41,7 @@ class BoundingTree final : public Broadphase {
 
     void build(const BroadphaseInput& input);
     std::uint32_t buildNode(std::uint32_t first, std::uint32_t count);
+    Aabb fattened(const Aabb& box, std::uint32_t entry) const;
     void renewFatBoxes(const BroadphaseInput& input);
     void refit();
     void compareAll();
@@ -51,9 +52,12 @@ class BoundingTree final : public Broadphase {
 
     std::vector<Node> m_nodes;
     std::vector<Item> m_items;
-    std::vector<Vec3> m_last;               ///< lower corners of the last frame, by entry [m]
-    std::vector<std::uint32_t> m_escaped;   ///< of m_items, ascending
-    std::vector<std::uint8_t> m_hasEscaped; ///< by entry
+    std::vector<Aabb> m_fat;                ///< of m_items, by entry: the check of every frame reads in order
+    std::vector<std::uint32_t> m_placeOf;   ///< of m_items, by entry
+    std::vector<std::uint32_t> m_since;     ///< the update that fattened the box, by entry
+    std::vector<std::uint8_t> m_hasEscaped; ///< in this update, by entry
+    std::vector<std::uint32_t> m_escaped;   ///< of m_items
+    std::uint32_t m_update = 0;
     std::vector<std::uint32_t> m_stack;
     std::vector<PairKey> m_candidates; ///< pairs of overlapping fat boxes, ascending
     std::vector<PairKey> m_overlapping;
