@@ -184,16 +184,16 @@ void ContactRegion::meetDiscs(const Sides& sides) {
                          (2 * distance);
         const double y = std::sqrt(std::max(0.0, first.radius * first.radius - x * x));
         const Vec2 sideways(-towards.y(), towards.x());
-        shootRay(middle, -towards, 4);
+        shootRay(middle, -smaller * towards, 4);
         shootRay(middle, x * towards + y * sideways - middle, 5);
-        shootRay(middle, towards, 6);
+        shootRay(middle, smaller * towards, 6);
         shootRay(middle, x * towards - y * sideways - middle, 7);
         return;
     }
-    shootRay(middle, Vec2(1, 0), 0);
-    shootRay(middle, Vec2(0, 1), 1);
-    shootRay(middle, Vec2(-1, 0), 2);
-    shootRay(middle, Vec2(0, -1), 3);
+    shootRay(middle, Vec2(smaller, 0), 0);
+    shootRay(middle, Vec2(0, smaller), 1);
+    shootRay(middle, Vec2(-smaller, 0), 2);
+    shootRay(middle, Vec2(0, -smaller), 3);
 }
 
 void ContactRegion::meetLineAndFace(const Sides& sides) {

@@ -112,9 +112,10 @@ BestAxis inWorld(const PlacedShape& a, const BestAxis& best) {
 } // namespace
 
 bool collideCuboidCuboid(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
-    const BestAxis best = searchAxes(CuboidPair(a, b), margin);
+    const BestAxis best = inWorld(a, searchAxes(CuboidPair(a, b), margin));
+    manifold.normal = best.normal;
     if (!(best.separation <= margin)) return false;
-    fillManifold(a, b, inWorld(a, best), margin, manifold);
+    fillManifold(a, b, best, margin, manifold);
     return true;
 }
 

@@ -120,9 +120,10 @@ BestAxis inWorld(const PlacedShape& cuboid, const BestAxis& best) {
 } // namespace
 
 bool collideCylinderCuboid(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
-    const BestAxis best = searchAxes(CylinderCuboidPair(a, b), margin);
+    const BestAxis best = inWorld(b, searchAxes(CylinderCuboidPair(a, b), margin));
+    manifold.normal = best.normal;
     if (!(best.separation <= margin)) return false;
-    fillManifold(a, b, inWorld(b, best), margin, manifold);
+    fillManifold(a, b, best, margin, manifold);
     return true;
 }
 

@@ -146,6 +146,7 @@ BestAxis searchAxes(const CylinderPair& pair, double margin) {
 
 bool collideCylinderCylinder(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
     const BestAxis best = searchAxes(CylinderPair(a, b), margin);
+    manifold.normal = best.normal;
     if (!(best.separation <= margin)) return false;
     fillManifold(a, b, best, margin, manifold);
     return true;

@@ -19,9 +19,10 @@ struct PlacedShape {
 };
 
 /// Fills `manifold` with the contact of A and B if their distance is at most `margin` [m] (>= 0; 0 finds only
-/// touching and overlapping shapes), and says whether it did; otherwise manifold.count = 0.
-/// Overlapping shapes always give at least one point; normal from A to B; exchanging A and B gives the same
-/// points and the opposite normal, bit for bit. Two walls never collide.
+/// touching and overlapping shapes), and says whether it did; otherwise manifold.count = 0
+/// and, for cylinders and cuboids, manifold.normal is a direction along which they are further apart than
+/// that. Overlapping shapes always give at least one point; normal from A to B; exchanging A and B gives the
+/// same points and the opposite normal, bit for bit. Two walls never collide.
 bool collide(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold);
 
 /// The signed distance of two shapes [m] with its witness points: positive apart, negative overlapping (minus

@@ -19,7 +19,7 @@ template<const PairMethods& methods>
 constexpr PairMethods mirrored = {
     [](const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
         const bool found = methods.collide(b, a, margin, manifold);
-        if (found) flip(manifold);
+        flip(manifold);
         return found;
     },
     [](const PlacedShape& a, const PlacedShape& b) { return flipped(methods.proximity(b, a)); }};
