@@ -87,7 +87,7 @@ inline Pair randomPair(Random& random, ShapeKind kindA, ShapeKind kindB, Poses p
         pair.poseB.position = pair.poseA.position;
     else
         pair.poseB.position =
-            pair.poseA.position + randomDirection(random) * random.uniform(0, 1) * pair.size();
+            pair.poseA.position + randomDirection(random) * random.uniform(0, 1.3) * pair.size();
     if (isWall(pair.shapeA)) pair.poseA = Pose{};
     if (isWall(pair.shapeB)) pair.poseB = Pose{};
     if (poses == Poses::Touching) { // slide B along the normal to nearly touching
