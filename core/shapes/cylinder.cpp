@@ -10,7 +10,9 @@ Aabb boundsOf(const Cylinder& cylinder, const Pose& worldFromBody) {
     const Vec3 axis = axisOf(worldFromBody);
     Vec3 half;
     for (int i = 0; i < 3; ++i) {
-        const double across = std::sqrt(std::max(0.0, 1 - axis[i] * axis[i]));
+        const double j = axis[(i + 1) % 3];
+        const double k = axis[(i + 2) % 3];
+        const double across = std::sqrt(j * j + k * k); // 1 - axis[i]² would cancel near an upright axis
         half[i] = cylinder.halfHeight * std::abs(axis[i]) + cylinder.radius * across;
     }
     return {worldFromBody.position - half, worldFromBody.position + half};

@@ -43,11 +43,13 @@ class PolygonClipTest : public QObject {
         for (int i = 0; i < 2000; ++i) {
             const double angle = random.uniform(0, 7);
             const Vec2 inward(std::cos(angle), std::sin(angle));
-            const HalfPlane half = {inward, inward.dot(Vec2(random.uniform(-1, 2), random.uniform(-1, 2))), 4};
+            const HalfPlane half = {inward, inward.dot(Vec2(random.uniform(-1, 2), random.uniform(-1, 2))),
+                                    4};
             const ClipPolygon kept = clipped(unitSquare(), half, 0);
             const ClipPolygon rest = clipped(unitSquare(), opposite(half), 0);
             QVERIFY(std::abs(areaOf(kept) + areaOf(rest) - 1) <= tolerance);
-            for (std::size_t k = 0; k < kept.count; ++k) QVERIFY(half.depthOf(kept.corners[k].point) >= -tolerance);
+            for (std::size_t k = 0; k < kept.count; ++k)
+                QVERIFY(half.depthOf(kept.corners[k].point) >= -tolerance);
         }
     }
 

@@ -44,7 +44,8 @@ class SegmentTest : public QObject {
     }
 
     void segmentsThatCrossMeet() {
-        const SegmentPair found = nearestPoints({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {Vec3(0.5, -1, 0), Vec3(0.5, 3, 0)});
+        const SegmentPair found =
+            nearestPoints({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {Vec3(0.5, -1, 0), Vec3(0.5, 3, 0)});
         QVERIFY((found.onA - Vec3(0.5, 0, 0)).norm() <= tolerance);
         QVERIFY((found.onB - Vec3(0.5, 0, 0)).norm() <= tolerance);
     }
