@@ -29,7 +29,11 @@ constexpr std::size_t framesCounted = 6000;
 /// A chart wider than this in frames has no more columns of pixels to show them.
 constexpr std::size_t framesCharted = 3000;
 
-enum Column : int { Now, Mean, Median, P95, P99, Maximum };
+/// The first column is the newest frame's, or the picked one's.
+enum Column : int { Single, Mean, Median, P95, P99, Maximum };
+
+/// What a row of the table counts.
+enum class Frames { All, Shown };
 
 /// The first frame of a run also pays for what is made once; it counts apart.
 std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& samples) {
@@ -40,8 +44,7 @@ std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& sample
 } // namespace
 
 TimingDock::TimingDock(QWidget* parent)
-    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_first(new QLabel), m_picked(new QLabel),
-      m_report(new QLabel) {
+    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_first(new QLabel), m_report(new QLabel) {
     setObjectName(QStringLiteral("timingDock"));
 
     QStringList rows;
@@ -74,7 +77,7 @@ TimingDock::TimingDock(QWidget* parent)
     }
     save->setMenu(menu);
 
-    m_picked->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_first->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_report->setWordWrap(true);
     QHBoxLayout* bar = new QHBoxLayout;
@@ -86,16 +89,11 @@ TimingDock::TimingDock(QWidget* parent)
     left->addWidget(m_strip, 1);
     left->addWidget(m_report);
     m_report->hide();
-    QVBoxLayout* right = new QVBoxLayout;
-    right->addWidget(m_table, 1);
-    right->addWidget(m_picked);
-    m_picked->hide();
-
     QWidget* content = new QWidget;
     QHBoxLayout* layout = new QHBoxLayout(content);
     layout->setContentsMargins(6, 4, 6, 6);
     layout->addLayout(left, 3);
-    layout->addLayout(right, 2);
+    layout->addWidget(m_table, 2);
     setWidget(content);
     setFocusProxy(m_strip);
 
@@ -113,45 +111,57 @@ void TimingDock::addSamples(std::span<const FrameSample> samples) {
 
 void TimingDock::clear() {
     m_strip->clear();
-    m_picked->hide();
     m_report->hide();
     updateStatistics();
 }
 
 void TimingDock::updateStatistics() {
     const std::vector<FrameSample>& samples = m_strip->samples();
-    if (!samples.empty() && samples.front().statistics.frame == 1)
+    const FrameSample* single = samples.empty() ? nullptr : &samples.back();
+    m_table->setColumnTitle(Single, tr("now [ms]"));
+    m_first->clear();
+    if (m_strip->picked() != TimingStrip::noFrame) {
+        single = &samples[static_cast<std::size_t>(m_strip->picked())];
+        const FrameStatistics& frame = single->statistics;
+        m_table->setColumnTitle(Single, tr("%1 [ms]").arg(frame.frame));
+        m_first->setText(tr("Frame %1 at %2 s: %3 pairs, %4 contacts")
+                             .arg(frame.frame)
+                             .arg(frame.time, 0, 'f', 3)
+                             .arg(frame.broad.pairs)
+                             .arg(frame.contacts));
+    } else if (single && samples.front().statistics.frame == 1) {
         m_first->setText(tr("First frame: %1 ms (apart)").arg(totalOf(samples.front()), 0, 'f', 3));
-    else
-        m_first->clear();
+    }
 
     const std::span<const FrameSample> later = withoutFirst(samples);
     const std::span<const FrameSample> frames = later.last(std::min(later.size(), framesCounted));
-    m_table->setToolTip(tr("Of the last %1 frames, without the first").arg(frames.size()));
-    std::vector<double> values(frames.size());
-    const auto fill = [&](int row, const auto& milliseconds) {
-        std::transform(frames.begin(), frames.end(), values.begin(), milliseconds);
+    m_table->setToolTip(tr("Of the last %1 frames, without the first; rendering of those that were shown")
+                            .arg(frames.size()));
+    std::vector<double> values;
+    const auto fill = [&](int row, double (*milliseconds)(const FrameSample&), Frames shown) {
+        values.clear();
+        for (const FrameSample& sample : frames)
+            if (shown == Frames::All || sample.render > 0) values.push_back(milliseconds(sample));
         const Summary summary = summarise(values);
         const bool any = !values.empty();
-        m_table->setValue(row, Now, any ? values.back() : NAN);
+        m_table->setValue(row, Single, single ? milliseconds(*single) : NAN);
         m_table->setValue(row, Mean, any ? summary.mean : NAN);
         m_table->setValue(row, Median, any ? summary.median : NAN);
         m_table->setValue(row, P95, any ? summary.p95 : NAN);
         m_table->setValue(row, P99, any ? summary.p99 : NAN);
         m_table->setValue(row, Maximum, any ? summary.maximum : NAN);
     };
-    for (std::size_t i = 0; i < framePartCount; ++i) fill(static_cast<int>(i), frameParts()[i].milliseconds);
-    fill(static_cast<int>(framePartCount), totalOf);
+    for (std::size_t i = 0; i < framePartCount; ++i) {
+        const FramePart& part = frameParts()[i];
+        fill(static_cast<int>(i), part.milliseconds, part.ofShownFrames ? Frames::Shown : Frames::All);
+    }
+    fill(static_cast<int>(framePartCount), totalOf, Frames::All);
 }
 
 void TimingDock::showPicked(std::ptrdiff_t index) {
-    m_picked->setVisible(index != TimingStrip::noFrame);
-    if (index == TimingStrip::noFrame) return;
-    const FrameSample& sample = m_strip->samples()[static_cast<std::size_t>(index)];
-    m_picked->setText(breakdownOf(sample) +
-                      tr("\n%n pair(s), ", nullptr, static_cast<int>(sample.statistics.broad.pairs)) +
-                      tr("%n contact(s)", nullptr, static_cast<int>(sample.statistics.contacts)));
-    Q_EMIT framePicked(sample.statistics.frame);
+    updateStatistics();
+    if (index != TimingStrip::noFrame)
+        Q_EMIT framePicked(m_strip->samples()[static_cast<std::size_t>(index)].statistics.frame);
 }
 
 ChartSpec TimingDock::chart() const {

@@ -47,8 +47,7 @@ class TimingDock : public QDockWidget {
 
     TimingStrip* m_strip;
     ValueTable* m_table;
-    QLabel* m_first;
-    QLabel* m_picked;
+    QLabel* m_first; ///< the first frame's time, or what the picked frame held
     QLabel* m_report;
     QTimer m_refresh; ///< statistics are counted a few times a second, not every frame
 };

@@ -31,7 +31,7 @@ const std::array<FramePart, framePartCount>& frameParts() {
          [](const FrameSample& sample) { return sample.statistics.respond; }},
         {QT_TRANSLATE_NOOP("FrameParts", "other"), QColor(0x8C, 0x8C, 0x8C), otherOf},
         {QT_TRANSLATE_NOOP("FrameParts", "render"), QColor(0x2F, 0x7F, 0xC8),
-         [](const FrameSample& sample) { return sample.render; }},
+         [](const FrameSample& sample) { return sample.render; }, true},
     }};
     return parts;
 }

@@ -22,6 +22,7 @@ struct FramePart {
     /// legible on dark and on light grounds.
     QColor colour;
     double (*milliseconds)(const FrameSample& sample);
+    bool ofShownFrames = false; ///< frames that were never on screen have none of it, and do not count
 };
 
 /// From the bottom of the stack to its top.

@@ -11,56 +11,74 @@
 
 namespace carom {
 
+namespace {
+
+/// The columns of the widget: names, then the figures.
+constexpr int names = 0;
+constexpr int firstFigures = 1;
+const QString nothing = QStringLiteral("–");
+
+} // namespace
+
 ValueTable::ValueTable(const QStringList& rows, const QStringList& columns, QWidget* parent)
-    : QTableWidget(static_cast<int>(rows.size()), static_cast<int>(columns.size()), parent) {
-    for (int row = 0; row < rowCount(); ++row) setVerticalHeaderItem(row, new QTableWidgetItem(rows[row]));
-    setHorizontalHeaderLabels(columns);
+    : QTableWidget(static_cast<int>(rows.size()), static_cast<int>(columns.size()) + 1, parent) {
+    setHorizontalHeaderLabels(QStringList{QString()} + columns);
     for (int row = 0; row < rowCount(); ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
-            QTableWidgetItem* cell = new QTableWidgetItem(QStringLiteral("–"));
+        setItem(row, names, new QTableWidgetItem(rows[row]));
+        for (int column = 0; column < columns.size(); ++column) {
+            QTableWidgetItem* cell = new QTableWidgetItem(nothing);
             cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            setItem(row, column, cell);
+            setItem(row, firstFigures + column, cell);
         }
     }
     setEditTriggers(NoEditTriggers);
     setAlternatingRowColors(true);
     setShowGrid(false);
     setTabKeyNavigation(false);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setHighlightSections(false);
-    verticalHeader()->setHighlightSections(false);
-    verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setIconSize({10, 10});
+    verticalHeader()->hide();
+    verticalHeader()->setMinimumSectionSize(1);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setSectionResizeMode(names, QHeaderView::ResizeToContents);
 }
 
 void ValueTable::setValue(int row, int column, double value, int decimals) {
-    item(row, column)
-        ->setText(std::isnan(value) ? QStringLiteral("–") : QString::number(value, 'f', decimals));
+    item(row, firstFigures + column)
+        ->setText(std::isnan(value) ? nothing : QString::number(value, 'f', decimals));
+}
+
+QString ValueTable::text(int row, int column) const { return item(row, firstFigures + column)->text(); }
+
+void ValueTable::setColumnTitle(int column, const QString& title) {
+    horizontalHeaderItem(firstFigures + column)->setText(title);
 }
 
 void ValueTable::setRowColour(int row, const QColor& colour) {
-    QPixmap square(12, 12);
+    QPixmap square(10, 10);
     square.fill(colour);
-    verticalHeaderItem(row)->setIcon(QIcon(square));
+    item(row, names)->setIcon(QIcon(square));
 }
 
 QString ValueTable::asText() const {
     const bool some = selectedItems().size() > 1;
-    QString text;
-    for (int column = 0; column < columnCount(); ++column)
-        text += QLatin1Char('\t') + horizontalHeaderItem(column)->text();
+    QString lines;
+    for (int column = firstFigures; column < columnCount(); ++column)
+        lines += QLatin1Char('\t') + horizontalHeaderItem(column)->text();
     for (int row = 0; row < rowCount(); ++row) {
         QString line;
         bool any = !some;
-        for (int column = 0; column < columnCount(); ++column) {
+        for (int column = firstFigures; column < columnCount(); ++column) {
             const bool wanted = !some || item(row, column)->isSelected();
             any = any || wanted;
             line += QLatin1Char('\t') + (wanted ? item(row, column)->text() : QString());
         }
-        if (any) text += QLatin1Char('\n') + verticalHeaderItem(row)->text() + line;
+        if (any) lines += QLatin1Char('\n') + item(row, names)->text() + line;
     }
-    return text;
+    return lines;
 }
 
 QSize ValueTable::sizeHint() const {

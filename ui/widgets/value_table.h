@@ -7,7 +7,8 @@
 
 namespace carom {
 
-/// A table of figures with named rows and columns: read only, right aligned, copied as text with Ctrl+C.
+/// A table of figures with named rows and columns: read only, right aligned, copied as text with Ctrl+C. Rows
+/// and columns are counted over the figures, without the names.
 class ValueTable : public QTableWidget {
     Q_OBJECT
 
@@ -16,6 +17,8 @@ class ValueTable : public QTableWidget {
 
     /// A figure that does not exist (NaN) is shown as a dash.
     void setValue(int row, int column, double value, int decimals = 3);
+    QString text(int row, int column) const;
+    void setColumnTitle(int column, const QString& title);
     /// A square of colour in front of a row's name.
     void setRowColour(int row, const QColor& colour);
     /// The selected cells, or the whole table, with the names of rows and columns; tabs between them.
