@@ -28,6 +28,8 @@ namespace {
 constexpr double parallel = 1e-14;
 // Below this angle [rad] the lowest point of a cap over another says little about where they come nearest.
 constexpr double nearlyParallel = 0.2;
+// Two points this much further apart than the shadows, relative to their gap, still prove a distance.
+constexpr double proof = 1e-14;
 
 struct CylinderPair {
     Cylinder shapeA, shapeB;
@@ -44,6 +46,14 @@ struct CylinderPair {
         return offset.dot(n) - extentAlong(shapeA, axisA, n) - extentAlong(shapeB, axisB, n);
     }
 };
+
+// The point of a cylinder furthest along unit n, from its centre.
+Vec3 furthestPoint(const Cylinder& cylinder, const Vec3& axis, const Vec3& n) {
+    const Vec3 lateral = axis.cross(n).cross(axis);
+    const double sine = lateral.norm();
+    const Vec3 cap = std::copysign(cylinder.halfHeight, n.dot(axis)) * axis;
+    return sine > 0 ? Vec3(cap + (cylinder.radius / sine) * lateral) : cap;
+}
 
 // Side of one cylinder (its axis u) against the rims of the other (axis v): n in the plane across u.
 struct SideAndRim {
@@ -112,7 +122,28 @@ void considerOverhang(AxisSearch<CylinderPair>& search, const RimPair& rims, con
     if (lateral.squaredNorm() > rims.radiusA * rims.radiusA) tryTowards(nearest);
 }
 
+bool isInside(const Cylinder& shape, const Vec3& axis, const Vec3& fromCentre) {
+    return std::abs(fromCentre.dot(axis)) <= shape.halfHeight &&
+           fromCentre.cross(axis).norm() <= shape.radius;
+}
+
+// The furthest point of one cylinder along the best direction lies in the other: they do overlap.
+bool overlapIsCertain(const CylinderPair& pair, const BestAxis& best) {
+    if (!(best.separation < 0)) return false;
+    return isInside(pair.shapeB, pair.axisB,
+                    furthestPoint(pair.shapeA, pair.axisA, best.normal) - pair.offset) ||
+           isInside(pair.shapeA, pair.axisA,
+                    furthestPoint(pair.shapeB, pair.axisB, -best.normal) + pair.offset);
+}
+
+// For each pair of rims the gap F of the discs they bound is concave, F >= s everywhere, and F = s for
+// directions that show these two rims. So
+//   - a certified positive maximum of F is the only one, and no other start is worth trying;
+//   - if the cylinders overlap with depth δ and F(m) > δ for any m, no direction n that shows these rims is a
+//   local
+//     maximum with s(n) > −δ: uphill from n towards m the gap still grows. Nothing to climb then.
 void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const Vec3& x) {
+    const bool overlap = overlapIsCertain(pair, search.best());
     for (const double signA : {1.0, -1.0}) {
         for (const double signB : {1.0, -1.0}) {
             const Vec3 capA = signA * pair.axisA;
@@ -120,12 +151,27 @@ void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, co
             const RimPair rims = {pair.axisA, pair.axisB, pair.shapeA.radius, pair.shapeB.radius,
                                   pair.offset - pair.shapeA.halfHeight * capA -
                                       pair.shapeB.halfHeight * capB};
+            const double apart = rims.offset.norm();
+            if (overlap && apart > 0 && gapAlong(rims, rims.offset / apart) > -search.best().separation)
+                continue;
             const Vec3 between = 0.5 * (capA + capB) + 0.5 * (capA - capB).norm() * x;
-            search.consider(climb(rims, between.normalized()));
+            const Vec3 first = climb(rims, between.normalized());
+            search.consider(first);
+            if (isGreatestGap(rims, first)) continue;
             considerOverhang(search, rims, capA);
             considerOverhang(search, {rims.axisB, rims.axisA, rims.radiusB, rims.radiusA, rims.offset}, capB);
         }
     }
+}
+
+// Apart, two points as far apart as the shadows prove that there is no better direction.
+bool isProven(const CylinderPair& pair, const BestAxis& best) {
+    if (!(best.separation > 0)) return false;
+    const Vec3 step = best.separation * best.normal;
+    return isInside(pair.shapeB, pair.axisB,
+                    furthestPoint(pair.shapeA, pair.axisA, best.normal) + (1 + proof) * step - pair.offset) ||
+           isInside(pair.shapeA, pair.axisA,
+                    furthestPoint(pair.shapeB, pair.axisB, -best.normal) - (1 + proof) * step + pair.offset);
 }
 
 BestAxis searchAxes(const CylinderPair& pair, double margin) {
@@ -137,7 +183,7 @@ BestAxis searchAxes(const CylinderPair& pair, double margin) {
     search.considerEitherWay(x);
     considerSideRim(search, pair, {pair.axisA, pair.axisB, x, pair.shapeB});
     considerSideRim(search, pair, {pair.axisB, pair.axisA, x, pair.shapeA});
-    if (search.apartBy(margin)) return search.best();
+    if (search.apartBy(margin) || isProven(pair, search.best())) return search.best();
     considerRims(search, pair, pair.offset.dot(x) < 0 ? Vec3(-x) : x);
     return search.best();
 }

@@ -17,11 +17,15 @@ constexpr double onAxis = 1e-13;
 // has a kink there, and Newton must go round it, not across.
 constexpr double longestStep = 0.8;
 
+// Points as far apart as the shadows prove a distance; a direction off by this leaves the gap exact to its
+// square.
+constexpr double certain = 1e-7;
+
 // Where a rim reaches furthest along n.
 struct RimPoint {
-    double sine = 0; // |n × axis|
-    Vec3 radial;     // unit, from the rim's centre
-    Vec3 tangent;    // unit, along the rim
+    double sine = 0;             // |n × axis|
+    Vec3 radial = Vec3::Zero();  // unit, from the rim's centre
+    Vec3 tangent = Vec3::Zero(); // unit, along the rim
 };
 
 RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
@@ -33,11 +37,6 @@ RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
         point.radial = point.tangent.cross(axis);
     }
     return point;
-}
-
-double gapAlong(const RimPair& rims, const Vec3& n) {
-    return rims.offset.dot(n) - rims.radiusA * n.cross(rims.axisA).norm() -
-           rims.radiusB * n.cross(rims.axisB).norm();
 }
 
 // The symmetric matrix of second derivatives in the tangent basis.
@@ -64,6 +63,19 @@ Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, 
 }
 
 } // namespace
+
+double gapAlong(const RimPair& rims, const Vec3& n) {
+    return rims.offset.dot(n) - rims.radiusA * n.cross(rims.axisA).norm() -
+           rims.radiusB * n.cross(rims.axisB).norm();
+}
+
+bool isGreatestGap(const RimPair& rims, const Vec3& n) {
+    const double gap = gapAlong(rims, n);
+    if (!(gap > 0)) return false;
+    const Vec3 between = rims.offset - rims.radiusA * furthestOn(rims.axisA, n).radial -
+                         rims.radiusB * furthestOn(rims.axisB, n).radial;
+    return (between - gap * n).norm() <= certain * gap;
+}
 
 Vec3 climb(const RimPair& rims, const Vec3& start) {
     Vec3 n = start;

@@ -24,4 +24,10 @@ struct RimPair {
 /// If the discs are apart (F > 0 somewhere) F has a single maximum and every start leads to it.
 Vec3 climb(const RimPair& rims, const Vec3& start);
 
+/// F(n), see above [m].
+double gapAlong(const RimPair& rims, const Vec3& n);
+
+/// Whether n is certainly where F is greatest: F(n) > 0 and the rims have points F(n) apart, straight across.
+bool isGreatestGap(const RimPair& rims, const Vec3& n);
+
 } // namespace carom
