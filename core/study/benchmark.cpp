@@ -29,20 +29,40 @@ struct Contest {
     std::vector<std::vector<FrameStatistics>> frames; ///< by world
 };
 
-Contest prepare(const GeneratorRow& scene, std::int64_t n,
+Contest prepare(std::shared_ptr<const Pipeline> pipeline,
                 const std::vector<const BroadphaseRow*>& algorithms) {
-    Contest contest{.scene = &scene,
-                    .n = n,
-                    .pipeline = build(generate(scene, requestFor(scene, n))).pipeline,
-                    .algorithms = algorithms,
-                    .worlds = {},
-                    .frames = {}};
+    Contest contest;
+    contest.pipeline = std::move(pipeline);
+    contest.n = static_cast<std::int64_t>(contest.pipeline->bodies().count());
+    contest.algorithms = algorithms;
     for (const BroadphaseRow* row : algorithms) {
         contest.worlds.push_back(std::make_unique<World>(contest.pipeline));
         contest.worlds.back()->useBroadphase(*row);
     }
     contest.frames.resize(algorithms.size());
     return contest;
+}
+
+Contest prepare(const GeneratorRow& scene, std::int64_t n,
+                const std::vector<const BroadphaseRow*>& algorithms) {
+    Contest contest = prepare(build(generate(scene, requestFor(scene, n))).pipeline, algorithms);
+    contest.scene = &scene;
+    contest.n = n;
+    return contest;
+}
+
+/// False if it was told to stop; `heard` is called after each frame of each world.
+bool advance(Contest& contest, std::int64_t frames, const std::function<bool()>& heard) {
+    for (std::int64_t begin = 0; begin < frames; begin += turn) {
+        for (std::size_t k = 0; k < contest.worlds.size(); ++k) {
+            for (std::int64_t frame = begin; frame < std::min(begin + turn, frames); ++frame) {
+                contest.worlds[k]->step();
+                contest.frames[k].push_back(contest.worlds[k]->statistics());
+                if (!heard()) return false;
+            }
+        }
+    }
+    return true;
 }
 
 double meanOf(std::span<const FrameStatistics> frames, double (*value)(const FrameStatistics&)) {
@@ -107,7 +127,7 @@ class Runner {
         std::vector<Contest> repeats;
         for (int repeat = 0; repeat < plan.traceRepeats; ++repeat) {
             repeats.push_back(prepare(*plan.traceScene, plan.traceCount, plan.algorithms));
-            if (!advance(repeats.back(), plan.traceFrames)) return false;
+            if (!advance(repeats.back(), plan.traceFrames, m_heard)) return false;
         }
         Contest& contest = repeats.front();
         for (double FrameStatistics::*time :
@@ -127,22 +147,9 @@ class Runner {
             std::vector<const BroadphaseRow*> algorithms = m_result.plan.algorithms;
             for (const std::int64_t n : m_result.plan.counts) {
                 Contest contest = prepare(*scene, n, algorithms);
-                if (!advance(contest, m_result.plan.frames)) return false;
+                if (!advance(contest, m_result.plan.frames, m_heard)) return false;
                 record(contest);
                 dropTheSlow(algorithms, n);
-            }
-        }
-        return true;
-    }
-
-    bool advance(Contest& contest, std::int64_t frames) {
-        for (std::int64_t begin = 0; begin < frames; begin += turn) {
-            for (std::size_t k = 0; k < contest.worlds.size(); ++k) {
-                for (std::int64_t frame = begin; frame < std::min(begin + turn, frames); ++frame) {
-                    contest.worlds[k]->step();
-                    contest.frames[k].push_back(contest.worlds[k]->statistics());
-                    if (!m_goOn(++m_done, m_total)) return false;
-                }
             }
         }
         return true;
@@ -182,6 +189,7 @@ class Runner {
     Benchmark m_result;
     const BenchmarkListener& m_goOn;
     std::int64_t m_done = 0, m_total = 0;
+    const std::function<bool()> m_heard = [this] { return m_goOn(++m_done, m_total); };
 };
 
 } // namespace
@@ -205,6 +213,20 @@ BenchmarkPlan standardBenchmark() {
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn) {
     ASSERT(plan.frames >= 2 && plan.traceFrames >= 2 && plan.traceRepeats >= 1);
     return Runner(plan, goOn).run();
+}
+
+std::vector<BenchmarkPoint> compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline,
+                                               std::int64_t frames, const BenchmarkListener& goOn) {
+    ASSERT(frames >= 2);
+    std::vector<const BroadphaseRow*> algorithms;
+    for (const BroadphaseRow& row : broadphases()) algorithms.push_back(&row);
+    Contest contest = prepare(pipeline, algorithms);
+    const std::int64_t total = frames * std::ssize(algorithms);
+    std::int64_t done = 0;
+    if (!advance(contest, frames, [&] { return goOn(++done, total); })) return {};
+    std::vector<BenchmarkPoint> points;
+    for (std::size_t k = 0; k < algorithms.size(); ++k) points.push_back(pointOf(contest, k));
+    return points;
 }
 
 } // namespace carom

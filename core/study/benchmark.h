@@ -3,11 +3,14 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/generators/generator.h"
-#include "core/math/statistics.h"
+#include "core/simulation/pipeline.h"
 #include "core/simulation/statistics.h"
+
+#include "core/math/statistics.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,9 +45,9 @@ GeneratorRequest requestFor(const GeneratorRow& scene, std::int64_t n);
 
 /// One world's run.
 struct BenchmarkPoint {
-    const GeneratorRow* scene = nullptr;
-    std::int64_t n = 0;       ///< asked of the generator
-    std::uint64_t bodies = 0; ///< built, walls included
+    const GeneratorRow* scene = nullptr; ///< null: a scene of the user's
+    std::int64_t n = 0;                  ///< asked of the generator
+    std::uint64_t bodies = 0;            ///< built, walls included
     const BroadphaseRow* algorithm = nullptr;
 
     double first = 0;       ///< [ms], the first frame
@@ -76,5 +79,10 @@ struct Benchmark {
 using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t total)>;
 
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn);
+
+/// Every algorithm on one scene over the same frames, at least 2, taking turns. The points' `scene` is null
+/// and their `n` is the number of bodies; none if it was told to stop.
+std::vector<BenchmarkPoint> compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline,
+                                               std::int64_t frames, const BenchmarkListener& goOn);
 
 } // namespace carom

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/benchmark_report.h"
 
+#include "core/simulation/build.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -100,6 +102,22 @@ class BenchmarkTest : public QObject {
         QCOMPARE(benchmark.points.size(), 2 * plan.algorithms.size());
         QCOMPARE(benchmark.remarks.size(), 2 * plan.algorithms.size());
         QVERIFY(benchmark.remarks.front().starts_with("brownian: all_pairs not beyond N = 20"));
+    }
+
+    void allAlgorithmsCanBeComparedOnAnySceneOverTheSameFrames() {
+        const Build built = build("wall { normal 0,1,0 toOrig 0 } sphere { centre 0,2,0 radius 0.5 mass 1 } "
+                                  "sphere { centre 0.5,4,0 radius 0.5 mass 1 }");
+        const std::vector<BenchmarkPoint> points = compareBroadphases(built.pipeline, 30, always);
+        QCOMPARE(points.size(), broadphases().size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            QCOMPARE(points[k].algorithm, &broadphases()[k]);
+            QCOMPARE(points[k].n, 3);
+            QCOMPARE(points[k].stateHash, points[0].stateHash);
+            QVERIFY(points[k].simulate.median > 0);
+        }
+        QVERIFY(compareBroadphases(built.pipeline, 30, [](std::int64_t done, std::int64_t) {
+                    return done < 9;
+                }).empty());
     }
 
     void theParabolaThroughAParabolaIsThatParabola() {
