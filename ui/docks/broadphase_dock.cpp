@@ -78,6 +78,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     : QDockWidget(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel) {
     setObjectName(QStringLiteral("broadphase"));
     m_algorithm->setObjectName(QStringLiteral("algorithm"));
+    m_algorithm->setMaximumWidth(420);
     m_algorithm->setAccessibleName(tr("Algorithm"));
     m_algorithm->addItem(tr("As the scene asks"));
     for (const BroadphaseRow& row : broadphases()) {

@@ -3,6 +3,9 @@
 
 #include "ui/window/theme.h"
 
+#include "core/language/completion.h"
+
+#include <QApplication>
 #include <QToolTip>
 
 #include <algorithm>
@@ -35,6 +38,7 @@ const SeverityLook& lookOf(Severity severity) {
                          [severity](const SeverityLook& look) { return look.severity == severity; });
 }
 
+constexpr int messageSize = 9;              // [pt] of the messages in the text
 constexpr std::size_t annotatedLines = 400; // more messages in place than anybody reads only cost time
 
 QString messageOf(const Diagnostic& diagnostic) { return QString::fromStdString(diagnostic.message); }
@@ -63,7 +67,10 @@ void DiagnosticMarks::setTheme(const Theme& theme) {
                                colour);
         m_editor.SendScintilla(Sci::SCI_STYLESETBACK, static_cast<unsigned long>(look.annotationStyle),
                                theme.editor);
-        m_editor.send(Sci::SCI_STYLESETITALIC, look.annotationStyle, 1);
+        m_editor.SendScintilla(Sci::SCI_STYLESETFONT, static_cast<unsigned long>(look.annotationStyle),
+                               QApplication::font().family().toUtf8().constData());
+        m_editor.send(Sci::SCI_STYLESETSIZE, look.annotationStyle, messageSize);
+        m_editor.send(Sci::SCI_STYLESETBOLD, look.annotationStyle, 0);
     }
     if (m_result) annotate();
 }
@@ -105,7 +112,8 @@ void DiagnosticMarks::annotate() {
         LineMessages& messages = lines[line];
         if (!messages.text.isEmpty()) messages.text += '\n';
         const int indent = m_editor.indentation(static_cast<int>(line));
-        messages.text += QByteArray(indent, ' ') + messageOf(diagnostic).toUtf8();
+        messages.text += QByteArray(2 * indent, ' ') /* its blanks are half as wide as the text's */ +
+                         messageOf(diagnostic).toUtf8();
         messages.gravest = std::min(messages.gravest, diagnostic.severity());
     }
     m_editor.send(Sci::SCI_ANNOTATIONCLEARALL);
@@ -131,9 +139,19 @@ void DiagnosticMarks::showHover(int position, int x, int y) {
             messages.append(
                 tr("Ctrl+. — %1").arg(QString::fromStdString(diagnostic.fixIt->title).toHtmlEscaped()));
     }
+    if (messages.isEmpty()) messages = helpAt(static_cast<std::uint32_t>(position));
     if (!messages.isEmpty())
         QToolTip::showText(m_editor.viewport()->mapToGlobal(QPoint(x, y + 12)),
                            QStringLiteral("<p>%1</p>").arg(messages.join(QStringLiteral("<br>"))), &m_editor);
+}
+
+/// What the word there means, where it is one of the language's.
+QStringList DiagnosticMarks::helpAt(std::uint32_t position) const {
+    if (!m_result) return {};
+    const std::optional<HoverText> help = hoverAt(m_result->build.analysis, position);
+    if (!help) return {};
+    const auto html = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+    return {QStringLiteral("<b>%1</b> %2").arg(html(help->title), html(help->detail)), html(help->help)};
 }
 
 void DiagnosticMarks::goToNext() {

@@ -32,6 +32,7 @@ class DiagnosticMarks : public QObject {
   private:
     void annotate();
     void showHover(int position, int x, int y);
+    QStringList helpAt(std::uint32_t position) const;
     const std::vector<Diagnostic>& diagnostics() const;
 
     SceneEditor& m_editor;

@@ -112,7 +112,8 @@ void FindBar::search(std::int64_t from, bool forward) {
         return;
     }
     m_editor.reveal(*match);
-    const QString count = tr("%n match(es)", nullptr, countMatches(m_editor, query()));
+    const int matches = countMatches(m_editor, query());
+    const QString count = matches == 1 ? tr("1 match") : tr("%1 matches").arg(matches);
     say(!wrapped  ? count
         : forward ? tr("%1; went on from the top").arg(count)
                   : tr("%1; went on from the end").arg(count));

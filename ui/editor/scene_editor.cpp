@@ -82,6 +82,7 @@ void SceneEditor::configureEditing() {
 void SceneEditor::configureMargins() {
     setMarginsFont(editorFont());
     setMarginType(NumberMargin, MarginType::NumberMargin);
+    setMarginMarkerMask(NumberMargin, 0);
     setMarginType(SymbolMargin, MarginType::SymbolMargin);
     setMarginWidth(SymbolMargin, 16);
     setMarginMarkerMask(SymbolMargin, 1 << HintMarker | 1 << WarningMarker | 1 << ErrorMarker);

@@ -47,6 +47,7 @@ QMenu::icon { padding-left: 6px; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @border; padding: 4px 6px; spacing: 2px; }
 QToolBar::separator { background: @border; width: 1px; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
+QToolButton[popupMode="2"] { padding-right: 16px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @selection; }
 QStatusBar { background: @window; border-top: 1px solid @border; color: @mutedText; }
@@ -60,11 +61,13 @@ QTabBar::tab:selected { color: @text; border-top: 2px solid @accent; background:
 QTabBar::tab:hover:!selected { color: @text; background: @hover; }
 QAbstractScrollArea { border: none; }
 QTreeView, QTableView, QPlainTextEdit { background: @panel; }
-QTreeView::item, QTableView::item { padding: 3px 4px; }
+QTreeView::item { padding: 3px 4px; }
 QTreeView::item:selected, QTableView::item:selected { background: @selection; color: @text; }
 QHeaderView { background: @panel; }
-QHeaderView::section { background: @panel; color: @mutedText; border: none; border-bottom: 1px solid @border;
-                       padding: 5px 6px; }
+QHeaderView::section { background: @panel; color: @mutedText; border: none; padding: 0 6px; }
+QHeaderView::section:horizontal { border-bottom: 1px solid @border; padding: 5px 6px; }
+QTableCornerButton::section { background: @panel; border: none; border-bottom: 1px solid @border; }
+QAbstractScrollArea::corner { background: transparent; border: none; }
 QSplitter::handle { background: @border; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { background: @button; border: 1px solid @border;
             border-radius: 4px; padding: 3px 6px; min-height: 18px; selection-background-color: @accent;

@@ -44,6 +44,7 @@ Workbench::Workbench()
     connectText();
     connectReports();
     connectTheme();
+    m_window->editor().setFocus();
 }
 
 Workbench::~Workbench() {

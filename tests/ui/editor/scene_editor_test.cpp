@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
 
+#include "ui/editor/completer.h"
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/scene_lexer.h"
@@ -189,6 +190,32 @@ class SceneEditorTest : public QObject {
         QCOMPARE(countMatches(editor, {QStringLiteral("("), true, false}), 0);
         QCOMPARE(replaceAllMatches(editor, {QStringLiteral("^"), true, false}, QStringLiteral("#")), 3);
         QCOMPARE(editor.bytes(), QByteArray("#a\n#b\n#"));
+    }
+
+    void typingOffersWhatMayStandThere() {
+        SceneEditor editor(m_theme);
+        Completer completer(editor);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("sph"));
+        QVERIFY(editor.isListActive());
+        QTest::keyClick(&editor, Qt::Key_Tab);
+        QCOMPARE(editor.bytes(), QByteArray("sphere"));
+        QTest::keyClicks(&editor, QStringLiteral(" { ra"));
+        QVERIFY(editor.isListActive());
+        QTest::keyClick(&editor, Qt::Key_Tab);
+        QCOMPARE(editor.bytes(), QByteArray("sphere { radius"));
+        QTest::keyClicks(&editor, QStringLiteral(" 1 "));
+        QVERIFY(!editor.isListActive());
+        completer.complete();
+        QVERIFY(editor.isListActive());
+    }
+
+    void nothingIsOfferedInAComment() {
+        SceneEditor editor(m_theme);
+        Completer completer(editor);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("// sph"));
+        QVERIFY(!editor.isListActive());
     }
 
     void theFindBarFindsAsOneTypesAndReplaces() {
