@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/broadphase_dock.h"
 
+#include "ui/docks/broadphase_comparison.h"
+
 #include <QComboBox>
 #include <QFontDatabase>
 #include <QGridLayout>
@@ -75,7 +77,8 @@ constexpr std::array figures = {
 } // namespace
 
 BroadphaseDock::BroadphaseDock(QWidget* parent)
-    : QDockWidget(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel) {
+    : QDockWidget(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel),
+      m_comparison(new BroadphaseComparison) {
     setObjectName(QStringLiteral("broadphase"));
     m_algorithm->setObjectName(QStringLiteral("algorithm"));
     m_algorithm->setMaximumWidth(420);
@@ -118,6 +121,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     grid->setColumnMinimumWidth(4, 90);
     grid->setColumnStretch(5, 1);
     column->addLayout(grid);
+    column->addWidget(m_comparison);
     column->addStretch();
 
     QScrollArea* scroll = new QScrollArea;
@@ -129,12 +133,13 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     clear();
 }
 
-void BroadphaseDock::showPipeline(const Pipeline& pipeline) {
-    const RunSettings& settings = pipeline.settings();
+void BroadphaseDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
+    const RunSettings& settings = pipeline->settings();
     const QString name = settings.broadphase != nullptr ? toText(settings.broadphase->title) : tr("none");
     m_algorithm->setItemText(0, tr("As the scene asks (%1)").arg(name));
     const QString reason = QString::fromStdString(settings.broadphaseReason);
     m_reason->setText(reason.isEmpty() ? tr("The scene names it.") : tr("Chosen: %1").arg(reason));
+    m_comparison->setPipeline(std::move(pipeline));
 }
 
 void BroadphaseDock::addSamples(std::span<const FrameSample> samples) {

@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ class QLabel;
 
 namespace carom {
 
+class BroadphaseComparison;
+
 /// What the broad-phase does in the running scene, and which one does it. Figures are those of the newest
 /// frame, refreshed a few times a second so that they can be read.
 class BroadphaseDock : public QDockWidget {
@@ -25,7 +28,7 @@ class BroadphaseDock : public QDockWidget {
   public:
     explicit BroadphaseDock(QWidget* parent = nullptr);
 
-    void showPipeline(const Pipeline& pipeline);
+    void showPipeline(std::shared_ptr<const Pipeline> pipeline);
     void addSamples(std::span<const FrameSample> samples);
     void clear();
     /// Null: as the scene asks.
@@ -39,6 +42,7 @@ class BroadphaseDock : public QDockWidget {
 
     QComboBox* m_algorithm;
     QLabel* m_reason;
+    BroadphaseComparison* m_comparison;
     std::vector<QLabel*> m_values; ///< one a row of the table in the source file
     FrameStatistics m_newest;
     QElapsedTimer m_sinceRefresh;

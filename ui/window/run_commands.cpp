@@ -94,7 +94,7 @@ void RunCommands::connectPanels() {
             tr("broad-phase: %1").arg(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()))));
     });
     connect(&m_preview, &LivePreview::shownChanged, &broadphase,
-            [&broadphase](const SharedBuild& shown) { broadphase.showPipeline(*shown->build.pipeline); });
+            [&broadphase](const SharedBuild& shown) { broadphase.showPipeline(shown->build.pipeline); });
     connect(&m_preview, &LivePreview::noticeChanged, &m_window.transport(), &TransportBar::showNotice);
 }
 
