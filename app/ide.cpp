@@ -72,6 +72,11 @@ int runIde(const IdeRequest& request) {
     std::optional<TimedSession> session;
     if (request.frames) session.emplace(workbench, *request.frames, request.screenshot);
     workbench.window().show();
+    const bool somebodyIsThere = !request.frames && !request.screenshot;
+    if (somebodyIsThere) {
+        workbench.keepUnsavedText();
+        workbench.offerRecovery();
+    }
     if (request.play || request.frames) workbench.simulation().play();
     if (request.screenshot && !request.frames)
         QTimer::singleShot(settleTime, &workbench, [&] {

@@ -80,6 +80,15 @@ void FindBar::findNext() { search(m_editor.send(Sci::SCI_GETSELECTIONEND), true)
 
 void FindBar::findPrevious() { search(m_editor.send(Sci::SCI_GETSELECTIONSTART), false); }
 
+/// Esc means this bar while the keyboard is in it, not the window's way back to the text.
+bool FindBar::event(QEvent* event) {
+    const bool escape =
+        event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (!escape) return QWidget::event(event);
+    event->accept();
+    return true;
+}
+
 void FindBar::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (event->key() == Qt::Key_Escape)

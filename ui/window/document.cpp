@@ -53,7 +53,7 @@ std::optional<QString> Document::saveAs(const QString& path) {
     const QByteArray bytes = m_buffer.bytes();
     QSaveFile file(path); // written aside and renamed: the old file stays until the new one is whole
     const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-    m_watcher.removePath(m_path);
+    if (!m_path.isEmpty()) m_watcher.removePath(m_path); // our own writing is no change outside
     const bool saved = written && file.commit();
     if (!saved) {
         watch(m_path);

@@ -15,11 +15,13 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
+#include "ui/window/recovery.h"
 #include "ui/window/run_commands.h"
 #include "ui/window/selection.h"
 #include "ui/window/theme.h"
 
 #include <QApplication>
+#include <QLocale>
 #include <QMessageBox>
 #include <QShortcut>
 #include <QStatusBar>
@@ -58,6 +60,30 @@ void Workbench::openLastOrWelcome() {
     const QStringList recent = m_settings.recentFiles();
     const bool opened = !recent.isEmpty() && !m_document->open(recent.first());
     if (!opened) m_document->startNew(resource(QStringLiteral("help/welcome.sdl")));
+}
+
+bool Workbench::offerRecovery() {
+    const std::vector<LostText> lost = Recovery::lostTexts(Recovery::standardFolder());
+    if (lost.empty()) return false;
+    const LostText& newest = lost.front();
+    const QString name = newest.path.isEmpty() ? tr("a scene without a file") : newest.path;
+    const QMessageBox::StandardButton answer = QMessageBox::question(
+        m_window.get(), tr("Unsaved text found"),
+        tr("Carom ended unexpectedly with unsaved changes in %1, typed until %2. Take them up again?")
+            .arg(name, QLocale().toString(newest.written, QLocale::ShortFormat)),
+        QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Yes);
+    if (answer == QMessageBox::Cancel) return false; // asked again next time
+    if (answer == QMessageBox::Yes) {
+        m_document->recover(newest.path, newest.text);
+        m_recovery->keep(); // in this session's own file, before the old one goes
+        m_window->output().add(tr("recovered the unsaved text of %1").arg(name));
+    }
+    Recovery::discard(newest);
+    return answer == QMessageBox::Yes;
+}
+
+void Workbench::keepUnsavedText() {
+    m_recovery = std::make_unique<Recovery>(*m_document, Recovery::standardFolder());
 }
 
 void Workbench::connectText() {

@@ -16,6 +16,7 @@ class FileCommands;
 class FrameLog;
 class LivePreview;
 class MainWindow;
+class Recovery;
 class RunCommands;
 class Selection;
 class Simulation;
@@ -38,6 +39,10 @@ class Workbench : public QObject {
 
     /// What a session without a scene begins with: the file opened last, else a first scene to play with.
     void openLastOrWelcome();
+    /// Asks about the text of a session that crashed, if there is one, and takes it up; true if it did.
+    bool offerRecovery();
+    /// Keeps unsaved text in a swap file from now on.
+    void keepUnsavedText();
 
   private:
     void connectText();
@@ -52,6 +57,7 @@ class Workbench : public QObject {
     std::unique_ptr<LiveBuild> m_builds;
     std::unique_ptr<Simulation> m_simulation;
     std::unique_ptr<FrameLog> m_frames;
+    std::unique_ptr<Recovery> m_recovery; ///< null until unsaved text is kept
     // Owned by the widgets or objects they serve.
     DiagnosticMarks* m_marks;
     LivePreview* m_preview;

@@ -283,6 +283,18 @@ class WorkbenchTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(ide.editor.hasFocus(), patience);
     }
 
+    void findOpensWithItsKeyAndEscapeClosesIt() {
+        Ide ide;
+        FindBar& bar = ide.bench.window().findBar();
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F, Qt::ControlModifier);
+        QVERIFY(bar.isVisible());
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("right"));
+        QCOMPARE(ide.editor.selectedText(), QStringLiteral("right"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(!bar.isVisible());
+        QVERIFY(ide.editor.hasFocus());
+    }
+
     void aLongTextIsBuiltWhileOneTypes() {
         QByteArray text = twoBalls;
         while (text.size() < 2'000'000) text += "sphere { radius .1 mass 1 centre 0,9,0 fixed yes }\n";
