@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/state.h"
 
-#include <cmath>
-
 namespace carom {
 namespace {
 
-// 0 while every summand is finite, else not a number: 0 · inf and 0 · NaN are NaN. One addition a number,
-// where a test of each would be a branch a number.
-inline double traceOfLoss(const State& state, BodyIndex body) {
-    const Pose& pose = state.pose[body];
-    const Quat& q = pose.orientation;
-    const Vec3 sum = pose.position * 0.0 + state.velocity[body] * 0.0 +
-                     (state.angularVelocity[body] * 0.0 + q.vec() * 0.0);
-    return (sum.x() + sum.y()) + (sum.z() + q.w() * 0.0);
+// 0 while every number is finite, else not a number: 0 · inf and 0 · NaN are NaN. A multiplication and an
+// addition a number, where a test of each would be a branch. Only what can change is looked at.
+double traceOfLoss(const Bodies& bodies, const State& state) {
+    double x = 0, y = 0, z = 0;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        const Vec3& position = state.pose[i].position;
+        const Vec3& velocity = state.velocity[i];
+        x += 0.0 * position.x() + 0.0 * velocity.x();
+        y += 0.0 * position.y() + 0.0 * velocity.y();
+        z += 0.0 * position.z() + 0.0 * velocity.z();
+    }
+    for (const BodyIndex i : bodies.rotating) {
+        const Quat& q = state.pose[i].orientation;
+        const Vec3& spin = state.angularVelocity[i];
+        x += 0.0 * q.x() + 0.0 * spin.x();
+        y += 0.0 * q.y() + 0.0 * spin.y();
+        z += 0.0 * q.z() + 0.0 * spin.z() + 0.0 * q.w();
+    }
+    return x + y + z;
+}
+
+bool finite(const State& state, BodyIndex body) {
+    return state.pose[body].position.allFinite() && state.pose[body].orientation.coeffs().allFinite() &&
+           state.velocity[body].allFinite() && state.angularVelocity[body].allFinite();
 }
 
 std::string_view lostQuantity(const State& state, BodyIndex body) {
@@ -40,11 +54,9 @@ State initialStateOf(const Scene& scene) {
 }
 
 Loss findLoss(const Bodies& bodies, const State& state) {
-    double trace = 0;
-    for (const BodyIndex i : bodies.mobileBodies) trace += traceOfLoss(state, i);
-    if (trace == 0) return {};
+    if (traceOfLoss(bodies, state) == 0) return {};
     for (const BodyIndex i : bodies.mobileBodies)
-        if (traceOfLoss(state, i) != 0) return {i, lostQuantity(state, i)};
+        if (!finite(state, i)) return {i, lostQuantity(state, i)};
     return {};
 }
 

@@ -33,7 +33,8 @@ struct Loss {
     explicit operator bool() const { return body != noBody; }
 };
 
-/// The first mobile body with a quantity that is infinite or not a number.
+/// The first mobile body with a quantity that is infinite or not a number; of what integration and impacts
+/// can change: position and velocity, and of rotating bodies orientation and angular velocity.
 Loss findLoss(const Bodies& bodies, const State& state);
 
 } // namespace carom

@@ -3,11 +3,6 @@
 
 namespace carom {
 
-Aabb boundsOf(const Sphere& sphere, const Pose& worldFromBody) {
-    const Vec3 half = Vec3::Constant(sphere.radius);
-    return {worldFromBody.position - half, worldFromBody.position + half};
-}
-
 Vec3 inertiaOf(const Sphere& sphere, double mass) {
     return Vec3::Constant(0.4 * mass * sphere.radius * sphere.radius);
 }

@@ -11,7 +11,10 @@ struct Sphere {
     double radius = 0; ///< [m] > 0
 };
 
-Aabb boundsOf(const Sphere& sphere, const Pose& worldFromBody);
+inline Aabb boundsOf(const Sphere& sphere, const Pose& worldFromBody) {
+    const Vec3 half = Vec3::Constant(sphere.radius);
+    return {worldFromBody.position - half, worldFromBody.position + half};
+}
 /// Principal moments of inertia about the centre [kg m²], body axes: 2/5 m r².
 Vec3 inertiaOf(const Sphere& sphere, double mass);
 /// The point of the shape furthest along `direction` (body coordinates, any length but zero).

@@ -135,7 +135,9 @@ void Microcollisions::updateBoxes(const SolverInput& input) {
     input.workers.forRanges(bodies.bounded.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const BodyIndex i = bodies.bounded[k];
-            m_boxes[k] = boundsOf(bodies.shape[i], input.state.pose[i]);
+            const Pose& pose = input.state.pose[i];
+            const Sphere* sphere = std::get_if<Sphere>(&bodies.shape[i]); // most are: spare them the dispatch
+            m_boxes[k] = sphere != nullptr ? boundsOf(*sphere, pose) : boundsOf(bodies.shape[i], pose);
         }
     });
 }

@@ -90,7 +90,7 @@ class BodiesTest : public QObject {
     void aLossNamesTheBodyAndTheQuantity() {
         QFETCH(QString, quantity);
         const Scene scene =
-            sceneOf({wall(Vec3::UnitY(), 0), sphere(1, 1, Vec3(0, 5, 0)), sphere(1, 1, Vec3(9, 5, 0))});
+            sceneOf({wall(Vec3::UnitY(), 0), sphere(1, 1, Vec3(0, 5, 0)), cylinder(1, 1, 1, Vec3(9, 5, 0))});
         const Bodies bodies = bodiesOf(scene);
         for (const double bad :
              {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
