@@ -14,7 +14,8 @@
 
 // Distances and depths against two oracles that share nothing with the kernels: FCL, and our own slow search
 // over directions that knows a shape only by its support function. CAROM_TRIALS sets the number of poses a
-// pair (the default runs in seconds; 100000 is the long form).
+// pair (the default runs in seconds; 100000 is the long form, for which Qt's own limit of five minutes a
+// function must be raised with QTEST_FUNCTION_TIMEOUT).
 
 namespace carom::testing {
 namespace {
