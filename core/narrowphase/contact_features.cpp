@@ -81,7 +81,7 @@ struct Witnesses {
     bool isExact = false;
 };
 Witnesses straightAcross(const PlacedShape& a, const PlacedShape& b, const BestAxis& axis, double tolerance) {
-    constexpr std::uint32_t name = 31;
+    constexpr std::uint32_t name = 255; // no corner of a region has it
     const Vec3& origin = a.pose->position;
     const Vec3 step = axis.separation * axis.normal;
     const Vec3 onA = supportTowards(a, origin, axis.normal);

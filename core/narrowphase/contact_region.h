@@ -3,7 +3,7 @@
 
 #include "core/narrowphase/contact_features.h"
 
-#include <vector>
+#include <array>
 
 namespace carom {
 

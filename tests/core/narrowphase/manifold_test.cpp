@@ -177,6 +177,9 @@ class ManifoldTest : public QObject {
             QVERIFY2(touches == (contact.count > 0), name.constData());
             if (!touches) continue;
             ++found;
+            std::set<std::uint32_t> features;
+            for (const ContactPoint& point : contact) features.insert(point.feature);
+            QVERIFY2(features.size() == static_cast<std::size_t>(contact.count), name.constData());
             for (const ContactPoint& point : contact) {
                 QVERIFY2(point.separation <= margin + tolerance * size, name.constData());
                 const double between = contact.normal.dot(point.onB - point.onA);
