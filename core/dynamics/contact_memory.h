@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/state.h"
+
+// Contacts persist: the force of a point is the best guess for the force of the same point a step later. A
+// point is found again by its place on body B (on A if B is a wall), within 5 % of the smaller body; not by
+// the features the narrow phase names, which change to and fro where edges line up. Tangential forces are
+// carried over in the world, since tangents turn with the normal.
+
+namespace carom {
+
+/// The laws of two bodies: restitution is the smaller of the two, friction the geometric mean, rolling the
+/// larger.
+ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin);
+
+/// Finds the contact of `pair` at the bodies' present poses and appends it, with the forces of `memory` where
+/// it has the same points. Appends nothing where the bodies are further apart than pair.margin.
+void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
+                 std::span<const ContactConstraint> memory, ContactSet& set);
+
+} // namespace carom

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/free_rotation.h"
+
+#include "core/math/rotation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// Moments that differ by less than this part of the largest count as equal: rounding in h² + 3 r² and the
+/// like. The precession it neglects is 1e-14 of the spin.
+constexpr double equalMoments = 1e-14;
+
+/// The largest angle of one composition [rad]. At 1/20 rad the sixth-order error is below 1e-13 a part.
+constexpr double partAngle = 0.05;
+
+/// Yoshida's solution A: the middle one is 1 − 2 (sum of the others).
+constexpr std::array<double, 3> yoshida = {-1.17767998417887, 0.235573213359357, 0.784513610477560};
+constexpr double yoshidaMiddle = 1 - 2 * (yoshida[0] + yoshida[1] + yoshida[2]);
+
+bool nearlyEqual(double a, double b) { return std::abs(a - b) <= equalMoments * std::max(a, b); }
+
+/// The two axes that are not `axis`, ascending.
+struct Others {
+    Eigen::Index first, second;
+};
+Others othersThan(Eigen::Index axis) { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
+
+/// Turns the body about its own axis k through the rate c Lk for h seconds.
+void spin(Eigen::Index k, double c, const Vec3& momentum, double h, Quat& orientation) {
+    const double rate = c * (orientation.conjugate() * momentum)[k];
+    const double half = 0.5 * h * rate;
+    Quat turn(std::cos(half), 0, 0, 0);
+    turn.vec()[k] = std::sin(half);
+    orientation = orientation * turn;
+}
+
+void rotateSymmetric(const Vec3& inertia, Eigen::Index axis, const Vec3& momentum, double h,
+                     Quat& orientation) {
+    const double across = inertia[othersThan(axis).first];
+    spin(axis, 1 / inertia[axis] - 1 / across, momentum, h, orientation);
+    orientation = fromRotationVector((h / across) * momentum) * orientation;
+}
+
+/// One composition of the two body-axis pieces, order 6.
+void rotateAsymmetric(const Vec3& inertia, Eigen::Index middle, const Vec3& momentum, double h,
+                      Quat& orientation) {
+    const Others k = othersThan(middle);
+    const double first = 1 / inertia[k.first] - 1 / inertia[middle];
+    const double second = 1 / inertia[k.second] - 1 / inertia[middle];
+    const std::array<double, 7> stages = {yoshida[2], yoshida[1], yoshida[0], yoshidaMiddle,
+                                          yoshida[0], yoshida[1], yoshida[2]};
+    double pending = 0; // neighbouring halves of A are one rotation
+    for (const double stage : stages) {
+        spin(k.first, first, momentum, (pending + 0.5 * stage) * h, orientation);
+        spin(k.second, second, momentum, stage * h, orientation);
+        pending = 0.5 * stage;
+    }
+    spin(k.first, first, momentum, pending * h, orientation);
+}
+
+Eigen::Index middleOf(const Vec3& inertia) {
+    Eigen::Index smallest = 0, largest = 0;
+    inertia.minCoeff(&smallest);
+    inertia.maxCoeff(&largest);
+    return 3 - smallest - largest;
+}
+
+} // namespace
+
+void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
+    if (angularMomentum == Vec3::Zero()) return; // nothing to turn, and no rounding either
+    const bool xy = nearlyEqual(inertia.x(), inertia.y());
+    const bool yz = nearlyEqual(inertia.y(), inertia.z());
+    const bool zx = nearlyEqual(inertia.z(), inertia.x());
+    if (xy && yz) {
+        orientation = fromRotationVector((h / inertia.x()) * angularMomentum) * orientation;
+    } else if (xy || yz || zx) {
+        rotateSymmetric(inertia, xy ? 2 : yz ? 0 : 1, angularMomentum, h, orientation);
+    } else {
+        const Eigen::Index middle = middleOf(inertia);
+        const double angle = std::abs(h) * angularMomentum.norm() / inertia.minCoeff();
+        const double parts = std::max(1.0, std::ceil(angle / partAngle));
+        for (double part = 0; part < parts; ++part) {
+            rotateAsymmetric(inertia, middle, angularMomentum, h / parts, orientation);
+            orientation.normalize();
+        }
+        orientation = fromRotationVector((h / inertia[middle]) * angularMomentum) * orientation;
+    }
+    orientation.normalize();
+}
+
+Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularVelocity) {
+    return orientation * inertia.cwiseProduct(orientation.conjugate() * angularVelocity);
+}
+
+Vec3 angularVelocityFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularMomentum) {
+    return orientation * (orientation.conjugate() * angularMomentum).cwiseQuotient(inertia);
+}
+
+void rotateBetween(const Bodies& bodies, BodyIndex body, const Vec3& before, const Vec3& after, double h,
+                   State& state) {
+    state.angularVelocity[body] = after;
+    if (before == Vec3::Zero() && after == Vec3::Zero()) return;
+    const Vec3& inertia = bodies.inertia[body];
+    Quat& orientation = state.pose[body].orientation;
+    const Vec3 momentum = angularMomentumFrom(inertia, orientation, after);
+    rotateFreely(inertia, 0.5 * (angularMomentumFrom(inertia, orientation, before) + momentum), h,
+                 orientation);
+    const bool isotropic = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+    if (!isotropic) state.angularVelocity[body] = angularVelocityFrom(inertia, orientation, momentum);
+}
+
+} // namespace carom

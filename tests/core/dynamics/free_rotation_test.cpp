@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/free_rotation.h"
+#include "core/math/rotation.h"
+#include "core/shapes/cuboid.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// A body that no torque acts on: hard cases 8, 9 and 10 in short form, and closed forms.
+
+namespace carom {
+namespace {
+
+const Cuboid brick{Vec3(0.1, 0.2, 0.3)};
+constexpr double mass = 48; // [kg]
+
+double energyOf(const Vec3& inertia, const Quat& orientation, const Vec3& momentum) {
+    return 0.5 * momentum.dot(angularVelocityFrom(inertia, orientation, momentum));
+}
+
+double angleBetween(const Quat& a, const Quat& b) { return toRotationVector(a * b.conjugate()).norm(); }
+
+} // namespace
+
+class FreeRotationTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aTumblingBrickKeepsItsEnergy_data() {
+        QTest::addColumn<double>("wx");
+        QTest::addColumn<double>("wy");
+        QTest::addColumn<double>("wz");
+        QTest::addColumn<double>("step");
+        QTest::addColumn<int>("steps");
+        QTest::newRow("omega (1, 2, 3), 100 s") << 1.0 << 2.0 << 3.0 << 0.01 << 10000;
+        QTest::newRow("about the middle axis, 100 s") << 0.01 << 5.0 << 0.01 << 0.01 << 10000;
+        QTest::newRow("10,000 rad/s, 1 s") << 5000.0 << 5000.0 << 7000.0 << 1.0 / 240 << 240;
+    }
+    void aTumblingBrickKeepsItsEnergy() {
+        QFETCH(double, wx);
+        QFETCH(double, wy);
+        QFETCH(double, wz);
+        QFETCH(double, step);
+        QFETCH(int, steps);
+        const Vec3 inertia = inertiaOf(brick, mass);
+        Quat orientation = Quat::Identity();
+        const Vec3 momentum = angularMomentumFrom(inertia, orientation, Vec3(wx, wy, wz));
+        const double energy = energyOf(inertia, orientation, momentum);
+        double worst = 0;
+        for (int i = 0; i < steps; ++i) {
+            rotateFreely(inertia, momentum, step, orientation);
+            worst = std::max(worst, std::abs(energyOf(inertia, orientation, momentum) / energy - 1));
+        }
+        qInfo("energy within %.1e", worst);
+        QVERIFY(worst < 1e-12);
+    }
+
+    // Hard case 8: the body's own motion has the period 4 K(k)/rate, 3.6718473 s for this brick.
+    void theBodyMotionOfABrickHasThePeriodOfTheEllipticFunctions() {
+        const Vec3 inertia = inertiaOf(brick, mass);
+        Quat orientation = Quat::Identity();
+        const Vec3 spin(1, 2, 3);
+        const Vec3 momentum = angularMomentumFrom(inertia, orientation, spin);
+        constexpr double period = 3.6718473; // [s], to the digits given
+        constexpr int steps = 367;
+        for (int i = 0; i < steps; ++i) rotateFreely(inertia, momentum, period / steps, orientation);
+        const Vec3 bodySpin = orientation.conjugate() * angularVelocityFrom(inertia, orientation, momentum);
+        QVERIFY((bodySpin - spin).norm() < 1e-6); // the period's last digit times the acceleration
+    }
+
+    // Hard case 9: a brick spun about its middle axis flips every 6.450623 s.
+    void aBrickSpunAboutItsMiddleAxisFlipsOnTime() {
+        const Vec3 inertia = inertiaOf(brick, mass);
+        Quat orientation = Quat::Identity();
+        const Vec3 momentum = angularMomentumFrom(inertia, orientation, Vec3(0.01, 5, 0.01));
+        constexpr double interval = 6.450623, step = 1.0 / 240;
+        double before = 5, last = 0;
+        int flips = 0;
+        double worst = 0;
+        for (int i = 1; flips < 20; ++i) {
+            rotateFreely(inertia, momentum, step, orientation);
+            const double along =
+                (orientation.conjugate() * angularVelocityFrom(inertia, orientation, momentum)).y();
+            if ((along < 0) != (before < 0)) {
+                const double time = (i - 1 + before / (before - along)) * step;
+                if (flips > 0) worst = std::max(worst, std::abs((time - last) / interval - 1));
+                last = time;
+                ++flips;
+            }
+            before = along;
+        }
+        qInfo("intervals within %.1e", worst);
+        QVERIFY(worst < 2e-6); // linear interpolation within a step leaves about 1e-6
+    }
+
+    void aSymmetricTopIsExactInOneStep() {
+        const Vec3 inertia(2, 1, 2);
+        const Quat start = fromRotationVector(Vec3(0.3, -0.2, 0.5));
+        const Vec3 momentum(1, 2, -1);
+        Quat once = start, often = start;
+        rotateFreely(inertia, momentum, 3.0, once);
+        for (int i = 0; i < 1000; ++i) rotateFreely(inertia, momentum, 0.003, often);
+        QVERIFY(angleBetween(once, often) < 1e-12);
+        // The axis turns about the angular momentum at |L|/I across.
+        const Vec3 axis = fromRotationVector(3.0 * momentum / 2) * (start * Vec3::UnitY());
+        QVERIFY((once * Vec3::UnitY() - axis).norm() < 1e-14);
+    }
+
+    void timeRunsBackwardsToTheStart() {
+        const Vec3 inertia(1, 2, 3);
+        const Quat start = fromRotationVector(Vec3(1, 0.4, -0.3));
+        Quat orientation = start;
+        const Vec3 momentum(3, -2, 1);
+        rotateFreely(inertia, momentum, 0.4, orientation);
+        QVERIFY(angleBetween(orientation, start) > 0.1);
+        rotateFreely(inertia, momentum, -0.4, orientation);
+        QVERIFY(angleBetween(orientation, start) < 1e-14);
+    }
+
+    void aBodyAtRestIsNotTouched() {
+        const Quat start(0.6, 0, 0.8, 1e-17);
+        Quat orientation = start;
+        rotateFreely(Vec3(1, 2, 3), Vec3::Zero(), 1, orientation);
+        QCOMPARE(orientation.coeffs(), start.coeffs());
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::FreeRotationTest)
+#include "free_rotation_test.moc"
