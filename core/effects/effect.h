@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/source.h"
+#include "core/dynamics/abilities.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -40,7 +41,8 @@ struct EffectRow {
     std::string_view name;  ///< "rolling_resistance"
     std::string_view title; ///< "Rolling resistance"
     std::string_view help;  ///< one sentence
-    EffectDecision (*decide)(const Scene& scene) = nullptr;
+    /// `method` says what the chosen method of motion simulates.
+    EffectDecision (*decide)(const Scene& scene, const Abilities& method) = nullptr;
     /// What a warning says at each unmet place; empty for effects that have none.
     std::string_view unmetMessage = {};
 };

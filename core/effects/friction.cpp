@@ -3,25 +3,30 @@
 #include "core/effects/scene_facts.h"
 
 // Coulomb friction: a tangential impulse of at most μ times the normal one, against the slip. μ of a pair is
-// the geometric mean of its two, so it is 0 unless both have some. This version does not simulate it.
+// the geometric mean of its two, so it is 0 unless both have some.
 
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "friction"};
     const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
     if (!pair) {
         decision.reason = "the geometric mean of the coefficients is 0 for every pair that can meet";
         return decision;
     }
-    decision.status = EffectStatus::NotSimulatedYet;
+    decision.source = placeOf(scene, pair.first->source, "friction");
     decision.reason = scene.nameOf(indexOf(scene, *pair.first)) + " and " +
-                      scene.nameOf(indexOf(scene, *pair.second)) + " have friction; they slide without it";
+                      scene.nameOf(indexOf(scene, *pair.second)) + " have friction";
+    if (method.friction) {
+        decision.status = EffectStatus::On;
+        return decision;
+    }
+    decision.status = EffectStatus::NotSimulatedYet;
+    decision.reason += "; they slide without it";
     for (const Body& body : scene.bodies)
         if (body.friction > 0)
             decision.unmet.push_back(placeOf(scene, body.source, "friction").value_or(SourceRange{}));
-    decision.source = placeOf(scene, pair.first->source, "friction");
     return decision;
 }
 

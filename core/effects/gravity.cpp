@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities&) {
     EffectDecision decision{.effect = "gravity"};
     const Gravity& gravity = scene.gravity;
     if (gravity.source) decision.source = placeOf(scene, *gravity.source, "accel");

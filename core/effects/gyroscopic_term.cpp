@@ -26,7 +26,7 @@ bool spinsAboutPrincipalAxis(const Body& body) {
     return torque.norm() <= equalMoments * inertiaOf(body.shape, 1).maxCoeff() * spin.squaredNorm();
 }
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "gyroscopic_term"};
     const Body* possible = nullptr; // could come to spin askew
     for (const Body& body : scene.bodies) {
@@ -40,12 +40,17 @@ EffectDecision decide(const Scene& scene) {
         decision.reason = "no body that can turn has moments of inertia that differ";
         return decision;
     }
-    decision.status = EffectStatus::NotSimulatedYet;
     decision.source = placeOf(scene, possible->source, "angvel");
-    decision.reason =
-        scene.nameOf(indexOf(scene, *possible)) + (decision.unmet.empty() ? " may come to spin" : " spins") +
-        " askew to its axes; its angular velocity is kept constant between collisions, as in the "
-        "reference";
+    decision.reason = scene.nameOf(indexOf(scene, *possible)) +
+                      (decision.unmet.empty() ? " may come to spin" : " spins") + " askew to its axes; its ";
+    if (method.gyroscopicTerm) {
+        decision.status = EffectStatus::On;
+        decision.unmet.clear();
+        decision.reason += "angular velocity precesses between impacts";
+    } else {
+        decision.status = EffectStatus::NotSimulatedYet;
+        decision.reason += "angular velocity is kept constant between collisions, as in the reference";
+    }
     return decision;
 }
 

@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities&) {
     EffectDecision decision{.effect = "resting"};
     if (!anyCanMeet(scene)) {
         decision.reason = "no two bodies can meet, so nothing can come to rest on anything";

@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities&) {
     EffectDecision decision{.effect = "restitution"};
     if (!anyCanMeet(scene)) {
         decision.reason = "no two bodies can meet";

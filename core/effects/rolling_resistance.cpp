@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "rolling_resistance"};
     if (anyCanMeet(scene)) {
         for (const Body& body : scene.bodies)
@@ -21,9 +21,15 @@ EffectDecision decide(const Scene& scene) {
     }
     for (const Body& body : scene.bodies) {
         if (body.rolling <= 0) continue;
-        decision.status = EffectStatus::NotSimulatedYet;
         decision.source = placeOf(scene, body.source, "rolling");
-        decision.reason = scene.nameOf(indexOf(scene, body)) + " has rolling resistance; it rolls without it";
+        decision.reason = scene.nameOf(indexOf(scene, body)) + " has rolling resistance";
+        if (method.rollingResistance) {
+            decision.status = EffectStatus::On;
+            decision.unmet.clear();
+        } else {
+            decision.status = EffectStatus::NotSimulatedYet;
+            decision.reason += "; it rolls without it";
+        }
         break;
     }
     return decision;

@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "rotation"};
     if (firstMobile(scene) == nullptr) {
         decision.reason = "no body can move";
@@ -24,6 +24,13 @@ EffectDecision decide(const Scene& scene) {
         decision.reason = body.angularVelocity != Vec3::Zero()
                               ? name + " spins from the start"
                               : name + " is not a sphere and can be hit beside its centre";
+        return decision;
+    }
+    const MeetingPair rough = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
+    if (method.friction && rough) {
+        decision.status = EffectStatus::On;
+        decision.source = placeOf(scene, rough.first->source, "friction");
+        decision.reason = "friction can set " + scene.nameOf(indexOf(scene, *rough.second)) + " turning";
         return decision;
     }
     decision.reason =

@@ -3,25 +3,25 @@
 #include "core/effects/scene_facts.h"
 
 // Springs with dampers: a force k (length − rest) + c · rate along the line between two points of bodies.
-// This version does not simulate them.
 
 namespace carom {
 namespace {
 
 bool movable(const Scene& scene, BodyIndex body) { return body != noBody && scene.bodies[body].mobile(); }
 
-EffectDecision decide(const Scene& scene) {
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "spring"};
     for (const Spring& spring : scene.springs) {
         if (!movable(scene, spring.from) && !movable(scene, spring.to)) continue;
-        decision.unmet.push_back(placeOf(scene, spring.source, "").value_or(SourceRange{}));
-        if (decision.status == EffectStatus::NotSimulatedYet) continue;
-        decision.status = EffectStatus::NotSimulatedYet;
+        if (!method.springs)
+            decision.unmet.push_back(placeOf(scene, spring.source, "").value_or(SourceRange{}));
+        if (decision.status != EffectStatus::Absent) continue;
+        decision.status = method.springs ? EffectStatus::On : EffectStatus::NotSimulatedYet;
         decision.source = placeOf(scene, spring.source, "");
-        decision.reason = "a spring joins " + scene.nameOf(spring.from) + " and " + scene.nameOf(spring.to) +
-                          "; it exerts no force";
+        decision.reason = "a spring joins " + scene.nameOf(spring.from) + " and " + scene.nameOf(spring.to);
+        if (!method.springs) decision.reason += "; it exerts no force";
     }
-    if (decision.unmet.empty())
+    if (decision.status == EffectStatus::Absent)
         decision.reason = scene.springs.empty() ? "none is declared" : "no spring has an end that can move";
     return decision;
 }

@@ -32,7 +32,7 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
       m_initialState(initialStateOf(scene)) {
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     for (const EffectRow& row : carom::effects()) {
-        m_effects.push_back(row.decide(m_scene));
+        m_effects.push_back(row.decide(m_scene, m_settings.method->abilities));
         warnOfUnmet(row, m_effects.back(), m_warnings);
     }
     for (Diagnostic& warning : foreseen(m_scene, m_settings)) m_warnings.push_back(std::move(warning));

@@ -5,6 +5,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/scene/scene.h"
+#include "core/solvers/solver.h"
 
 #include <optional>
 #include <span>
@@ -15,7 +16,6 @@
 namespace carom {
 
 struct BroadphaseRow;
-struct SolverRow;
 struct IntegratorRow;
 
 /// Every setting of a run, with nothing left open.
@@ -28,17 +28,21 @@ struct RunSettings {
     std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for
     int iterations = 0;           ///< 0: the method does not iterate
     double tolerance = 0;         ///< 0: the method does not iterate
+    bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]
 
     double substep() const { return step / substeps; } ///< [s]
+    SolverSettings solver() const { return {tolerance, iterations, simultaneousImpacts}; }
 };
 
 /// What `preset` sets where nothing else does.
 struct PresetRow {
     std::string_view name;
     std::string_view help;
-    int substeps = 1;
+    int substeps = 1;        ///< of methods that do not iterate
+    int contactSubsteps = 4; ///< of method `contacts`
+    double tolerance = 1e-6; ///< of method `contacts`
 };
 std::span<const PresetRow> presets();
 

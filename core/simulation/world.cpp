@@ -21,7 +21,7 @@ void World::reset() {
     m_statistics = {};
     account(*m_pipeline, m_state, m_statistics);
     m_broadphase = m_broadphaseRow->create();
-    m_solver = m_pipeline->settings().method->create(m_pipeline->bodies());
+    m_solver = m_pipeline->settings().method->create(m_pipeline->bodies(), m_pipeline->settings().solver());
 }
 
 void World::useBroadphase(const BroadphaseRow& row) {

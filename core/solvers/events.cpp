@@ -72,7 +72,7 @@ std::optional<SolverObjection> objection(const Scene& scene) {
     return std::nullopt;
 }
 
-std::unique_ptr<Solver> create(const Bodies&) { return std::make_unique<Events>(); }
+std::unique_ptr<Solver> create(const Bodies&, const SolverSettings&) { return std::make_unique<Events>(); }
 
 } // namespace
 

@@ -222,7 +222,9 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
     apply(impact, speed, std::min(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
 }
 
-std::unique_ptr<Solver> create(const Bodies& bodies) { return std::make_unique<Microcollisions>(bodies); }
+std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings&) {
+    return std::make_unique<Microcollisions>(bodies);
+}
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/broadphase/broadphase.h"
+#include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/parallel.h"
 #include "core/dynamics/smooth_motion.h"
@@ -43,6 +44,13 @@ struct SolverInput {
     State& state; ///< changed in place
 };
 
+/// How carefully a solver works; what it does not need it ignores.
+struct SolverSettings {
+    double tolerance = 1e-6;   ///< residual of the contact problem, relative to |gravity| · substep
+    int iterations = 20;       ///< sweeps a substep where the method sweeps
+    bool simultaneous = false; ///< impacts at one instant all at once, in place of one after the other
+};
+
 class Solver {
   public:
     virtual ~Solver() = default;
@@ -65,9 +73,10 @@ struct SolverRow {
     std::string_view title;
     std::string_view help;   ///< one sentence: what it does, what it costs
     std::string_view source; ///< author, title, year
-    std::unique_ptr<Solver> (*create)(const Bodies& bodies) = nullptr;
+    std::unique_ptr<Solver> (*create)(const Bodies& bodies, const SolverSettings& settings) = nullptr;
     /// Null: the method treats every scene.
     std::optional<SolverObjection> (*objection)(const Scene& scene) = nullptr;
+    Abilities abilities = {};
 };
 
 /// Every method, the reference's first.

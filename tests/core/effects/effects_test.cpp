@@ -32,13 +32,13 @@ class EffectsTest : public QObject {
             QVERIFY(!row.name.empty() && !row.title.empty() && !row.help.empty());
             QVERIFY(row.decide != nullptr);
             QCOMPARE(findEffect(row.name), &row);
-            QCOMPARE(q(row.decide(Scene{}).effect), q(row.name));
+            QCOMPARE(q(row.decide(Scene{}, {}).effect), q(row.name));
         }
     }
 
     void anEmptySceneNeedsNoEffectAndEachSaysWhy() {
         for (const EffectRow& row : effects()) {
-            const EffectDecision decision = row.decide(Scene{});
+            const EffectDecision decision = row.decide(Scene{}, {});
             QCOMPARE(q(nameOf(decision.status)), QStringLiteral("absent"));
             QVERIFY2(!decision.reason.empty(), row.name.data());
             QVERIFY(decision.unmet.empty());
@@ -125,7 +125,7 @@ class EffectsTest : public QObject {
         QFETCH(int, warnings);
         const Analysis analysis = analyse(text.toStdString());
         QVERIFY(analysis.diagnostics.empty());
-        const EffectDecision decision = findEffect(effect.toStdString())->decide(analysis.scene);
+        const EffectDecision decision = findEffect(effect.toStdString())->decide(analysis.scene, {});
         QCOMPARE(q(nameOf(decision.status)), status);
         QVERIFY(!decision.reason.empty());
         const QString seen = decision.source ? q(textOf(analysis.text, *decision.source)) : QString();
@@ -137,7 +137,7 @@ class EffectsTest : public QObject {
 
     void aReasonNamesTheBodyByItsLabel() {
         const Analysis analysis = analyse("sphere cue { radius 1 mass 1 centre 0, 0, 0 angvel 0, 1, 0 }");
-        QCOMPARE(q(findEffect("rotation")->decide(analysis.scene).reason),
+        QCOMPARE(q(findEffect("rotation")->decide(analysis.scene, {}).reason),
                  QStringLiteral("`cue` spins from the start"));
     }
 };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace carom {
+
+/// What a method of motion simulates beyond gravity, rotation and restitution; the effects decide by it
+/// whether they are simulated or only called for.
+struct Abilities {
+    bool friction = false;
+    bool rollingResistance = false;
+    bool springs = false;
+    bool gyroscopicTerm = false; ///< free bodies keep their angular momentum
+};
+
+} // namespace carom

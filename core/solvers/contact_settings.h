@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The figures by which the method `contacts` decides. All are relative to the scene's own sizes, gravity and
+// substep: none is a length or a speed.
+
+namespace carom {
+
+/// A gap or overlap up to this part of the smaller body's size counts as touching: neither pushed apart nor
+/// waited for. Rounding in positions is 1e-16 of the coordinates; without the dead band it would show up,
+/// divided by the substep, as inconsistent speeds at redundant contact points.
+inline constexpr double touchingGap = 1e-9;
+
+/// An overlap is parted by at most this part of the smaller body's size in a substep; with the substep h the
+/// parting speed is at most 0.02 size/h. It never becomes a velocity of the body.
+inline constexpr double mostParting = 0.02;
+
+/// Closing speeds below this part of |g| h are no impact for e < 1: the contact force absorbs them.
+inline constexpr double restingClosing = 1e-2;
+/// The same for e = 1, which never rests: only what rounding and the tolerance leave is absorbed.
+inline constexpr double elasticClosing = 1e-9;
+
+/// Contacts of an island up to which its impacts and stops are located within the substep, and how many of
+/// them one substep locates.
+inline constexpr int mostLocatedPoints = 96;
+inline constexpr int mostEvents = 8, mostEventsAccurate = 64;
+
+/// Contacts up to which an island that moves, and one that is nearly at rest, is solved by Newton's method.
+/// Larger ones are piles: Gauss–Seidel.
+inline constexpr int mostNewtonMoving = 300, mostNewtonResting = 2000;
+/// Nearly at rest: no body is faster than this times |g| h.
+inline constexpr double nearlyResting = 2;
+
+/// Contact tolerance below which a run counts as accurate: stops are located too, and every island is solved
+/// by Newton's method.
+inline constexpr double accurateTolerance = 1e-8;
+
+} // namespace carom

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/impacts.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// Closing speeds within this part of the largest have no order among them: far above rounding, far below any
+/// difference a scene intends.
+constexpr double tie = 1e-9;
+/// Contacts solved directly at most; larger groups are rare and left to the sparse solver.
+constexpr std::size_t mostDirect = 16;
+/// W counts as singular below this reciprocal condition.
+constexpr double singular = 1e-10;
+/// Newton's tolerance relative to the largest closing speed.
+constexpr double groupTolerance = 1e-12;
+/// Impacts in sequence before the rest is solved at once: enough for a light ball between two that are 10,000
+/// times heavier, and for any cradle.
+constexpr int mostImpacts = 500, mostImpactsPerRow = 20;
+
+Vec6 inverseMassTimes(const ContactBody& body, const Vec6& impulse) {
+    Vec6 change;
+    change.head<3>() = impulse.head<3>() / body.mass;
+    change.tail<3>() = body.inverseInertia * impulse.tail<3>();
+    return change;
+}
+
+// One entry of W: how fast contact i parts under a unit normal impulse at contact k.
+double couplingOf(const ContactProblem& problem, const ContactRow& i, const ContactRow& k) {
+    double sum = 0;
+    const auto add = [&](int bodyI, const Mat36& ji, int bodyK, const Mat36& jk) {
+        if (bodyI == immobile || bodyI != bodyK) return;
+        const Vec6 impulse = jk.row(0).transpose();
+        sum += ji.row(0).dot(inverseMassTimes(problem.bodies[static_cast<std::size_t>(bodyI)], impulse));
+    };
+    add(i.a, i.jacobianA, k.a, k.jacobianA);
+    add(i.a, i.jacobianA, k.b, k.jacobianB);
+    add(i.b, i.jacobianB, k.a, k.jacobianA);
+    add(i.b, i.jacobianB, k.b, k.jacobianB);
+    return sum;
+}
+
+void applyNormal(ContactProblem& problem, const ContactRow& row, double impulse) {
+    const auto apply = [&](int index, const Mat36& jacobian) {
+        if (index == immobile) return;
+        ContactBody& body = problem.bodies[static_cast<std::size_t>(index)];
+        body.velocity += inverseMassTimes(body, impulse * jacobian.row(0).transpose());
+    };
+    apply(row.a, row.jacobianA);
+    apply(row.b, row.jacobianB);
+}
+
+bool shareBody(const ContactRow& i, const ContactRow& k) {
+    return (i.a != immobile && (i.a == k.a || i.a == k.b)) || (i.b != immobile && (i.b == k.a || i.b == k.b));
+}
+
+} // namespace
+
+int ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous) {
+    const int most = mostImpacts + mostImpactsPerRow * static_cast<int>(rows.size());
+    for (int count = 0;; ++count) {
+        measure(problem, rows);
+        std::size_t largest = rows.size();
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i].touching && m_closing[i] > rows[i].threshold &&
+                (largest == rows.size() || m_closing[i] > m_closing[largest]))
+                largest = i;
+        if (largest == rows.size()) return count;
+        const bool all = simultaneous || rows[largest].restitution == 0 || count >= most;
+        if (all)
+            gatherAll(rows);
+        else
+            gather(problem, rows, largest);
+        solveGroup(problem, rows);
+        if (count >= most) return count + 1;
+    }
+}
+
+void ImpactSolver::measure(const ContactProblem& problem, std::span<const ImpactRow> rows) {
+    m_closing.resize(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        m_closing[i] = rows[i].touching ? -relativeVelocity(problem, problem.rows[i]).x() : 0;
+}
+
+// The largest with its ties, and with the other points of the same pairs; grown over shared bodies.
+void ImpactSolver::gather(const ContactProblem& problem, std::span<const ImpactRow> rows,
+                          std::size_t largest) {
+    m_group.assign(1, largest);
+    const double least = (1 - tie) * m_closing[largest];
+    for (std::size_t member = 0; member < m_group.size(); ++member) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!rows[i].touching || !(m_closing[i] > 0)) continue;
+            if (std::find(m_group.begin(), m_group.end(), i) != m_group.end()) continue;
+            const bool samePair = rows[i].pair == rows[m_group[member]].pair;
+            const bool tied =
+                m_closing[i] >= least && shareBody(problem.rows[i], problem.rows[m_group[member]]);
+            if (samePair || tied) m_group.push_back(i);
+        }
+    }
+    std::sort(m_group.begin(), m_group.end());
+}
+
+void ImpactSolver::gatherAll(std::span<const ImpactRow> rows) {
+    m_group.clear();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].touching) m_group.push_back(i);
+}
+
+void ImpactSolver::solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows) {
+    if (!solveDirectly(problem, rows)) solveByNewton(problem, rows);
+}
+
+bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows) {
+    const std::size_t count = m_group.size();
+    if (count > mostDirect) return false;
+    for (const std::size_t i : m_group)
+        if (problem.rows[i].friction > 0 || !(m_closing[i] > 0)) return false;
+    const Eigen::Index size = static_cast<Eigen::Index>(count);
+    Eigen::MatrixXd w(size, size);
+    Eigen::VectorXd right(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const std::size_t rowI = m_group[static_cast<std::size_t>(i)];
+        right[i] = (1 + rows[rowI].restitution) * m_closing[rowI];
+        for (Eigen::Index k = 0; k < size; ++k)
+            w(i, k) =
+                couplingOf(problem, problem.rows[rowI], problem.rows[m_group[static_cast<std::size_t>(k)]]);
+    }
+    Eigen::VectorXd impulse;
+    if (size == 1) {
+        impulse = right / w(0, 0);
+    } else {
+        const Eigen::LDLT<Eigen::MatrixXd> forward(w), backward(w.reverse());
+        if (!(forward.rcond() > singular)) return false;
+        impulse = 0.5 * (forward.solve(right) + backward.solve(right.reverse()).reverse());
+    }
+    if (!(impulse.minCoeff() >= 0)) return false;
+    for (Eigen::Index i = 0; i < size; ++i)
+        applyNormal(problem, problem.rows[m_group[static_cast<std::size_t>(i)]], impulse[i]);
+    return true;
+}
+
+void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const ImpactRow> rows) {
+    m_groupProblem.clear();
+    m_local.assign(problem.bodies.size(), immobile);
+    const auto localOf = [&](int body) {
+        if (body == immobile) return immobile;
+        int& local = m_local[static_cast<std::size_t>(body)];
+        if (local == immobile) {
+            local = static_cast<int>(m_groupProblem.bodies.size());
+            m_groupProblem.bodies.push_back(problem.bodies[static_cast<std::size_t>(body)]);
+            m_groupProblem.bodies.back().freeVelocity = m_groupProblem.bodies.back().velocity;
+        }
+        return local;
+    };
+    double fastest = 0;
+    for (const std::size_t i : m_group) {
+        ContactRow row = problem.rows[i];
+        row.a = localOf(row.a);
+        row.b = localOf(row.b);
+        row.bound = -rows[i].restitution * std::max(0.0, m_closing[i]);
+        row.impulse.setZero();
+        row.rollingImpulse.setZero();
+        fastest = std::max(fastest, m_closing[i]);
+        m_groupProblem.rows.push_back(row);
+    }
+    m_newton.solve(m_groupProblem, groupTolerance * fastest);
+    for (std::size_t body = 0; body < m_local.size(); ++body)
+        if (m_local[body] != immobile)
+            problem.bodies[body].velocity =
+                m_groupProblem.bodies[static_cast<std::size_t>(m_local[body])].velocity;
+}
+
+} // namespace carom

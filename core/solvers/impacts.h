@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contact_problem.h"
+#include "core/solvers/newton.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Impacts at one instant, by Newton's law for every contact that bodies close at: u' = −e u.
+//
+// Sequential (the default): the contact with the largest closing speed first, until none closes any more. A
+// Newton's cradle comes out right, because its impacts do happen one after the other. Contacts that tie with
+// the largest and share a body with it have no order and are solved together, as are all points of one pair
+// (taken in turn, the corners of a flat landing would set it spinning). For contacts without friction that is
+//
+//     W p = −(1+e) u,   W = J M⁻¹ Jᵀ
+//
+// solved in both orders of elimination and averaged, so that a mirror image gives mirrored bits; with
+// friction, or where W is singular or a pull would result, by the Newton solver with u' + e u >= 0 for u >=
+// 0. Perfectly plastic contacts (e = 0) are all solved together: one after the other would never end in a
+// stack. Simultaneous: all contacts at once.
+
+namespace carom {
+
+/// What an impact needs to know of a contact besides its row.
+struct ImpactRow {
+    double restitution = 0;
+    double threshold = 0;   ///< closing speeds up to this are no impact [m/s]
+    std::uint32_t pair = 0; ///< points of one pair are solved together
+    bool touching = false;  ///< only contacts that touch take part
+};
+
+class ImpactSolver {
+  public:
+    /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Returns the number of
+    /// impacts solved.
+    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous);
+
+  private:
+    void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
+    void gather(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t largest);
+    void gatherAll(std::span<const ImpactRow> rows);
+    void solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows);
+    bool solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows);
+    void solveByNewton(ContactProblem& problem, std::span<const ImpactRow> rows);
+
+    std::vector<double> m_closing; // −uₙ by row [m/s]
+    std::vector<std::size_t> m_group;
+    std::vector<int> m_local; // by body, its index in the group's problem
+    ContactProblem m_groupProblem;
+    NewtonSolver m_newton;
+};
+
+} // namespace carom

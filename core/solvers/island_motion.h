@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/state.h"
+#include "core/solvers/contact_problem.h"
+#include "core/solvers/gauss_seidel.h"
+#include "core/solvers/impacts.h"
+#include "core/solvers/islands.h"
+#include "core/solvers/newton.h"
+#include "core/solvers/solver.h"
+
+#include <vector>
+
+// Moves the bodies of one island through a substep. The order of operations:
+//
+//     until the substep is used up
+//         part       overlaps are moved apart; velocities do not know of it
+//         impacts    contacts that touch and close at a speed change velocities at once (impacts.h)
+//         smooth     v̂ = v + T g, contact forces keep bodies apart: v₁
+//         locate     does a contact that was open close hard before T? does a sliding one stop? then T ends
+//         there commit     x += T (v₀ + v₁)/2, rotation likewise
+//
+// v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
+// friction too; both ends respect the gap, so the mean does.
+
+namespace carom {
+
+/// What moves an island, besides its own contacts.
+struct MotionInput {
+    const Bodies& bodies;
+    const SolverSettings& settings;
+    Vec3 gravity;       ///< [m/s²]
+    double substep = 0; ///< [s]
+    State& state;
+};
+
+/// What the motion of islands met in one substep.
+struct MotionReport {
+    double residual = 0;       ///< the worst of any island, relative to |g| h
+    double maxPenetration = 0; ///< [m]
+    int impacts = 0;
+    int factorisations = 0;
+};
+
+class IslandMotion {
+  public:
+    /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep;
+    /// those at its end, with their forces, are appended to `kept`.
+    void advance(const MotionInput& input, const Island& island, const ContactSet& found, ContactSet& kept);
+
+    MotionReport report; ///< added up by advance
+
+  private:
+    /// A velocity, and the position it leads from.
+    struct Start {
+        Vec6 velocity = Vec6::Zero();
+        Vec3 angularMomentum = Vec3::Zero();
+    };
+
+    void load(const MotionInput& input, const Island& island, const ContactSet& found);
+    bool bounce(const MotionInput& input, const Island& island);
+    void recollide(const MotionInput& input);
+    void loadBodies(const MotionInput& input, const Island& island);
+    void part(const MotionInput& input, const Island& island);
+    void impacts(const MotionInput& input, double duration, bool locating);
+    void smooth(const MotionInput& input, double duration, bool locating);
+    void chooseRows(const MotionInput& input, double duration, bool locating);
+    void solve(const MotionInput& input);
+    double firstImpact(const MotionInput& input, const Island& island, double duration);
+    double firstStop(const MotionInput& input, double duration);
+    void commit(const MotionInput& input, const Island& island, double duration);
+    void settle(const MotionInput& input);
+    void keep(ContactSet& kept) const;
+
+    Pose poseAt(const MotionInput& input, BodyIndex body, double t, double duration) const;
+    double timeOfImpact(const MotionInput& input, const ContactPair& pair, double from,
+                        double duration) const;
+    ContactRow rowOf(const ContactPair& pair, const ContactConstraint& point) const;
+    int localOf(BodyIndex body) const { return m_local[body]; }
+
+    double m_scale = 0;       // |g| h, or the speed of the problem without gravity [m/s]
+    double m_tolerance = 0;   // of velocities [m/s]
+    std::vector<int> m_local; // by body of the scene: its index in m_problem, or immobile
+    ContactSet m_contacts, m_before;
+    ContactProblem m_problem, m_parting;
+    std::vector<Start> m_start;            // by body of m_problem
+    std::vector<std::uint32_t> m_rowPoint; // by row, the point of m_contacts
+    std::vector<std::uint32_t> m_waiting;  // points that are open and may close within the substep
+    std::vector<std::uint32_t> m_pairOf;   // by point, the pair of m_contacts
+    std::vector<ImpactRow> m_impactRows;
+    NewtonSolver m_newton;
+    GaussSeidelSolver m_gaussSeidel;
+    ImpactSolver m_impacts;
+};
+
+} // namespace carom

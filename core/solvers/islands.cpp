@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/islands.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+} // namespace
+
+// Union by smaller index with path halving: the root of an island is its first body, whatever the order.
+std::uint32_t Islands::rootOf(std::uint32_t body) {
+    while (m_parent[body] != body) body = m_parent[body] = m_parent[m_parent[body]];
+    return body;
+}
+
+void Islands::join(const Bodies& bodies, BodyIndex a, BodyIndex b) {
+    if (a == noBody || b == noBody || bodies.mobile[a] == 0 || bodies.mobile[b] == 0) return;
+    const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
+    m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+}
+
+void Islands::find(const Bodies& bodies, std::span<const ContactPair> pairs,
+                   std::span<const BodyPair> links) {
+    m_parent.resize(bodies.count());
+    std::iota(m_parent.begin(), m_parent.end(), 0u);
+    for (const ContactPair& pair : pairs) join(bodies, pair.a, pair.b);
+    for (const BodyPair& link : links) join(bodies, link.a, link.b);
+
+    // Counting sort by island: sizes, starts, places.
+    m_island.assign(bodies.count(), none);
+    m_first.assign(1, {});
+    for (const BodyIndex body : bodies.mobileBodies) {
+        std::uint32_t& island = m_island[rootOf(body)];
+        if (island == none) {
+            island = static_cast<std::uint32_t>(m_first.size() - 1);
+            m_first.push_back({});
+        }
+        ++m_first[island + 1].body;
+    }
+    const auto islandOf = [&](BodyIndex a, BodyIndex b) {
+        const bool first = a != noBody && bodies.mobile[a] != 0;
+        return m_island[rootOf(first ? a : b)];
+    };
+    const auto moves = [&](BodyIndex i) { return i != noBody && bodies.mobile[i] != 0; };
+    for (const ContactPair& pair : pairs) ++m_first[islandOf(pair.a, pair.b) + 1].pair;
+    std::size_t live = 0;
+    for (const BodyPair& link : links) {
+        if (!moves(link.a) && !moves(link.b)) continue;
+        ++m_first[islandOf(link.a, link.b) + 1].link;
+        ++live;
+    }
+    for (std::size_t i = 1; i < m_first.size(); ++i) {
+        m_first[i].body += m_first[i - 1].body;
+        m_first[i].pair += m_first[i - 1].pair;
+        m_first[i].link += m_first[i - 1].link;
+    }
+    m_bodies.resize(bodies.mobileBodies.size());
+    m_pairs.resize(pairs.size());
+    m_links.resize(live);
+    std::vector<Start> next(m_first.begin(), m_first.end() - 1);
+    for (const BodyIndex body : bodies.mobileBodies) m_bodies[next[m_island[rootOf(body)]].body++] = body;
+    for (std::uint32_t i = 0; i < pairs.size(); ++i)
+        m_pairs[next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
+    for (std::uint32_t i = 0; i < links.size(); ++i)
+        if (moves(links[i].a) || moves(links[i].b))
+            m_links[next[islandOf(links[i].a, links[i].b)].link++] = i;
+}
+
+Island Islands::operator[](std::size_t island) const {
+    const Start& from = m_first[island];
+    const Start& to = m_first[island + 1];
+    return {std::span(m_bodies).subspan(from.body, to.body - from.body),
+            std::span(m_pairs).subspan(from.pair, to.pair - from.pair),
+            std::span(m_links).subspan(from.link, to.link - from.link)};
+}
+
+} // namespace carom

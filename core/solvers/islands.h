@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+
+#include <span>
+#include <vector>
+
+// Bodies that touch, directly or through other mobile bodies, form an island; islands know nothing of each
+// other and are moved one by one. Walls and fixed bodies carry no motion, so they join nothing.
+
+namespace carom {
+
+struct Island {
+    std::span<const BodyIndex> bodies;    ///< mobile, ascending
+    std::span<const std::uint32_t> pairs; ///< into ContactSet::pairs, ascending
+    std::span<const std::uint32_t> links; ///< of the other couplings (springs), ascending
+};
+
+class Islands {
+  public:
+    /// Islands of all mobile bodies, in the order of their first body. `links` couples further pairs of
+    /// bodies; an end that is noBody or immobile joins nothing.
+    void find(const Bodies& bodies, std::span<const ContactPair> pairs, std::span<const BodyPair> links);
+
+    std::size_t count() const { return m_first.empty() ? 0 : m_first.size() - 1; }
+    Island operator[](std::size_t island) const;
+
+  private:
+    struct Start {
+        std::uint32_t body = 0, pair = 0, link = 0;
+    };
+    std::uint32_t rootOf(std::uint32_t body);
+    void join(const Bodies& bodies, BodyIndex a, BodyIndex b);
+
+    std::vector<std::uint32_t> m_parent; // by body
+    std::vector<std::uint32_t> m_island; // by root
+    std::vector<Start> m_first;          // by island, one more at the end
+    std::vector<BodyIndex> m_bodies;
+    std::vector<std::uint32_t> m_pairs, m_links;
+};
+
+} // namespace carom
