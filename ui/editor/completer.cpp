@@ -63,11 +63,15 @@ void Completer::explain(const QByteArray& name) {
     const auto entry = std::find_if(m_offered.entries.begin(), m_offered.entries.end(),
                                     [&wanted](const Completion& c) { return c.name == wanted; });
     if (entry == m_offered.entries.end()) return;
-    const std::int64_t caret = m_editor.caret();
-    const long x = m_editor.send(Sci::SCI_POINTXFROMPOSITION, 0, caret);
-    const long y = m_editor.send(Sci::SCI_POINTYFROMPOSITION, 0, caret);
-    // Above the line: the list itself opens below.
-    const QPoint place(static_cast<int>(x), static_cast<int>(y - 4 * m_editor.textHeight(0)));
+    const std::int64_t word = m_offered.replaced.length > 0 ? m_offered.replaced.offset : m_editor.caret();
+    const long x = m_editor.send(Sci::SCI_POINTXFROMPOSITION, 0, word);
+    const long y = m_editor.send(Sci::SCI_POINTYFROMPOSITION, 0, word);
+    // Beside the list, which opens below the word and is as wide as its longest entry.
+    std::size_t longest = 0;
+    for (const Completion& offered : m_offered.entries) longest = std::max(longest, offered.name.size());
+    const int width =
+        m_editor.fontMetrics().horizontalAdvance(QString(static_cast<qsizetype>(longest) + 8, u'n'));
+    const QPoint place(static_cast<int>(x) + width, static_cast<int>(y));
     QToolTip::showText(m_editor.viewport()->mapToGlobal(place),
                        QStringLiteral("<p><b>%1</b> %2<br>%3</p>")
                            .arg(QString::fromStdString(entry->name).toHtmlEscaped(),
