@@ -121,29 +121,31 @@ int runBench(const Arguments& arguments) {
 } // namespace
 
 CommandRow benchCommand() {
-    return {.name = "bench",
-            .summary = "Measure the broad-phases on scenes of growing size",
-            .operands = "",
-            .example = "carom bench -o results\n"
-                       "carom bench --scene pyramid -n 500,1000,2000 --broadphase all_pairs,sweep_and_sort",
-            .options =
-                {
-                    {"scene", 0, "NAME...",
-                     "generators, separated by blanks or commas (default "
-                     "pool_breaks,brownian,pyramid)"},
-                    {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 100 to 20000)"},
-                    {"broadphase", 0, "LIST", "algorithms, separated by commas (default all)"},
-                    {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
-                    {"output", 'o', "DIR",
-                     "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there"},
-                },
-            .details =
-                "The worlds of one scene and number take turns, so a disturbance falls on all of them. "
-                "An algorithm that needs more than 60 ms a frame is left out at larger numbers. Ctrl-C "
-                "ends the benchmark: what was measured is written, and the exit code is 130.",
-            .leastOperands = 0,
-            .mostOperands = std::numeric_limits<std::size_t>::max(),
-            .run = runBench};
+    return {
+        .name = "bench",
+        .summary = "Measure the broad-phases on scenes of growing size",
+        .operands = "",
+        .example = "carom bench -o results\n"
+                   "carom bench --scene pyramid -n 500,1000,2000 --broadphase all_pairs,sweep_and_sort",
+        .options =
+            {
+                {"scene", 0, "NAME...",
+                 "generators, separated by blanks or commas (default "
+                 "pool_breaks,brownian,pyramid)"},
+                {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 100 to 20000)"},
+                {"broadphase", 0, "LIST", "algorithms, separated by commas (default all)"},
+                {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
+                {"output", 'o', "DIR",
+                 "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there"},
+            },
+        .details =
+            "The worlds of one scene and number take turns, so a disturbance falls on all of them; times are "
+            "processor times. "
+            "An algorithm that needs more than 60 ms a frame is left out at larger numbers. Ctrl-C "
+            "ends the benchmark: what was measured is written, and the exit code is 130.",
+        .leastOperands = 0,
+        .mostOperands = std::numeric_limits<std::size_t>::max(),
+        .run = runBench};
 }
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace carom {
 
@@ -28,5 +29,13 @@ class Stopwatch {
     }
     Clock::time_point m_start;
 };
+
+/// Time this thread has had a processor [ms], from some moment on. Unlike wall time it does not grow while
+/// the thread waits for its turn on a busy machine.
+inline double processorTimeOfThread() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 } // namespace carom

@@ -17,7 +17,8 @@
 // The reference's performance evaluation (S. Stokes, "Collision Detection in the Simulation of Rigid Body
 // Motion", 2005, section 4.3) for every broad-phase: time against the number of bodies, and the course of a
 // run. For each scene and number the worlds of all algorithms advance in turns, a few frames each, so
-// whatever else the machine does falls on all of them alike.
+// whatever else the machine does falls on all of them alike; and as long as one thread computes, times are
+// processor times, which on a quiet machine are wall times and on a busy one do not count the waiting.
 
 namespace carom {
 

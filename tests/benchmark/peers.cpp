@@ -11,26 +11,23 @@
 #include "core/simulation/touching.h"
 #include "core/simulation/world.h"
 
+#include "core/base/clock.h"
 #include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/math/statistics.h"
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 // carom-peers [--scene LIST] [-n LIST] [--frames F]: our scenes, read by our own parser, in our methods, in
-// Bullet and in ODE, taking turns on one machine; then the broad-phases alone on the motion of the gas.
+// Bullet and in ODE, taking turns on one machine, in processor time; then the broad-phases alone on the
+// motion of the gas.
 
 namespace carom {
 namespace {
 
 constexpr std::int64_t turn = 10; // frames one engine advances before the next
-
-/// Time this process had a processor [ms]: everything here runs on one thread, and on a busy machine a frame
-/// of two milliseconds may well wait ten for its turn.
-double processorTime() { return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 class CaromWorld final : public PeerWorld {
   public:
@@ -126,9 +123,9 @@ void compareEngines(const GeneratorRow& scene, std::int64_t n, std::int64_t fram
     for (std::int64_t begin = 0; begin < frames; begin += turn) {
         for (std::size_t k = 0; k < worlds.size(); ++k) {
             for (std::int64_t frame = begin; frame < std::min(begin + turn, frames); ++frame) {
-                const double start = processorTime();
+                const double start = processorTimeOfThread();
                 worlds[k]->step();
-                accounts[k].milliseconds.push_back(processorTime() - start);
+                accounts[k].milliseconds.push_back(processorTimeOfThread() - start);
             }
             worlds[k]->read(state);
             lookAtOverlaps(pipeline.bodies(), state, accounts[k]);
@@ -184,9 +181,9 @@ void compareBroadphases(const GeneratorRow& scene, std::int64_t n) {
     std::vector<std::vector<double>> times(algorithms.size());
     for (const std::vector<Aabb>& boxes : trajectory)
         for (std::size_t k = 0; k < algorithms.size(); ++k) {
-            const double start = processorTime();
+            const double start = processorTimeOfThread();
             algorithms[k].second->update({boxes, bodies.bounded, mobile});
-            times[k].push_back(processorTime() - start);
+            times[k].push_back(processorTimeOfThread() - start);
         }
     const auto medianOf = [&times](std::size_t k) {
         return summarise(std::span(times[k]).subspan(1)).median;
