@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility> // brings std::strong_ordering; <compare> itself Qt 6.4's moc cannot read
 
 namespace carom {
 
