@@ -21,15 +21,16 @@ inline constexpr double restingClosing = 1e-2;
 inline constexpr double elasticClosing = 1e-9;
 
 /// Contacts of an island up to which its impacts and stops are located within the substep, and how many of
-/// them one substep locates.
+/// them one substep locates: so many, and so many for every contact.
 inline constexpr int mostLocatedPoints = 96;
-inline constexpr int mostEvents = 8, mostEventsAccurate = 64;
+inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint = 2;
 
 /// Contacts up to which an island that moves, and one that is nearly at rest, is solved by Newton's method.
-/// Larger ones are piles: Gauss–Seidel.
-inline constexpr int mostNewtonMoving = 300, mostNewtonResting = 2000;
+/// Larger ones are piles: Gauss–Seidel. A moving pile changes its contacts all the time, so that Newton's
+/// method would have to factor tens of times a substep.
+inline constexpr int mostNewtonMoving = 64, mostNewtonResting = 1000;
 /// Nearly at rest: no body is faster than this times |g| h.
-inline constexpr double nearlyResting = 2;
+inline constexpr double nearlyResting = 10;
 
 /// Contact tolerance below which a run counts as accurate: stops are located too, and every island is solved
 /// by Newton's method.

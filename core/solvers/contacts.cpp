@@ -50,6 +50,7 @@ class Contacts final : public Solver {
     std::vector<Aabb> m_boxes;          // of bodies.bounded, grown by the reach
     std::vector<std::uint8_t> m_mobile; // of bodies.bounded
     std::vector<double> m_reach;        // by body: how far its surface can come in the substep [m]
+    std::vector<double> m_shared;       // the same with the neighbours' reach
     std::vector<BodyPair> m_wallPairs, m_candidates;
     std::vector<BodyIndex> m_free;
     ContactSet m_contacts; // from the last substep
@@ -87,6 +88,14 @@ void Contacts::measureReach(const SolverInput& input) {
         const double rim = input.state.angularVelocity[i].norm() * bodies.boundingRadius[i];
         m_reach[i] = reachFactor * ((input.state.velocity[i].norm() + rim) * h + fall);
     }
+    // A body about to be hit may leave as fast as what hits it comes: neighbours share their reach.
+    m_shared = m_reach;
+    for (const BodyPair pair : m_candidates) {
+        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) continue;
+        m_shared[pair.a] = std::max(m_shared[pair.a], m_reach[pair.b]);
+        m_shared[pair.b] = std::max(m_shared[pair.b], m_reach[pair.a]);
+    }
+    std::swap(m_reach, m_shared);
     for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
         const BodyIndex i = bodies.bounded[k];
         const double margin = m_reach[i] + leastMargin * bodies.boundingRadius[i];

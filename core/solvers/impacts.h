@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/solvers/contact_problem.h"
+#include "core/solvers/gauss_seidel.h"
 #include "core/solvers/newton.h"
 
 #include <cstdint>
@@ -36,7 +37,8 @@ class ImpactSolver {
   public:
     /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Returns the number of
     /// impacts solved.
-    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous);
+    /// `exact` says whether groups that have no direct solution are solved by Newton's method or by sweeps.
+    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous, bool exact);
 
   private:
     void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
@@ -50,7 +52,9 @@ class ImpactSolver {
     std::vector<std::size_t> m_group;
     std::vector<int> m_local; // by body, its index in the group's problem
     ContactProblem m_groupProblem;
+    bool m_exact = true;
     NewtonSolver m_newton;
+    GaussSeidelSolver m_gaussSeidel;
 };
 
 } // namespace carom

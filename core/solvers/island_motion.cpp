@@ -23,6 +23,11 @@ constexpr double speedRounding = 4e-15;
 /// No part of a substep is shorter than this part of it: forces are impulses over a duration.
 constexpr double shortestPart = 1e-9;
 
+/// Forces are remembered from parts of at least this part of the substep.
+constexpr double shortestMemory = 0.1;
+/// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
+constexpr int rescueSweeps = 200;
+
 double rimSpeed(const ContactBody& body) {
     return std::max(body.velocity.head<3>().norm(), body.velocity.tail<3>().norm() * body.gyration);
 }
@@ -48,8 +53,9 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
         return;
     }
     const bool accurate = input.settings.tolerance < accurateTolerance;
-    const int most = accurate ? mostEventsAccurate : mostEvents;
-    int events = static_cast<int>(m_contacts.points.size()) <= mostLocatedPoints ? 0 : most;
+    const int points = static_cast<int>(m_contacts.points.size());
+    const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
+    int events = points <= mostLocatedPoints ? 0 : most;
     for (double left = input.substep; left > 0;) {
         const bool locating = events < most;
         part(input, island);
@@ -81,9 +87,20 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_scale = input.gravity.norm() * input.substep;
+    m_exact = deservesNewton(input, island);
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             report.maxPenetration = std::max(report.maxPenetration, -point.separation);
+}
+
+// Small islands, islands nearly at rest, and every island of an accurate run.
+bool IslandMotion::deservesNewton(const MotionInput& input, const Island& island) const {
+    const int points = static_cast<int>(m_contacts.points.size());
+    if (points <= mostNewtonMoving || input.settings.tolerance < accurateTolerance) return true;
+    if (points > mostNewtonResting) return false;
+    double fastest = 0;
+    for (const BodyIndex i : island.bodies) fastest = std::max(fastest, input.state.velocity[i].norm());
+    return fastest <= nearlyResting * m_scale;
 }
 
 // A lone ball that bounces on a lone wall has a closed form, however many bounces a substep holds.
@@ -210,7 +227,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
         }
     }
     const double tolerance = 1e-3 * touchingGap * size;
-    if (static_cast<int>(m_parting.rows.size()) <= mostNewtonMoving)
+    if (m_exact)
         m_newton.solve(m_parting, tolerance);
     else
         m_gaussSeidel.solve(m_parting, tolerance, 2 * input.settings.iterations);
@@ -249,7 +266,8 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
         }
     }
     if (any)
-        report.impacts += m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating);
+        report.impacts +=
+            m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating, m_exact);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         if (i >= m_start.size()) m_start.emplace_back();
         const ContactBody& body = m_problem.bodies[i];
@@ -267,6 +285,9 @@ void IslandMotion::smooth(const MotionInput& input, double duration, bool locati
     }
     chooseRows(input, duration, locating);
     solve(input);
+    // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
+    // later.
+    if (duration < shortestMemory * input.substep) return;
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
         ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
         point.force = m_problem.rows[i].impulse / duration;
@@ -309,18 +330,20 @@ void IslandMotion::solve(const MotionInput& input) {
         velocitiesFromImpulses(m_problem);
         return;
     }
-    const int points = static_cast<int>(m_problem.rows.size());
-    bool newton = points <= mostNewtonMoving || input.settings.tolerance < accurateTolerance ||
-                  !m_problem.springs.empty();
-    if (!newton && points <= mostNewtonResting) {
-        double fastest = 0;
-        for (const ContactBody& body : m_problem.bodies) fastest = std::max(fastest, rimSpeed(body));
-        newton = fastest <= nearlyResting * m_scale;
-    }
     double residual = 0;
-    if (newton) {
-        const NewtonReport solved = m_newton.solve(m_problem, m_tolerance);
+    if (m_exact) {
+        NewtonReport solved = m_newton.solve(m_problem, m_tolerance);
         report.factorisations += solved.factorisations;
+        if (!solved.solved) {
+            for (ContactRow& row : m_problem.rows) {
+                row.impulse.setZero();
+                row.rollingImpulse.setZero();
+            }
+            solved = m_newton.solve(m_problem, m_tolerance);
+            report.factorisations += solved.factorisations;
+            if (!solved.solved && m_problem.springs.empty())
+                m_gaussSeidel.solve(m_problem, m_tolerance, rescueSweeps);
+        }
         residual = solved.residual;
     } else {
         residual = m_gaussSeidel.solve(m_problem, m_tolerance, input.settings.iterations);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/contact_scenes.h"
+
+#include "core/math/random.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+// Towers and mass ratios under method `contacts`: hard cases 23, 25 and 28 in short form.
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+constexpr std::uint64_t seed = 4711;
+
+/// `count` bodies of height 1 m on the floor; perturbed: offsets to 5 mm, yaw to 0.05 rad, gaps to 1 mm.
+Scene tower(int count, bool cylinders, bool perturbed) {
+    Scene scene = sceneOf({floorOf(0.5)}, downwards());
+    Random random(seed);
+    double height = 0.5;
+    for (int i = 0; i < count; ++i, height += 1) {
+        Body body = cylinders ? cylinder(0.5, 1, 1, Vec3(0, height, 0))
+                              : cuboid(Vec3(1, 1, 1), 1, Vec3(0, height, 0));
+        if (perturbed) {
+            body.pose.position += Vec3(random.uniform(-0.005, 0.005), 0, random.uniform(-0.005, 0.005));
+            body = turned(body, Vec3(0, random.uniform(-0.05, 0.05), 0));
+            height += random.uniform(0, 0.001);
+        }
+        scene.bodies.push_back(rough(body, 0.5));
+    }
+    return scene;
+}
+
+} // namespace
+
+class TowersTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aTowerStands_data() {
+        QTest::addColumn<bool>("cylinders");
+        QTest::addColumn<bool>("perturbed");
+        QTest::newRow("20 cubes") << false << false;
+        QTest::newRow("20 cubes, perturbed") << false << true;
+        QTest::newRow("20 cylinders") << true << false;
+        QTest::newRow("20 cylinders, perturbed") << true << true;
+    }
+    void aTowerStands() {
+        QFETCH(bool, cylinders);
+        QFETCH(bool, perturbed);
+        const Scene scene = tower(20, cylinders, perturbed);
+        World world = worldOf(scene, contacts("default"));
+        run(world, 120);
+        QVERIFY(world.health().finite);
+        double aside = 0, speed = 0;
+        for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+            Vec3 moved = world.state().pose[i].position - scene.bodies[i].pose.position;
+            moved.y() = 0;
+            aside = std::max(aside, moved.norm());
+            speed = std::max(speed, world.state().velocity[i].norm());
+        }
+        qInfo("aside by %.1e m, fastest %.1e m/s", aside, speed);
+        QVERIFY(aside < 1e-3);
+        QVERIFY(speed < 1e-3);
+        QVERIFY(std::abs(world.state().pose.back().position.y() - 19.5) < 1e-6);
+    }
+
+    void aHeavyCubeDoesNotSinkIntoALightOne_data() {
+        QTest::addColumn<double>("ratio");
+        for (const double ratio : {1e2, 1e3, 1e4, 1e6}) QTest::addRow("1:%g", ratio) << ratio;
+    }
+    void aHeavyCubeDoesNotSinkIntoALightOne() {
+        QFETCH(double, ratio);
+        World world = worldOf(sceneOf({floorOf(0.5), rough(cuboid(Vec3(1, 1, 1), 1, Vec3(0, 0.5, 0)), 0.5),
+                                       rough(cuboid(Vec3(1, 1, 1), ratio, Vec3(0, 1.5, 0)), 0.5)},
+                                      downwards()),
+                              contacts("default"));
+        double deepest = 0;
+        for (int i = 0; i < 300; ++i) {
+            world.step();
+            deepest = std::max(deepest, world.statistics().maxPenetration);
+        }
+        qInfo("overlap at most %.1e m", deepest);
+        QVERIFY(deepest < 1e-6);
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::TowersTest)
+#include "towers_test.moc"
