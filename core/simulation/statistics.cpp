@@ -7,7 +7,8 @@ namespace carom {
 
 std::string_view statisticsColumns() {
     return "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,pairs,contacts,swaps,"
-           "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration";
+           "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration,"
+           "events,axes_tried,axes_spared";
 }
 
 std::string statisticsRow(const FrameStatistics& frame) {
@@ -22,6 +23,8 @@ std::string statisticsRow(const FrameStatistics& frame) {
     add(frame.potential);
     for (int axis = 0; axis < 3; ++axis) add(frame.momentum[axis]);
     add(frame.maxPenetration);
+    for (const std::uint64_t count : {frame.events, frame.axesTried, frame.axesSpared})
+        row.append(",").append(std::to_string(count));
     return row;
 }
 

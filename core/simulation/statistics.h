@@ -24,6 +24,10 @@ struct FrameStatistics {
     BroadphaseCounters broad;   ///< summed over the frame's substeps; pairs and memory are the last substep's
     std::uint64_t contacts = 0; ///< pairs found touching or overlapping, summed over substeps
 
+    std::uint64_t events = 0;     ///< lived through by a method that goes from event to event, else 0
+    std::uint64_t axesTried = 0;  ///< pairs tried along the direction that parted them last, summed likewise
+    std::uint64_t axesSpared = 0; ///< of these, the full tests that were not needed
+
     double kinetic = 0;           ///< [J]
     double potential = 0;         ///< [J] of gravity and springs; height measured from the world's origin
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies

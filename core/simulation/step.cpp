@@ -16,6 +16,9 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.narrowphase += report.narrowphase;
     frame.respond += report.respond;
     frame.contacts += report.contacts;
+    frame.events += report.events;
+    frame.axesTried += report.axesTried;
+    frame.axesSpared += report.axesSpared;
     frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
 
     frame.broad.boxes += broad.boxes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/separating_axis.h"
 #include "core/solvers/impulse.h"
 #include "core/solvers/solver.h"
 
@@ -65,6 +65,11 @@ struct Contact {
     double depth = 0;            // [m]
 };
 
+/// The contact of a manifold; its depth is negative where the bodies only come near.
+Contact contactOf(BodyPair pair, const Manifold& manifold, double slop) {
+    return {pair, manifold.normal, centreOfPressure(manifold, slop), -manifold.deepest().separation};
+}
+
 class Microcollisions final : public Solver {
   public:
     explicit Microcollisions(const Bodies& bodies);
@@ -75,7 +80,8 @@ class Microcollisions final : public Solver {
     void updateBoxes(const SolverInput& input);
     void meetPairsInOrder(const SolverInput& input);
     void meetWall(const SolverInput& input, std::size_t wall, BodyIndex body);
-    void meet(const SolverInput& input, BodyPair pair, double slop);
+    void meetBodies(const SolverInput& input, BodyPair pair);
+    void enqueue(const Contact& contact, const Bodies& bodies);
     void respondToBatch(const SolverInput& input);
     void respond(const SolverInput& input, const Contact& contact);
 
@@ -84,6 +90,7 @@ class Microcollisions final : public Solver {
     std::vector<Wall> m_walls;           // of bodies.walls
     std::vector<Contact> m_batch;        // found, not yet responded to
     std::vector<std::uint8_t> m_inBatch; // by BodyIndex: mobile and in a contact of m_batch
+    SeparatingAxes m_axes;               // of pairs that were apart in the substep before
     Manifold m_manifold;                 // of the pair in turn
     Stopwatch m_watch;
     SolverReport m_report;
@@ -112,8 +119,11 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
     input.broadphase.update({m_boxes, input.bodies.bounded, m_mobile});
     m_report.broadphase = m_watch.lap();
 
+    m_axes.beginFrame();
     meetPairsInOrder(input);
     respondToBatch(input);
+    m_report.axesTried = m_axes.counters().tried;
+    m_report.axesSpared = m_axes.counters().spared;
     m_report.loss = findLoss(input.bodies, input.state);
     m_report.respond += m_watch.lap();
     return m_report;
@@ -146,10 +156,6 @@ void Microcollisions::updateBoxes(const SolverInput& input) {
 void Microcollisions::meetPairsInOrder(const SolverInput& input) {
     const Bodies& bodies = input.bodies;
     const std::vector<BodyIndex>& walls = bodies.walls;
-    const auto meetBodies = [&](BodyPair pair) {
-        meet(input, pair,
-             contactSlop * std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]));
-    };
     const std::span<const BodyPair> pairs = input.broadphase.pairs();
     std::size_t pair = 0, wallsUpToA = 0, mobileUpToA = 0;
     for (BodyIndex a = 0; a < bodies.count(); ++a) {
@@ -162,7 +168,7 @@ void Microcollisions::meetPairsInOrder(const SolverInput& input) {
         std::size_t wall = bodies.mobile[a] != 0 ? wallsUpToA : walls.size();
         for (; pair < pairs.size() && pairs[pair].a == a; ++pair) {
             for (; wall < walls.size() && walls[wall] < pairs[pair].b; ++wall) meetWall(input, wall, a);
-            meetBodies(pairs[pair]);
+            meetBodies(input, pairs[pair]);
         }
         for (; wall < walls.size(); ++wall) meetWall(input, wall, a);
         mobileUpToA += bodies.mobile[a];
@@ -171,26 +177,36 @@ void Microcollisions::meetPairsInOrder(const SolverInput& input) {
 
 void Microcollisions::meetWall(const SolverInput& input, std::size_t wall, BodyIndex body) {
     if (m_inBatch[body] != 0) respondToBatch(input);
-    const double radius = input.bodies.boundingRadius[body];
-    if (distanceTo(m_walls[wall], input.state.pose[body].position) > radius) return;
-    meet(input, {body, input.bodies.walls[wall]}, contactSlop * radius);
+    const Bodies& bodies = input.bodies;
+    const Pose& pose = input.state.pose[body];
+    const double radius = bodies.boundingRadius[body];
+    if (distanceTo(m_walls[wall], pose.position) > radius) return;
+    const BodyIndex other = bodies.walls[wall];
+    const double slop = contactSlop * radius;
+    if (!collide({&bodies.shape[body], &pose}, {&bodies.shape[other], nullptr}, slop, m_manifold)) return;
+    enqueue(contactOf({body, other}, m_manifold, slop), bodies);
+    if (m_batch.size() == largestBatch) respondToBatch(input);
+}
+
+void Microcollisions::meetBodies(const SolverInput& input, BodyPair pair) {
+    if ((m_inBatch[pair.a] | m_inBatch[pair.b]) != 0) respondToBatch(input);
+    const Bodies& bodies = input.bodies;
+    const double slop = contactSlop * std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
+    const PlacedShape a{&bodies.shape[pair.a], &input.state.pose[pair.a]};
+    const PlacedShape b{&bodies.shape[pair.b], &input.state.pose[pair.b]};
+    if (!m_axes.collide(pair, a, b, slop, m_manifold)) return;
+    enqueue(contactOf(pair, m_manifold, slop), bodies);
+    if (m_batch.size() == largestBatch) respondToBatch(input);
 }
 
 // A contact waits in the batch until one of its bodies is met again. By then nothing else has touched the
 // two, so the motion is the same to the bit as with a response at once, and the clock is read twice a batch,
 // not twice a contact: a reading takes longer than a response.
-void Microcollisions::meet(const SolverInput& input, BodyPair pair, double slop) {
-    if ((m_inBatch[pair.a] | m_inBatch[pair.b]) != 0) respondToBatch(input);
-    const Bodies& bodies = input.bodies;
-    const PlacedShape a{&bodies.shape[pair.a], &input.state.pose[pair.a]};
-    const PlacedShape b{&bodies.shape[pair.b], &input.state.pose[pair.b]};
-    if (!collide(a, b, slop, m_manifold)) return;
-    const double depth = -m_manifold.deepest().separation;
-    if (depth < 0) return;
-    m_batch.push_back({pair, m_manifold.normal, centreOfPressure(m_manifold, slop), depth});
-    m_inBatch[pair.a] = bodies.mobile[pair.a];
-    m_inBatch[pair.b] = bodies.mobile[pair.b];
-    if (m_batch.size() == largestBatch) respondToBatch(input);
+void Microcollisions::enqueue(const Contact& contact, const Bodies& bodies) {
+    if (contact.depth < 0) return;
+    m_batch.push_back(contact);
+    m_inBatch[contact.pair.a] = bodies.mobile[contact.pair.a];
+    m_inBatch[contact.pair.b] = bodies.mobile[contact.pair.b];
 }
 
 void Microcollisions::respondToBatch(const SolverInput& input) {

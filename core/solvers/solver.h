@@ -28,9 +28,11 @@ struct SolverReport {
     double narrowphase = 0; ///< [ms]
     double respond = 0;     ///< [ms]
     std::uint64_t contacts = 0;
-    std::uint64_t events = 0;  ///< of any kind; 0 for methods that step
-    double maxPenetration = 0; ///< [m]
-    Loss loss;                 ///< the substep was broken off where a body is named
+    std::uint64_t events = 0;     ///< of any kind; 0 for methods that step
+    std::uint64_t axesTried = 0;  ///< pairs that were apart before, with the direction that parted them
+    std::uint64_t axesSpared = 0; ///< of these, parted by it still: full tests not made
+    double maxPenetration = 0;    ///< [m]
+    Loss loss;                    ///< the substep was broken off where a body is named
 };
 
 /// What a solver works on in one substep.

@@ -18,7 +18,8 @@ namespace {
 const char* const traceColumns = "frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_"
                                  "ms,pairs,contacts,swaps,kinetic,"
-                                 "potential,momentum_x,momentum_y,momentum_z,max_penetration";
+                                 "potential,momentum_x,momentum_y,momentum_z,max_penetration,"
+                                 "events,axes_tried,axes_spared";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
 const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125 }\n"
@@ -129,7 +130,7 @@ void RunTest::statisticsHoldARowAFrame() {
     QCOMPARE(rows.first(), QString(statsColumns));
     for (int frame = 1; frame <= 3; ++frame) {
         const QStringList fields = fieldsOf(rows[frame]);
-        QCOMPARE(fields.size(), 16);
+        QCOMPARE(fields.size(), 19);
         QCOMPARE(fields[0].toInt(), frame);
         QCOMPARE(fields[1].toDouble(), 0.125 * frame);
         for (int i = 2; i <= 6; ++i) QVERIFY(fields[i].toDouble() >= 0);

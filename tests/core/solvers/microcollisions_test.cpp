@@ -193,6 +193,23 @@ class MicrocollisionsTest : public QObject {
         QVERIFY(axisOf(world.state().pose[1]).y() > 1 - 1e-9);
         QVERIFY(std::abs(positionOf(world, 1).y() - 0.25) < 0.01);
     }
+
+    // Two leaning cylinders whose boxes overlap while they do not touch: the first frame searches for what
+    // parts them, the frames after try that direction first and need no search.
+    void theDirectionThatPartedTwoBodiesIsTriedFirstInTheNextFrame() {
+        Body first = cylinder(0.2, 2, 1, Vec3(0, 0, 0)), second = cylinder(0.2, 2, 1, Vec3(0.6, 0, 0));
+        const Quat leaning(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+        first.pose.orientation = leaning;
+        second.pose.orientation = leaning;
+        World world = worldOf(sceneOf({first, second}), instant());
+        world.step();
+        QCOMPARE(world.statistics().broad.pairs, 1U);
+        QCOMPARE(world.statistics().contacts, 0U);
+        QCOMPARE(world.statistics().axesTried, 0U);
+        world.step();
+        QCOMPARE(world.statistics().axesTried, 1U);
+        QCOMPARE(world.statistics().axesSpared, 1U);
+    }
 };
 
 } // namespace carom
