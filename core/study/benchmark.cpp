@@ -106,7 +106,9 @@ BenchmarkPoint pointOf(const Contest& contest, std::size_t world) {
             .contacts = meanOf(later, [](const Frame& frame) { return double(frame.contacts); }),
             .swaps = meanOf(later, [](const Frame& frame) { return double(frame.broad.swaps); }),
             .memoryBytes = later.back().broad.memoryBytes,
-            .stateHash = contest.worlds[world]->stateHash()};
+            .stateHash = contest.worlds[world]->state().frame > std::ssize(all)
+                             ? 0
+                             : contest.worlds[world]->stateHash()};
 }
 
 /// Replaces that time of every frame of the first contest by the median over all of them.
@@ -231,18 +233,27 @@ Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn)
     return Runner(plan, goOn).run();
 }
 
-std::vector<BenchmarkPoint> compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline,
-                                               std::int64_t frames, const BenchmarkListener& goOn) {
+Benchmark compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline, std::int64_t frames,
+                             const BenchmarkListener& goOn) {
     ASSERT(frames >= 2);
-    std::vector<const BroadphaseRow*> algorithms;
-    for (const BroadphaseRow& row : broadphases()) algorithms.push_back(&row);
-    Contest contest = prepare(pipeline, algorithms);
-    const std::int64_t total = frames * std::ssize(algorithms);
+    Benchmark result;
+    for (const BroadphaseRow& row : broadphases()) result.plan.algorithms.push_back(&row);
+    Contest contest = prepare(pipeline, result.plan.algorithms);
+    const std::int64_t total = frames * std::ssize(contest.worlds);
     std::int64_t done = 0;
-    if (!advance(contest, frames, [&] { return goOn(++done, total); })) return {};
-    std::vector<BenchmarkPoint> points;
-    for (std::size_t k = 0; k < algorithms.size(); ++k) points.push_back(pointOf(contest, k));
-    return points;
+    result.complete = advance(contest, frames, [&] { return goOn(++done, total); });
+    result.plan.frames = frames;
+    for (const std::vector<FrameStatistics>& run : contest.frames)
+        result.plan.frames = std::min<std::int64_t>(result.plan.frames, std::ssize(run));
+    for (std::size_t k = 0; k < contest.worlds.size(); ++k) {
+        contest.frames[k].resize(static_cast<std::size_t>(result.plan.frames));
+        if (result.plan.frames >= 2) result.points.push_back(pointOf(contest, k));
+        result.traces.push_back({.scene = nullptr,
+                                 .n = contest.n,
+                                 .algorithm = contest.algorithms[k],
+                                 .frames = std::move(contest.frames[k])});
+    }
+    return result;
 }
 
 } // namespace carom

@@ -57,12 +57,13 @@ struct BenchmarkPoint {
     double narrowphase = 0; ///< [ms]
     double pairs = 0, tested = 0, contacts = 0, swaps = 0;
     std::uint64_t memoryBytes = 0; ///< held by the broad-phase at the end
-    std::uint64_t stateHash = 0;   ///< of the last frame: the same for every algorithm
+    /// Of the last frame: the same for every algorithm. 0 where the world had gone on beyond that frame.
+    std::uint64_t stateHash = 0;
 };
 
 /// Every frame of one world.
 struct BenchmarkTrace {
-    const GeneratorRow* scene = nullptr;
+    const GeneratorRow* scene = nullptr; ///< null: a scene of the user's
     std::int64_t n = 0;
     const BroadphaseRow* algorithm = nullptr;
     std::vector<FrameStatistics> frames;
@@ -81,9 +82,10 @@ using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t tot
 
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn);
 
-/// Every algorithm on one scene over the same frames, at least 2, taking turns. The points' `scene` is null
-/// and their `n` is the number of bodies; none if it was told to stop.
-std::vector<BenchmarkPoint> compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline,
-                                               std::int64_t frames, const BenchmarkListener& goOn);
+/// Every algorithm on one scene over the same frames, at least 2, taking turns: the points, and every frame
+/// as traces. Their `scene` is null and their `n` is the number of bodies. Told to stop, it keeps the frames
+/// that every algorithm has done, of which `plan.frames` says how many; no points of fewer than 2.
+Benchmark compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline, std::int64_t frames,
+                             const BenchmarkListener& goOn);
 
 } // namespace carom

@@ -27,6 +27,8 @@ std::string reachText(const std::optional<RealTimeReach>& reach) {
     return (reach->measured ? "" : "> ") + std::to_string(std::llround(reach->n));
 }
 
+std::string_view nameOf(const GeneratorRow* scene) { return scene ? scene->name : "scene"; }
+
 const BenchmarkPoint* pointAt(const std::vector<BenchmarkPoint>& points, std::int64_t n) {
     const std::vector<BenchmarkPoint>::const_iterator found =
         std::find_if(points.begin(), points.end(), [n](const BenchmarkPoint& point) { return point.n == n; });
@@ -88,7 +90,7 @@ std::string pointsAsCsv(const Benchmark& benchmark) {
     std::string csv = "scene,n,bodies,broadphase,frames,first_ms,mean_ms,median_ms,p95_ms,max_ms,frame_rate,"
                       "broadphase_ms,narrowphase_ms,pairs,tested,contacts,swaps,memory_bytes\n";
     for (const BenchmarkPoint& p : benchmark.points) {
-        csv.append(p.scene->name).append(",").append(std::to_string(p.n)).append(",");
+        csv.append(nameOf(p.scene)).append(",").append(std::to_string(p.n)).append(",");
         csv.append(std::to_string(p.bodies)).append(",").append(p.algorithm->name).append(",");
         csv.append(std::to_string(benchmark.plan.frames));
         const double rate = p.simulate.mean > 0 ? 1000 / p.simulate.mean : 0;
@@ -103,7 +105,7 @@ std::string tracesAsCsv(const Benchmark& benchmark) {
     std::string csv = "scene,n,broadphase,frame,time,simulate_ms,broadphase_ms,narrowphase_ms,pairs,tested,"
                       "contacts,swaps\n";
     for (const BenchmarkTrace& trace : benchmark.traces) {
-        const std::string run = std::string(trace.scene->name) + "," + std::to_string(trace.n) + "," +
+        const std::string run = std::string(nameOf(trace.scene)) + "," + std::to_string(trace.n) + "," +
                                 std::string(trace.algorithm->name) + ",";
         for (const FrameStatistics& frame : trace.frames) {
             csv.append(run).append(std::to_string(frame.frame));

@@ -36,7 +36,8 @@ std::optional<QuadraticFit> fitQuadratic(const std::vector<BenchmarkPoint>& poin
 std::optional<double> growthExponent(const std::vector<BenchmarkPoint>& points, std::int64_t from = 1000);
 
 /// `scene,n,bodies,broadphase,frames,first_ms,mean_ms,median_ms,p95_ms,max_ms,frame_rate,broadphase_ms,
-/// narrowphase_ms,pairs,tested,contacts,swaps,memory_bytes`, a row a point.
+/// narrowphase_ms,pairs,tested,contacts,swaps,memory_bytes`, a row a point. A scene of the user's is called
+/// `scene`.
 std::string pointsAsCsv(const Benchmark& benchmark);
 /// `scene,n,broadphase,frame,time,simulate_ms,broadphase_ms,narrowphase_ms,pairs,tested,contacts,swaps`, a
 /// row a frame.

@@ -107,17 +107,41 @@ class BenchmarkTest : public QObject {
     void allAlgorithmsCanBeComparedOnAnySceneOverTheSameFrames() {
         const Build built = build("wall { normal 0,1,0 toOrig 0 } sphere { centre 0,2,0 radius 0.5 mass 1 } "
                                   "sphere { centre 0.5,4,0 radius 0.5 mass 1 }");
-        const std::vector<BenchmarkPoint> points = compareBroadphases(built.pipeline, 30, always);
-        QCOMPARE(points.size(), broadphases().size());
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            QCOMPARE(points[k].algorithm, &broadphases()[k]);
-            QCOMPARE(points[k].n, 3);
-            QCOMPARE(points[k].stateHash, points[0].stateHash);
-            QVERIFY(points[k].simulate.median > 0);
+        const Benchmark comparison = compareBroadphases(built.pipeline, 30, always);
+        QVERIFY(comparison.complete);
+        QCOMPARE(comparison.points.size(), broadphases().size());
+        for (std::size_t k = 0; k < comparison.points.size(); ++k) {
+            const BenchmarkPoint& point = comparison.points[k];
+            QCOMPARE(point.algorithm, &broadphases()[k]);
+            QCOMPARE(point.n, 3);
+            QCOMPARE(point.stateHash, comparison.points[0].stateHash);
+            QVERIFY(point.stateHash != 0);
+            QVERIFY(point.simulate.median > 0);
+            QCOMPARE(comparison.traces[k].algorithm, point.algorithm);
+            QCOMPARE(comparison.traces[k].frames.size(), 30U);
         }
-        QVERIFY(compareBroadphases(built.pipeline, 30, [](std::int64_t done, std::int64_t) {
-                    return done < 9;
-                }).empty());
+        QVERIFY(pointsAsCsv(comparison).find("\nscene,3,3,all_pairs,30,") != std::string::npos);
+        QVERIFY(tracesAsCsv(comparison).find("\nscene,3,sweep_and_sort,30,") != std::string::npos);
+    }
+
+    void aComparisonStoppedEarlyKeepsTheFramesThatAllHaveDone() {
+        const Build built = build("sphere { centre 0,2,0 radius 0.5 mass 1 }");
+        const std::int64_t worlds = std::ssize(broadphases());
+        // Ten frames of each world make a round; the second round is broken off in the last world's third.
+        const std::int64_t last = 10 * worlds + 10 * (worlds - 1) + 3;
+        const Benchmark stopped = compareBroadphases(
+            built.pipeline, 30, [last](std::int64_t done, std::int64_t) { return done < last; });
+        QVERIFY(!stopped.complete);
+        QCOMPARE(stopped.plan.frames, 13);
+        QCOMPARE(std::ssize(stopped.points), worlds);
+        for (const BenchmarkTrace& trace : stopped.traces) QCOMPARE(trace.frames.size(), 13U);
+        QVERIFY(stopped.points.back().stateHash != 0);
+        QCOMPARE(stopped.points.front().stateHash, 0U); // that world is at frame 20
+
+        const Benchmark atOnce =
+            compareBroadphases(built.pipeline, 30, [](std::int64_t, std::int64_t) { return false; });
+        QVERIFY(atOnce.points.empty());
+        QCOMPARE(atOnce.plan.frames, 0);
     }
 
     void theParabolaThroughAParabolaIsThatParabola() {
