@@ -1,58 +1,155 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/broadphase_comparison.h"
 
+#include "core/base/clock.h"
+#include "core/study/benchmark_report.h"
+#include "ui/docks/comparison_charts.h"
+#include "ui/widgets/empty_state.h"
 #include "ui/widgets/value_table.h"
 
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QSaveFile>
+#include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
+#include <cmath>
 
 namespace carom {
 namespace {
 
 constexpr std::int64_t comparedFrames = 120;
+constexpr double progressInterval = 100; ///< [ms] between two reports of the thread
+constexpr int progressSteps = 1000;
 
-QStringList algorithmTitles() {
-    QStringList titles;
-    for (const BroadphaseRow& row : broadphases())
-        titles << QString::fromUtf8(row.title.data(), static_cast<qsizetype>(row.title.size()));
-    return titles;
+QString textOf(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QString writeText(const QString& path, const std::string& text) {
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(text);
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
+    return BroadphaseComparison::tr("`%1` cannot be written: %2").arg(path, file.errorString());
 }
 
 } // namespace
 
 BroadphaseComparison::BroadphaseComparison(QWidget* parent)
-    : QWidget(parent), m_button(new QPushButton(tr("Compare all"))), m_state(new QLabel),
-      m_table(new ValueTable(algorithmTitles(), {tr("Broad-phase [ms]"), tr("Frame [ms]"), tr("First [ms]"),
-                                                 tr("Tested"), tr("Overlapping")})) {
+    : QWidget(parent), m_button(new QPushButton), m_subject(new QComboBox), m_progress(new QProgressBar),
+      m_state(new QLabel), m_chart(new QComboBox), m_export(new QToolButton), m_plot(new PlotWidget) {
     m_button->setObjectName(QStringLiteral("compare"));
-    m_button->setToolTip(tr("Run the first %1 frames of the scene with every algorithm").arg(comparedFrames));
+    m_subject->setObjectName(QStringLiteral("comparisonSubject"));
+    m_subject->setAccessibleName(tr("What to compare on"));
+    m_subject->addItem(tr("on this scene"));
+    m_subject->setItemData(0, tr("Its first %1 frames with every algorithm").arg(comparedFrames),
+                           Qt::ToolTipRole);
+    for (const GeneratorRow* scene : standardBenchmark().scenes) {
+        m_subject->addItem(tr("against N: %1").arg(textOf(scene->name)), textOf(scene->name));
+        m_subject->setItemData(
+            m_subject->count() - 1,
+            tr("%1 frames of the generated scene at growing numbers of bodies; takes minutes")
+                .arg(comparedFrames),
+            Qt::ToolTipRole);
+    }
+    m_progress->setObjectName(QStringLiteral("comparisonProgress"));
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(false);
+    m_progress->setMaximumSize(120, 12);
     m_state->setObjectName(QStringLiteral("comparisonState"));
     m_state->setProperty("role", QStringLiteral("muted"));
-    m_table->setObjectName(QStringLiteral("comparison"));
-    m_table->setAccessibleName(tr("What each algorithm took"));
-    m_table->hide();
+    m_state->setWordWrap(true);
+    m_chart->setObjectName(QStringLiteral("comparisonChart"));
+    m_chart->setAccessibleName(tr("Chart"));
+    m_export->setObjectName(QStringLiteral("comparisonExport"));
+    m_export->setText(tr("Export"));
+    m_export->setToolTip(tr("Write the chart or the figures to a file"));
+    m_export->setPopupMode(QToolButton::InstantPopup);
+    fillExportMenu();
+
+    QWidget* figures = new QWidget;
+    QHBoxLayout* sideBySide = new QHBoxLayout(figures);
+    sideBySide->setContentsMargins(0, 0, 0, 0);
+    sideBySide->addWidget(m_plot, 1);
+    m_plot->setMinimumSize(300, 170);
+    m_empty = new EmptyState(figures, tr("Compare all runs the first %1 frames of the scene with every "
+                                         "algorithm and shows what each took.\nThe simulation above goes on "
+                                         "meanwhile.")
+                                          .arg(comparedFrames));
+    m_empty->setObjectName(QStringLiteral("comparisonFigures"));
 
     QHBoxLayout* top = new QHBoxLayout;
     top->addWidget(m_button);
+    top->addWidget(m_subject);
+    top->addWidget(m_progress);
     top->addWidget(m_state, 1);
+    top->addWidget(m_chart);
+    top->addWidget(m_export);
     QVBoxLayout* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(top);
-    column->addWidget(m_table);
+    column->addWidget(m_empty, 1);
     connect(m_button, &QPushButton::clicked, this, &BroadphaseComparison::startOrStop);
-    setPipeline(nullptr);
+    connect(m_subject, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::updateControls);
+    connect(m_chart, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::showChart);
+    updateControls();
+}
+
+void BroadphaseComparison::fillExportMenu() {
+    QMenu* menu = new QMenu(m_export);
+    for (const char* ending : {"png", "svg", "pdf"}) {
+        const QString name = QLatin1StringView(ending);
+        connect(menu->addAction(tr("%1…").arg(name.toUpper())), &QAction::triggered, this,
+                [this, name] { ask(tr("Export the chart"), name, &BroadphaseComparison::exportTo); });
+    }
+    connect(menu->addAction(tr("CSV, a row an algorithm…")), &QAction::triggered, this, [this] {
+        ask(tr("Export the figures"), QStringLiteral("csv"), &BroadphaseComparison::exportTo);
+    });
+    connect(menu->addAction(tr("CSV, a row a frame…")), &QAction::triggered, this, [this] {
+        ask(tr("Export every frame"), QStringLiteral("csv"), &BroadphaseComparison::exportFramesTo);
+    });
+    m_export->setMenu(menu);
 }
 
 void BroadphaseComparison::setPipeline(std::shared_ptr<const Pipeline> pipeline) {
+    if (pipeline == m_pipeline) return;
     m_pipeline = std::move(pipeline);
-    m_button->setEnabled(m_running || m_pipeline);
-    if (m_running) return;
-    m_table->hide();
-    m_state->clear();
+    updateControls();
+    if (!m_running && m_result) m_state->setText(sentenceOf(*m_result));
+}
+
+void BroadphaseComparison::updateControls() {
+    const bool generated = m_subject->currentData().isValid();
+    m_button->setText(m_running ? tr("Stop") : tr("Compare all"));
+    m_button->setEnabled(m_running || generated || m_pipeline);
+    m_button->setToolTip(m_running ? tr("Show what was computed so far")
+                                   : m_subject->currentData(Qt::ToolTipRole).toString());
+    m_subject->setEnabled(!m_running);
+    m_progress->setVisible(m_running);
+    const bool figures = m_result && !m_result->points.empty();
+    m_empty->setEmpty(!figures);
+    m_export->setVisible(figures);
+    m_chart->setVisible(figures);
+}
+
+BroadphaseComparison::Study BroadphaseComparison::chosenStudy() const {
+    const QByteArray name = m_subject->currentData().toString().toUtf8();
+    if (name.isEmpty())
+        return [pipeline = m_pipeline](const BenchmarkListener& goOn) {
+            return compareBroadphases(pipeline, comparedFrames, goOn);
+        };
+    BenchmarkPlan plan = standardBenchmark();
+    plan.scenes = {findGenerator(std::string_view(name.constData(), static_cast<std::size_t>(name.size())))};
+    plan.frames = comparedFrames;
+    plan.traceScene = nullptr;
+    return [plan](const BenchmarkListener& goOn) { return runBenchmark(plan, goOn); };
 }
 
 void BroadphaseComparison::startOrStop() {
@@ -61,57 +158,128 @@ void BroadphaseComparison::startOrStop() {
         return;
     }
     m_running = true;
-    m_button->setText(tr("Stop"));
-    m_table->hide();
-    m_thread =
-        std::jthread([this, pipeline = m_pipeline](const std::stop_token& stop) { run(stop, pipeline); });
+    m_progress->setValue(0);
+    m_state->clear();
+    updateControls();
+    const bool generated = m_subject->currentData().isValid();
+    m_compared = generated ? nullptr : m_pipeline;
+    const Remaining remaining = generated ? Remaining::Unknown : Remaining::Foreseeable;
+    m_thread = std::jthread([this, study = chosenStudy(), remaining](const std::stop_token& stop) {
+        run(stop, study, remaining);
+    });
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
-void BroadphaseComparison::run(const std::stop_token& stop, const std::shared_ptr<const Pipeline>& pipeline) {
-    std::int64_t shown = -1;
+void BroadphaseComparison::run(const std::stop_token& stop, const Study& study, Remaining remaining) {
+    const Stopwatch whole;
+    Stopwatch sinceReport;
     const BenchmarkListener listener = [&](std::int64_t done, std::int64_t total) {
-        const std::int64_t percent = 100 * done / total;
-        if (percent != shown)
+        if (sinceReport.elapsed() > progressInterval) {
+            sinceReport.lap();
+            std::optional<double> left;
+            if (remaining == Remaining::Foreseeable)
+                left = 1e-3 * whole.elapsed() * static_cast<double>(total - done) / static_cast<double>(done);
             QMetaObject::invokeMethod(
-                this, [this, percent] { m_state->setText(tr("%1 %").arg(percent)); }, Qt::QueuedConnection);
-        shown = percent;
+                this, [this, done, total, left] { showProgress(done, total, left); }, Qt::QueuedConnection);
+        }
         return !stop.stop_requested();
     };
-    const std::vector<BenchmarkPoint> points = compareBroadphases(pipeline, comparedFrames, listener);
+    const Benchmark result = study(listener);
+    const double seconds = 1e-3 * whole.elapsed();
     QMetaObject::invokeMethod(
-        this, [this, points, pipeline] { finish(points, pipeline.get()); }, Qt::QueuedConnection);
+        this, [this, result, seconds] { finish(result, seconds); }, Qt::QueuedConnection);
 }
 
-void BroadphaseComparison::finish(const std::vector<BenchmarkPoint>& points, const Pipeline* compared) {
+void BroadphaseComparison::showProgress(std::int64_t done, std::int64_t total,
+                                        std::optional<double> secondsLeft) {
+    m_progress->setValue(static_cast<int>(progressSteps * done / total));
+    const QString percent = tr("%1 %").arg(100 * done / total);
+    m_state->setText(secondsLeft ? tr("%1, about %2 s left").arg(percent).arg(std::ceil(*secondsLeft))
+                                 : percent);
+}
+
+void BroadphaseComparison::finish(const Benchmark& result, double seconds) {
     m_thread.join();
     m_running = false;
-    m_button->setText(tr("Compare all"));
-    m_button->setEnabled(m_pipeline != nullptr);
-    m_state->clear();
-    if (points.empty()) return m_state->setText(tr("Stopped."));
-    if (compared != m_pipeline.get()) return m_state->setText(tr("The scene has changed meanwhile."));
-    showFigures(points);
+    m_result = result;
+    m_charts = comparisonCharts(result);
+    updateControls();
+    m_state->setText(sentenceOf(result));
+    Q_EMIT reported(tr("broad-phases compared in %1 s: %2").arg(seconds, 0, 'f', 1).arg(m_state->text()));
+    if (result.points.empty()) return;
+    showTable();
+    const QSignalBlocker quiet(m_chart);
+    m_chart->clear();
+    for (const NamedChart& chart : m_charts) m_chart->addItem(chart.chart.title);
+    showChart();
 }
 
-void BroadphaseComparison::showFigures(const std::vector<BenchmarkPoint>& points) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const int row = static_cast<int>(k);
-        const BenchmarkPoint& point = points[k];
-        m_table->setValue(row, 0, point.broadphase);
-        m_table->setValue(row, 1, point.simulate.median);
-        m_table->setValue(row, 2, point.first);
-        m_table->setValue(row, 3, point.tested, 1);
-        m_table->setValue(row, 4, point.pairs, 1);
+QString BroadphaseComparison::sentenceOf(const Benchmark& result) const {
+    const BroadphaseRow* fastest = fastestBroadphase(result);
+    if (!fastest) return tr("Stopped before there was anything to compare.");
+    QString sentence;
+    if (!result.plan.scenes.empty()) {
+        sentence = result.complete ? tr("Median time of a step [ms] against the number of bodies N.")
+                                   : tr("Stopped; median time of a step [ms] as far as it went.");
+    } else {
+        sentence = tr("%1 frames from the start: %2 was fastest.")
+                       .arg(result.plan.frames)
+                       .arg(textOf(fastest->title));
+        if (!result.complete) sentence = tr("Stopped. ") + sentence;
+        if (m_compared != m_pipeline) sentence += tr(" The scene has changed since.");
     }
-    const std::vector<BenchmarkPoint>::const_iterator best =
-        std::min_element(points.begin(), points.end(), [](const BenchmarkPoint& a, const BenchmarkPoint& b) {
-            return a.broadphase < b.broadphase;
-        });
-    const QString title = algorithmTitles()[static_cast<qsizetype>(best - points.begin())];
-    m_state->setText(
-        tr("%1 frames of the scene from its start: %2 was fastest.").arg(comparedFrames).arg(title));
-    m_table->show();
+    return sentence;
+}
+
+void BroadphaseComparison::showTable() {
+    const ComparisonTable content = comparisonTable(*m_result);
+    delete m_table;
+    m_table = new ValueTable(content.rows, content.columns);
+    m_table->setObjectName(QStringLiteral("comparison"));
+    m_table->setAccessibleName(tr("What each algorithm took"));
+    m_table->setToolTip(tr("Means of the frames behind the first; Ctrl+C copies"));
+    for (std::size_t row = 0; row < content.values.size(); ++row) {
+        m_table->setRowColour(static_cast<int>(row), seriesColour(row));
+        for (std::size_t column = 0; column < content.decimals.size(); ++column)
+            m_table->setValue(static_cast<int>(row), static_cast<int>(column), content.values[row][column],
+                              content.decimals[column]);
+    }
+    static_cast<QHBoxLayout*>(m_plot->parentWidget()->layout())->insertWidget(0, m_table, 1);
+}
+
+void BroadphaseComparison::showChart() {
+    if (m_chart->currentIndex() < 0) return;
+    ChartSpec chart = m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart;
+    chart.title.clear(); // the box above says it
+    m_plot->setChart(chart);
+}
+
+QString BroadphaseComparison::exportTo(const QString& path) const {
+    if (!m_result || m_result->points.empty())
+        return tr("nothing was compared yet; choose Compare all first");
+    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
+        return writeText(path, pointsAsCsv(*m_result));
+    if (m_chart->currentIndex() < 0) return tr("there is no chart of so few figures");
+    return writeChart(m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart, path);
+}
+
+QString BroadphaseComparison::exportFramesTo(const QString& path) const {
+    if (!m_result || m_result->traces.empty())
+        return tr("there are no single frames; compare all on this scene first");
+    return writeText(path, tracesAsCsv(*m_result));
+}
+
+void BroadphaseComparison::ask(const QString& title, const QString& ending,
+                               QString (BroadphaseComparison::*write)(const QString&) const) {
+    QString path = QFileDialog::getSaveFileName(this, title, QStringLiteral("broadphases.") + ending,
+                                                tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
+    const QString problem = (this->*write)(path);
+    const QString sentence = problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
+                                               : tr("Not exported: %1").arg(problem);
+    m_state->setText(sentence);
+    Q_EMIT reported(sentence);
 }
 
 } // namespace carom

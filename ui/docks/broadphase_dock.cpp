@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QFontDatabase>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QScrollArea>
@@ -92,13 +93,8 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     m_reason->setWordWrap(true);
     m_reason->setProperty("role", QStringLiteral("muted"));
 
-    QWidget* content = new QWidget;
-    QVBoxLayout* column = new QVBoxLayout(content);
-    column->setContentsMargins(12, 10, 12, 10);
-    column->setSpacing(8);
-    column->addWidget(m_algorithm);
-    column->addWidget(m_reason);
-    // Two rows of figures side by side: the dock is wide and low where it usually stands.
+    // Two rows of figures side by side, and what compares the algorithms beside them: the dock is wide and
+    // low where it usually stands.
     QGridLayout* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(6);
@@ -120,9 +116,18 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     grid->setColumnMinimumWidth(2, 32);
     grid->setColumnMinimumWidth(4, 90);
     grid->setColumnStretch(5, 1);
-    column->addLayout(grid);
-    column->addWidget(m_comparison);
-    column->addStretch();
+    QVBoxLayout* live = new QVBoxLayout;
+    live->setSpacing(8);
+    live->addWidget(m_algorithm);
+    live->addWidget(m_reason);
+    live->addLayout(grid);
+    live->addStretch();
+    QWidget* content = new QWidget;
+    QHBoxLayout* sideBySide = new QHBoxLayout(content);
+    sideBySide->setContentsMargins(12, 10, 12, 10);
+    sideBySide->setSpacing(24);
+    sideBySide->addLayout(live);
+    sideBySide->addWidget(m_comparison, 1);
 
     QScrollArea* scroll = new QScrollArea;
     scroll->setWidget(content);
@@ -130,6 +135,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     setWidget(scroll);
     setFocusProxy(m_algorithm);
     connect(m_algorithm, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT algorithmChosen(chosen()); });
+    connect(m_comparison, &BroadphaseComparison::reported, this, &BroadphaseDock::reported);
     clear();
 }
 

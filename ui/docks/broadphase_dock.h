@@ -14,15 +14,14 @@
 #include <vector>
 
 class QComboBox;
-class QFormLayout;
 class QLabel;
 
 namespace carom {
 
 class BroadphaseComparison;
 
-/// What the broad-phase does in the running scene, and which one does it. Figures are those of the newest
-/// frame, refreshed a few times a second so that they can be read.
+/// What the broad-phase does in the running scene, and which one does it; beside it, all of them compared.
+/// Figures are those of the newest frame, refreshed a few times a second so that they can be read.
 class BroadphaseDock : public QDockWidget {
     Q_OBJECT
   public:
@@ -36,6 +35,8 @@ class BroadphaseDock : public QDockWidget {
 
   Q_SIGNALS:
     void algorithmChosen(const carom::BroadphaseRow* row);
+    /// What was compared or written, or why not: one sentence.
+    void reported(const QString& sentence);
 
   private:
     void refresh();

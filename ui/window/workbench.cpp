@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workbench.h"
 
+#include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
@@ -131,6 +132,7 @@ void Workbench::connectReports() {
     connect(m_files, &FileCommands::reported, this, report);
     connect(m_runs, &RunCommands::reported, this, report);
     connect(&m_window->timing(), &TimingDock::reported, this, report);
+    connect(&m_window->broadphase(), &BroadphaseDock::reported, this, report);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
     connect(m_selection, &Selection::bodySelected, this, [this](const QString& name) {
         if (name.isEmpty())

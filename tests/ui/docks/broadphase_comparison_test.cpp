@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/broadphase_comparison.h"
+#include "ui/docks/comparison_charts.h"
 #include "ui/widgets/value_table.h"
 
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"
 
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 namespace carom {
@@ -19,6 +26,11 @@ std::shared_ptr<const Pipeline> gasOf(std::int64_t n) {
 
 constexpr int patience = 60'000; // [ms], only a hang takes that long
 
+QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
 } // namespace
 
 class BroadphaseComparisonTest : public QObject {
@@ -29,42 +41,107 @@ class BroadphaseComparisonTest : public QObject {
         m_comparison = std::make_unique<BroadphaseComparison>();
         m_button = m_comparison->findChild<QPushButton*>(QStringLiteral("compare"));
         m_state = m_comparison->findChild<QLabel*>(QStringLiteral("comparisonState"));
-        m_table = m_comparison->findChild<ValueTable*>(QStringLiteral("comparison"));
+        m_progress = m_comparison->findChild<QProgressBar*>(QStringLiteral("comparisonProgress"));
+        m_comparison->resize(1100, 300);
         m_comparison->show();
     }
 
-    void withoutASceneThereIsNothingToCompare() { QVERIFY(!m_button->isEnabled()); }
+    void withoutASceneThereIsNothingToCompareAndThePanelSaysWhatToDo() {
+        QVERIFY(!m_button->isEnabled());
+        bool said = false;
+        for (const QLabel* label : m_comparison->findChildren<QLabel*>())
+            said = said || (label->isVisible() && label->text().startsWith(QLatin1StringView("Compare all")));
+        QVERIFY(said);
+        QVERIFY(!m_comparison->exportTo(m_folder.filePath(QStringLiteral("none.csv"))).isEmpty());
+        QVERIFY(!m_comparison->exportFramesTo(m_folder.filePath(QStringLiteral("none.csv"))).isEmpty());
+        QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("none.csv"))));
+    }
 
-    void everyAlgorithmGetsItsRowOfFigures() {
-        m_comparison->setPipeline(gasOf(60));
-        QTest::mouseClick(m_button, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(m_table->isVisible(), patience);
-        QCOMPARE(m_table->rowCount(), static_cast<int>(broadphases().size()));
-        for (int row = 0; row < m_table->rowCount(); ++row) {
-            QVERIFY(m_table->text(row, 0).toDouble() > 0);
-            QCOMPARE(m_table->text(row, 4), m_table->text(0, 4)); // all find the same pairs
+    void everyAlgorithmGetsItsRowOfFiguresAndItsCurve() {
+        compare(gasOf(60));
+        QVERIFY(table()->isVisible());
+        QCOMPARE(table()->rowCount(), static_cast<int>(broadphases().size()));
+        for (int row = 0; row < table()->rowCount(); ++row) {
+            QVERIFY(table()->text(row, 0).toDouble() > 0);
+            QCOMPARE(table()->text(row, 4), table()->text(0, 4)); // all find the same pairs
         }
         QVERIFY(m_state->text().contains(QLatin1StringView("was fastest")));
-        QCOMPARE(m_button->text(), QStringLiteral("Compare all"));
+        const ChartSpec& chart = m_comparison->findChild<PlotWidget*>()->chart();
+        QCOMPARE(chart.series.size(), broadphases().size());
+        for (const ChartSeries& series : chart.series) QCOMPARE(series.x.size(), 120U);
     }
 
-    void aSecondClickStopsIt() {
-        m_comparison->setPipeline(gasOf(5000));
+    void anotherChartCanBeChosen() {
+        compare(gasOf(30));
+        QComboBox* charts = m_comparison->findChild<QComboBox*>(QStringLiteral("comparisonChart"));
+        QCOMPARE(charts->count(), 3);
+        charts->setCurrentIndex(2);
+        const ChartSpec& chart = m_comparison->findChild<PlotWidget*>()->chart();
+        QCOMPARE(chart.y.label, QStringLiteral("pairs tested"));
+        // All pairs of 30 balls, which no frame changes.
+        for (const double tested : chart.series.front().y) QCOMPARE(tested, chart.series.front().y.front());
+        QVERIFY(chart.series.front().y.front() >= 30 * 29 / 2);
+    }
+
+    void chartAndFiguresCanBeWrittenToFiles() {
+        compare(gasOf(30));
+        const QString png = m_folder.filePath(QStringLiteral("c.png"));
+        const QString svg = m_folder.filePath(QStringLiteral("c.svg"));
+        const QString csv = m_folder.filePath(QStringLiteral("c.csv"));
+        const QString frames = m_folder.filePath(QStringLiteral("f.csv"));
+        QCOMPARE(m_comparison->exportTo(png), QString());
+        QCOMPARE(m_comparison->exportTo(svg), QString());
+        QCOMPARE(m_comparison->exportTo(csv), QString());
+        QCOMPARE(m_comparison->exportFramesTo(frames), QString());
+        QVERIFY(QImage(png).width() > 500);
+        QVERIFY(contentOf(svg).contains("Sweep and sort"));
+        const qsizetype algorithms = std::ssize(broadphases());
+        QCOMPARE(contentOf(csv).count('\n'), 1 + algorithms);
+        QCOMPARE(contentOf(frames).count('\n'), 1 + 120 * algorithms);
+        QVERIFY(m_comparison->exportTo(m_folder.filePath(QStringLiteral("no/such/c.csv")))
+                    .contains(QLatin1StringView("cannot be written")));
+    }
+
+    void aSecondClickStopsItAndWhatWasComputedStays() {
+        m_comparison->setPipeline(gasOf(3000));
         QTest::mouseClick(m_button, Qt::LeftButton);
         QCOMPARE(m_button->text(), QStringLiteral("Stop"));
+        QVERIFY(m_progress->isVisible());
+        // Every algorithm has had its first turn of ten frames.
+        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 150, patience);
+        QVERIFY(m_state->text().contains(QLatin1StringView("s left")));
         QTest::mouseClick(m_button, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), patience);
-        QVERIFY(!m_table->isVisible());
-        QCOMPARE(m_state->text(), QStringLiteral("Stopped."));
+        QVERIFY(!m_comparison->result()->complete);
+        QVERIFY(m_comparison->result()->plan.frames < 120);
+        QVERIFY(table()->isVisible());
+        QVERIFY(m_state->text().startsWith(QLatin1StringView("Stopped.")));
     }
 
-    void figuresOfAnotherSceneAreTakenAway() {
-        m_comparison->setPipeline(gasOf(20));
+    void againstNStoppedItKeepsTheNumbersThatAreWhole() {
+        QComboBox* subject = m_comparison->findChild<QComboBox*>(QStringLiteral("comparisonSubject"));
+        subject->setCurrentIndex(subject->findData(QStringLiteral("brownian")));
+        QVERIFY(m_button->isEnabled()); // needs no scene
         QTest::mouseClick(m_button, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(m_table->isVisible(), patience);
+        // Eight numbers: the first two are done at a quarter.
+        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 260, patience);
+        QTest::mouseClick(m_button, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), patience);
+        QVERIFY(!m_comparison->result()->complete);
+        QVERIFY(m_comparison->result()->points.size() >= 2 * broadphases().size());
+        QVERIFY(table()->text(0, 1).toDouble() > 0);
+        QCOMPARE(table()->text(0, table()->columnCount() - 2), QStringLiteral("–"));
+        const ChartSpec& chart = m_comparison->findChild<PlotWidget*>()->chart();
+        QCOMPARE(chart.series.size(), broadphases().size());
+        QCOMPARE(chart.series.front().x.front(), 100.0);
+    }
+
+    void figuresOfTheSceneBeforeAreSaidToBeSo() {
+        compare(gasOf(20));
+        QVERIFY(!m_state->text().contains(QLatin1StringView("changed")));
         m_comparison->setPipeline(gasOf(21));
-        QVERIFY(!m_table->isVisible());
-        QVERIFY(m_state->text().isEmpty());
+        QVERIFY(table()->isVisible());
+        QVERIFY(m_state->text().contains(QLatin1StringView("The scene has changed since")));
     }
 
     void itCanBeClosedWhileItWorks() {
@@ -75,10 +152,21 @@ class BroadphaseComparisonTest : public QObject {
     }
 
   private:
+    ValueTable* table() const { return m_comparison->findChild<ValueTable*>(QStringLiteral("comparison")); }
+    void compare(const std::shared_ptr<const Pipeline>& pipeline) {
+        QSignalSpy reports(m_comparison.get(), &BroadphaseComparison::reported);
+        m_comparison->setPipeline(pipeline);
+        QTest::mouseClick(m_button, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.size(), 1, patience);
+        QCOMPARE(m_button->text(), QStringLiteral("Compare all"));
+        QVERIFY(m_comparison->result()->complete);
+    }
+
+    QTemporaryDir m_folder;
     std::unique_ptr<BroadphaseComparison> m_comparison;
     QPushButton* m_button = nullptr;
     QLabel* m_state = nullptr;
-    ValueTable* m_table = nullptr;
+    QProgressBar* m_progress = nullptr;
 };
 
 } // namespace carom

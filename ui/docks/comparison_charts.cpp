@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/comparison_charts.h"
+
+#include "core/study/benchmark_report.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+QString say(const char* text) { return QCoreApplication::translate("ComparisonCharts", text); }
+
+QString textOf(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+ComparisonTable tableOfOneScene(const Benchmark& benchmark) {
+    ComparisonTable table{.rows = {},
+                          .columns = {say("Broad-phase [ms]"), say("Frame [ms]"), say("First [ms]"),
+                                      say("Tested"), say("Overlapping"), say("Tested / overl.")},
+                          .decimals = {3, 3, 3, 1, 1, 1},
+                          .values = {}};
+    for (const BenchmarkPoint& point : benchmark.points) {
+        table.rows << textOf(point.algorithm->title);
+        table.values.push_back({point.broadphase, point.simulate.mean, point.first, point.tested, point.pairs,
+                                point.pairs > 0 ? point.tested / point.pairs : NAN});
+    }
+    return table;
+}
+
+ComparisonTable tableAgainstNumbers(const Benchmark& benchmark) {
+    ComparisonTable table;
+    const GeneratorRow& scene = *benchmark.plan.scenes.front();
+    for (const std::int64_t n : benchmark.plan.counts) {
+        table.columns << say("N = %1").arg(n);
+        table.decimals.push_back(2);
+    }
+    for (const BroadphaseRow* algorithm : benchmark.plan.algorithms) {
+        table.rows << textOf(algorithm->title);
+        std::vector<double> row(benchmark.plan.counts.size(), NAN);
+        for (const BenchmarkPoint& point : pointsOf(benchmark, scene, *algorithm)) {
+            const std::ptrdiff_t column =
+                std::ranges::find(benchmark.plan.counts, point.n) - benchmark.plan.counts.begin();
+            row[static_cast<std::size_t>(column)] = point.simulate.median;
+        }
+        table.values.push_back(std::move(row));
+    }
+    return table;
+}
+
+struct Course {
+    const char* name; ///< of a file
+    const char* title;
+    const char* axis;
+    const char* unit;
+    double (*value)(const FrameStatistics& frame);
+};
+
+constexpr Course courses[] = {
+    {"broadphase", QT_TRANSLATE_NOOP("ComparisonCharts", "Broad-phase in each frame"),
+     QT_TRANSLATE_NOOP("ComparisonCharts", "time"), "ms",
+     [](const FrameStatistics& frame) { return frame.broadphase; }},
+    {"frame", QT_TRANSLATE_NOOP("ComparisonCharts", "Whole step in each frame"),
+     QT_TRANSLATE_NOOP("ComparisonCharts", "time"), "ms",
+     [](const FrameStatistics& frame) { return frame.simulate; }},
+    {"tested", QT_TRANSLATE_NOOP("ComparisonCharts", "Pairs tested in each frame"),
+     QT_TRANSLATE_NOOP("ComparisonCharts", "pairs tested"), "",
+     [](const FrameStatistics& frame) { return static_cast<double>(frame.broad.tested); }},
+};
+
+// Logarithmic, or the slowest algorithm would press all others onto the axis.
+ChartSpec chartOf(const Benchmark& benchmark, const Course& course) {
+    ChartSpec chart{.title = say(course.title),
+                    .x = {say("frame"), {}, false},
+                    .y = {say(course.axis), QString::fromLatin1(course.unit), true},
+                    .series = {},
+                    .levels = {}};
+    for (const BenchmarkTrace& trace : benchmark.traces) {
+        ChartSeries series{.name = textOf(trace.algorithm->title),
+                           .x = {},
+                           .y = {},
+                           .style = SeriesStyle::Line,
+                           .colour = {}};
+        for (const FrameStatistics& frame : trace.frames) {
+            series.x.push_back(static_cast<double>(frame.frame));
+            series.y.push_back(course.value(frame));
+        }
+        chart.series.push_back(std::move(series));
+    }
+    return chart;
+}
+
+} // namespace
+
+ComparisonTable comparisonTable(const Benchmark& benchmark) {
+    return benchmark.plan.scenes.empty() ? tableOfOneScene(benchmark) : tableAgainstNumbers(benchmark);
+}
+
+std::vector<NamedChart> comparisonCharts(const Benchmark& benchmark) {
+    if (!benchmark.plan.scenes.empty()) return chartsOf(benchmark);
+    std::vector<NamedChart> charts;
+    for (const Course& course : courses)
+        charts.push_back({QString::fromLatin1(course.name), chartOf(benchmark, course)});
+    return charts;
+}
+
+const BroadphaseRow* fastestBroadphase(const Benchmark& benchmark) {
+    const std::vector<BenchmarkPoint>::const_iterator best =
+        std::ranges::min_element(benchmark.points, {}, &BenchmarkPoint::broadphase);
+    return best == benchmark.points.end() ? nullptr : best->algorithm;
+}
+
+} // namespace carom
