@@ -31,6 +31,12 @@ QString pairsTestedPerPairFound(const FrameStatistics& s) {
     return QString::number(ratio, 'f', 1);
 }
 
+QString testsSpared(const FrameStatistics& s) {
+    if (s.axesTried == 0) return QStringLiteral("–");
+    const double share = 100 * static_cast<double>(s.axesSpared) / static_cast<double>(s.axesTried);
+    return QStringLiteral("%1 (%2 %)").arg(count(s.axesSpared)).arg(share, 0, 'f', 0);
+}
+
 struct FigureRow {
     const char* title;
     const char* help;
@@ -70,6 +76,14 @@ constexpr std::array figures = {
               [](const FrameStatistics& s) {
                   return QLocale::c().formattedDataSize(static_cast<qint64>(s.broad.memoryBytes), 1);
               }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Axes tried"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock",
+                                "Pairs tried along the direction that parted them in the frame before"),
+              [](const FrameStatistics& s) { return count(s.axesTried); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Full tests spared"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock",
+                                "Of the axes tried, those that still part the pair: no full test was needed"),
+              testsSpared},
     FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Time"),
               QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Wall time of the broad-phase in the frame"),
               [](const FrameStatistics& s) { return QStringLiteral("%1 ms").arg(s.broadphase, 0, 'f', 3); }},
@@ -107,6 +121,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
         value->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         value->setToolTip(tr(figures[i].help));
+        value->setAccessibleDescription(tr(figures[i].title));
         m_values.push_back(value);
         const int row = static_cast<int>(i) % half, side = static_cast<int>(i) / half;
         grid->addWidget(title, row, side * 3);
