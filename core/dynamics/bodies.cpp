@@ -33,6 +33,7 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
 Bodies bodiesOf(const Scene& scene) {
     Bodies bodies;
     for (const Body& body : scene.bodies) append(bodies, body, canRotate(scene, body));
+    bodies.springs = springsOf(scene);
     return bodies;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/dynamics/spring_force.h"
 #include "core/math/types.h"
 #include "core/scene/scene.h"
 #include "core/shapes/shape.h"
@@ -33,6 +34,8 @@ struct Bodies {
     /// are no spheres and can be hit. A frictionless impulse passes through a sphere's centre and never turns
     /// it.
     std::vector<BodyIndex> rotating;
+
+    std::vector<SpringForce> springs; ///< those with an end that can move
 
     std::size_t count() const { return shape.size(); }
 };

@@ -10,6 +10,16 @@
 namespace carom {
 namespace {
 
+/// The first spring that pulls a mobile body beside its centre, or none.
+const Spring* firstOffCentre(const Scene& scene) {
+    const auto turns = [&](BodyIndex body, const Vec3& at) {
+        return body != noBody && scene.bodies[body].mobile() && at != Vec3::Zero();
+    };
+    for (const Spring& spring : scene.springs)
+        if (turns(spring.from, spring.fromAt) || turns(spring.to, spring.toAt)) return &spring;
+    return nullptr;
+}
+
 EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "rotation"};
     if (firstMobile(scene) == nullptr) {
@@ -32,6 +42,15 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
         decision.source = placeOf(scene, rough.first->source, "friction");
         decision.reason = "friction can set " + scene.nameOf(indexOf(scene, *rough.second)) + " turning";
         return decision;
+    }
+    if (method.springs) {
+        if (const Spring* spring = firstOffCentre(scene)) {
+            decision.status = EffectStatus::On;
+            decision.source = placeOf(scene, spring->source, "");
+            decision.reason = "a spring between " + scene.nameOf(spring->from) + " and " +
+                              scene.nameOf(spring->to) + " pulls beside a centre";
+            return decision;
+        }
     }
     decision.reason =
         "no body spins at the start, and impulses without friction pass through a sphere's centre";

@@ -38,6 +38,7 @@ void account(const Pipeline& pipeline, const State& state, FrameStatistics& fram
     frame.kinetic = invariants.kinetic;
     frame.potential = invariants.potential;
     frame.momentum = invariants.momentum;
+    if (pipeline.simulates("spring")) frame.potential += springEnergy(pipeline.bodies().springs, state);
 }
 
 // One frame: `substeps` times the method's smooth motion, pairs, contacts and responses; then the accounts.

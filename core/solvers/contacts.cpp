@@ -34,6 +34,7 @@ class Contacts final : public Solver {
         : m_settings(settings), m_boxes(bodies.bounded.size()), m_reach(bodies.count(), 0.0) {
         m_mobile.reserve(bodies.bounded.size());
         for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+        for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
     }
 
     SolverReport advance(const SolverInput& input) override;
@@ -53,7 +54,8 @@ class Contacts final : public Solver {
     std::vector<double> m_shared;       // the same with the neighbours' reach
     std::vector<BodyPair> m_wallPairs, m_candidates;
     std::vector<BodyIndex> m_free;
-    ContactSet m_contacts; // from the last substep
+    std::vector<BodyPair> m_links; // the ends of springs
+    ContactSet m_contacts;         // from the last substep
     ContactSet m_found, m_kept;
     std::vector<std::uint32_t> m_order;
     Islands m_islands;
@@ -71,7 +73,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     report.narrowphase = watch.lap();
     report.contacts = m_found.pairs.size();
 
-    m_islands.find(input.bodies, m_found.pairs, {});
+    m_islands.find(input.bodies, m_found.pairs, m_links);
     moveIslands(input, report);
     report.respond = watch.lap();
     flyFreely(input);
@@ -193,7 +195,7 @@ constinit const SolverRow contactsRow = {
         "P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like "
         "solution methods, 1991",
     .create = create,
-    .abilities = {.friction = true, .rollingResistance = true, .gyroscopicTerm = true},
+    .abilities = {.friction = true, .rollingResistance = true, .springs = true, .gyroscopicTerm = true},
 };
 
 } // namespace carom

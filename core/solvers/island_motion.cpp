@@ -86,6 +86,7 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     m_contacts.clear();
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
+    m_springs.assign(island.links.begin(), island.links.end());
     m_scale = input.gravity.norm() * input.substep;
     m_exact = deservesNewton(input, island);
     for (const ContactPair& pair : m_contacts.pairs)
@@ -284,7 +285,10 @@ void IslandMotion::smooth(const MotionInput& input, double duration, bool locati
         body.freeVelocity.head<3>() += duration * input.gravity;
     }
     chooseRows(input, duration, locating);
-    solve(input);
+    if (m_springs.empty())
+        solve(input);
+    else
+        solveSprings(input, duration);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
     if (duration < shortestMemory * input.substep) return;

@@ -69,6 +69,9 @@ class IslandMotion {
     void smooth(const MotionInput& input, double duration, bool locating);
     void chooseRows(const MotionInput& input, double duration, bool locating);
     void solve(const MotionInput& input);
+    Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
+    void linkSprings(const MotionInput& input, double duration);
+    void solveSprings(const MotionInput& input, double duration);
     double firstImpact(const MotionInput& input, const Island& island, double duration);
     double firstStop(const MotionInput& input, double duration);
     void commit(const MotionInput& input, const Island& island, double duration);
@@ -87,6 +90,8 @@ class IslandMotion {
     std::vector<int> m_local; // by body of the scene: its index in m_problem, or immobile
     ContactSet m_contacts, m_before;
     ContactProblem m_problem, m_parting;
+    std::vector<std::uint32_t> m_springs;  // of the island, into Bodies::springs
+    std::vector<Vec6> m_lastVelocity;      // by body of m_problem, of the round before
     std::vector<Start> m_start;            // by body of m_problem
     std::vector<std::uint32_t> m_rowPoint; // by row, the point of m_contacts
     std::vector<std::uint32_t> m_waiting;  // points that are open and may close within the substep

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/contact_scenes.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// Springs under method `contacts`: hard cases 43 to 45 in short form, and springs among contacts.
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+Spring springTo(BodyIndex body, double stiffness, double length, double damping = 0) {
+    Spring spring;
+    spring.to = body;
+    spring.stiffness = stiffness;
+    spring.length = length;
+    spring.damping = damping;
+    return spring;
+}
+
+double energyOf(const World& world) { return world.statistics().kinetic + world.statistics().potential; }
+
+Scene oscillator(double stiffness, double damping = 0) {
+    Scene scene = sceneOf({sphere(0.1, 1, Vec3(1.1, 0, 0))});
+    scene.springs = {springTo(0, stiffness, 1, damping)};
+    return scene;
+}
+
+} // namespace
+
+class SpringsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // Hard case 43, 100 periods.
+    void anUndampedSpringKeepsItsAmplitude() {
+        World world = worldOf(oscillator(100), contacts("default"));
+        QVERIFY(std::abs(energyOf(world) - 0.5) < 1e-12);
+        double worst = 0;
+        for (int i = 0; i < 3770; ++i) {
+            world.step();
+            worst = std::max(worst, std::abs(energyOf(world) / 0.5 - 1));
+        }
+        qInfo("energy within %.1e", worst);
+        QVERIFY(worst < 1e-9);
+    }
+
+    // The phase of the midpoint rule: tan(ω'h/2) = ωh/2.
+    void thePhaseIsThatOfTheMidpointRule() {
+        World world = worldOf(oscillator(100), contacts("default"));
+        run(world, 600);
+        const double h = 1.0 / 240, rate = 2 / h * std::atan(10 * h / 2);
+        const double expected = 1 + 0.1 * std::cos(rate * 10);
+        QVERIFY(std::abs(world.state().pose[0].position.x() - expected) < 1e-9);
+    }
+
+    void aDampedSpringComesToRestAtItsLength() {
+        World world = worldOf(oscillator(100, 4), contacts("default"));
+        run(world, 1200);
+        QVERIFY(std::abs(world.state().pose[0].position.x() - 1) < 1e-9);
+    }
+
+    // Hard case 44.
+    void noStiffnessIsTooMuch() {
+        for (const double phase : {1.0, 30.0, 1e3}) {
+            const double stiffness = std::pow(phase * 240, 2);
+            Scene scene = sceneOf({sphere(0.1, 1, Vec3(0, -1.01, 0))}, downwards());
+            scene.springs = {springTo(0, stiffness, 1)};
+            World world = worldOf(scene, contacts("default"));
+            double furthest = 0;
+            for (int i = 0; i < 120; ++i) {
+                world.step();
+                furthest = std::max(furthest, world.state().pose[0].position.norm());
+            }
+            QVERIFY(world.health().finite);
+            // At such steps the rule has another solution beyond the anchor, with the same energy.
+            QVERIFY2(furthest < 5, qPrintable(QStringLiteral("ωh = %1: %2 m").arg(phase).arg(furthest)));
+        }
+    }
+
+    // Hard case 45: energy is bounded, without a trend.
+    void aSpringPendulumHasNoTrendInItsEnergy() {
+        Scene scene = sceneOf({sphere(0.1, 1, Vec3(1, 0, 0))}, downwards());
+        scene.springs = {springTo(0, 100, 1)};
+        World world = worldOf(scene, contacts("default"));
+        const double start = energyOf(world);
+        double early = 0, late = 0;
+        constexpr int frames = 3000;
+        for (int i = 0; i < frames; ++i) {
+            world.step();
+            double& worst = i < frames / 2 ? early : late;
+            worst = std::max(worst, std::abs(energyOf(world) - start) / gravity);
+        }
+        qInfo("energy within %.1e, then within %.1e", early, late);
+        QVERIFY(early < 1e-2);
+        QVERIFY(late < 1.5 * early);
+    }
+
+    void halvingTheStepQuartersTheErrorOfASpringPendulum() {
+        const auto placeAfter = [](int substeps) {
+            Scene scene = sceneOf({sphere(0.1, 1, Vec3(1, 0, 0))}, downwards());
+            scene.springs = {springTo(0, 100, 1)};
+            SimulationSettings options = contacts("default");
+            options.substeps = substeps;
+            World world = worldOf(scene, options);
+            run(world, 60);
+            return world.state().pose[0].position;
+        };
+        const Vec3 coarse = placeAfter(8), middle = placeAfter(16), fine = placeAfter(32);
+        const double order = std::log2((coarse - middle).norm() / (middle - fine).norm());
+        qInfo("order %.3f", order);
+        QVERIFY(std::abs(order - 2) < 0.05);
+    }
+
+    // Two boxes on a rough floor, joined off their centres: the spring pulls them
+    // until friction holds.
+    void aSpringPullsBoxesTogetherUntilFrictionHolds() {
+        const Body box = cuboid(Vec3(0.5, 0.5, 0.5), 1, Vec3::Zero());
+        Scene scene = sceneOf({floorOf(0.5), rough(box, 0.5), rough(box, 0.5)}, downwards());
+        scene.bodies[1].pose.position = Vec3(0, 0.25, 0);
+        scene.bodies[2].pose.position = Vec3(1.5, 0.25, 0);
+        Spring spring = springTo(2, 60, 0.5, 1);
+        spring.from = 1;
+        spring.fromAt = Vec3(0.25, 0.05, 0);
+        spring.toAt = Vec3(-0.25, 0.05, 0);
+        scene.springs = {spring};
+        World world = worldOf(scene, contacts("default"));
+        run(world, 300);
+        const double stretch = world.state().pose[2].position.x() - world.state().pose[1].position.x() - 1;
+        qInfo("stretched by %.4f m, moving at %.1e m/s", stretch, world.state().velocity[1].norm());
+        QVERIFY(60 * std::abs(stretch) <= 0.5 * gravity * 1.001); // no more than friction can hold
+        QVERIFY(world.state().velocity[1].norm() < 1e-6);
+        QVERIFY(std::abs(world.state().pose[1].position.x() + world.state().pose[2].position.x() - 1.5) <
+                1e-6);
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::SpringsTest)
+#include "springs_test.moc"
