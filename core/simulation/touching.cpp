@@ -1,26 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/touching.h"
 
-#include "core/broadphase/broadphase.h"
 #include "core/narrowphase/narrowphase.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace carom {
 namespace {
 
-/// Pairs whose boxes overlap, and every mobile body with every wall.
-std::vector<BodyPair> candidates(const Bodies& bodies, const State& state) {
+/// What a broad-phase is given, and holds while it looks.
+struct PlacedBoxes {
     std::vector<Aabb> boxes;
     std::vector<std::uint8_t> mobile;
-    for (const BodyIndex i : bodies.bounded) {
-        boxes.push_back(boundsOf(bodies.shape[i], state.pose[i]));
-        mobile.push_back(bodies.mobile[i]);
+
+    PlacedBoxes(const Bodies& bodies, const std::vector<Pose>& poses) {
+        for (const BodyIndex i : bodies.bounded) {
+            boxes.push_back(boundsOf(bodies.shape[i], poses[i]));
+            mobile.push_back(bodies.mobile[i]);
+        }
     }
-    const BroadphaseInput input{boxes, bodies.bounded, mobile};
-    const std::unique_ptr<Broadphase> search = chooseBroadphase(input).row->create();
-    search->update(input);
-    std::vector<BodyPair> pairs(search->pairs().begin(), search->pairs().end());
+};
+
+/// Pairs whose boxes overlap, and every mobile body with every wall.
+std::vector<BodyPair> candidates(const Bodies& bodies, const State& state) {
+    std::vector<BodyPair> pairs = overlappingPairs(bodies, state.pose);
     for (const BodyIndex wall : bodies.walls)
         for (const BodyIndex body : bodies.mobileBodies)
             pairs.push_back({std::min(wall, body), std::max(wall, body)});
@@ -29,6 +33,19 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const State& state) {
 }
 
 } // namespace
+
+void updateAt(const Bodies& bodies, const std::vector<Pose>& poses, Broadphase& broadphase) {
+    const PlacedBoxes placed(bodies, poses);
+    broadphase.update({placed.boxes, bodies.bounded, placed.mobile});
+}
+
+std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<Pose>& poses) {
+    const PlacedBoxes placed(bodies, poses);
+    const BroadphaseInput input{placed.boxes, bodies.bounded, placed.mobile};
+    const std::unique_ptr<Broadphase> search = chooseBroadphase(input).row->create();
+    search->update(input);
+    return {search->pairs().begin(), search->pairs().end()};
+}
 
 std::vector<TouchingPair> touchingPairs(const Bodies& bodies, const State& state) {
     std::vector<TouchingPair> result;

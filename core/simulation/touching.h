@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/math/pose.h"
 #include "core/shapes/manifold.h"
 
 #include <vector>
@@ -14,6 +16,12 @@ struct TouchingPair {
     BodyPair pair;
     Manifold manifold; ///< A is pair.a; world coordinates
 };
+
+/// Gives a broad-phase the boxes of the bodies at these poses.
+void updateAt(const Bodies& bodies, const std::vector<Pose>& poses, Broadphase& broadphase);
+
+/// Every pair of which at least one body is mobile whose boxes overlap, ascending; walls have no box.
+std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<Pose>& poses);
 
 /// Every pair of which at least one body is mobile whose distance is at most 0, ascending, with its contact
 /// points. For reports and pictures of one state; a run keeps its own.

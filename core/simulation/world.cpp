@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/world.h"
 
+#include "core/simulation/touching.h"
+
 #include "core/base/assert.h"
 #include "core/base/hash.h"
 
@@ -27,6 +29,13 @@ void World::reset() {
 void World::useBroadphase(const BroadphaseRow& row) {
     m_broadphaseRow = &row;
     m_broadphase = row.create();
+}
+
+std::vector<Aabb> World::broadphaseStructure() const {
+    if (m_broadphase->counters().boxes > 0) return m_broadphase->structure();
+    const std::unique_ptr<Broadphase> first = m_broadphaseRow->create();
+    updateAt(m_pipeline->bodies(), m_state.pose, *first);
+    return first->structure();
 }
 
 Snapshot World::snapshot() const {

@@ -12,6 +12,7 @@
 #include "core/solvers/solver.h"
 
 #include <memory>
+#include <vector>
 
 namespace carom {
 
@@ -48,6 +49,9 @@ class World {
     void useBroadphase(const BroadphaseRow& row);
     const BroadphaseRow& broadphaseRow() const { return *m_broadphaseRow; }
     const Broadphase& broadphase() const { return *m_broadphase; }
+    /// The grid cells or tree nodes of the last update; before the first one, those that it would make of
+    /// this state.
+    std::vector<Aabb> broadphaseStructure() const;
 
   private:
     friend void stepWorld(World& world);

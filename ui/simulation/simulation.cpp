@@ -73,13 +73,20 @@ void Simulation::setSpeed(std::optional<double> speed) { m_thread.post(SpeedComm
 
 void Simulation::useBroadphase(const BroadphaseRow* row) { m_thread.post(BroadphaseCommand{row}); }
 
+void Simulation::wantStructure(bool wanted) {
+    m_structureWanted = wanted;
+    m_thread.post(StructureCommand{wanted});
+}
+
 /// Takes what has come; the timer rests once nothing does, until the thread reports again.
 void Simulation::collect() {
     const SampleQueue::Batch batch = m_thread.samples().takeAll();
     const std::optional<PublishedSnapshot> published = m_thread.snapshots().take();
     if (batch.frames.empty() && !published) m_timer.stop();
     if (batch.run == m_run && !batch.frames.empty()) Q_EMIT framesArrived(batch.frames);
-    if (published && published->run == m_run) Q_EMIT snapshotArrived(published->snapshot);
+    if (!published || published->run != m_run) return;
+    if (m_structureWanted) Q_EMIT structureArrived(published->structure);
+    Q_EMIT snapshotArrived(published->snapshot);
 }
 
 } // namespace carom

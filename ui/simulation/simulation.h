@@ -36,6 +36,8 @@ class Simulation : public QObject {
     void setSpeed(std::optional<double> speed);
     /// Null: what the scene asks for. Holds for scenes loaded later, too.
     void useBroadphase(const BroadphaseRow* row);
+    /// From now on structureArrived() comes before each snapshot, or no longer does.
+    void wantStructure(bool wanted);
 
     const RunStatus& status() const { return m_status; }
     bool isRunning() const { return m_status.state == RunState::Running; }
@@ -48,6 +50,8 @@ class Simulation : public QObject {
     void stateChanged(const carom::RunStatus& status);
     /// A new run begins at frame 0: after load and reset.
     void restarted();
+    /// The broad-phase's grid cells or tree nodes in the snapshot that comes next.
+    void structureArrived(const std::vector<carom::Aabb>& boxes);
     void snapshotArrived(const std::shared_ptr<const carom::Snapshot>& snapshot);
     void framesArrived(const std::vector<carom::FrameStatistics>& frames);
 
@@ -58,6 +62,7 @@ class Simulation : public QObject {
     RunStatus m_status;
     std::uint64_t m_run = 0;
     bool m_atStart = true;
+    bool m_structureWanted = false;
     QTimer m_timer;
     SimulationThread m_thread; ///< last: it is gone before anything it posts to
 };

@@ -100,6 +100,12 @@ void SimulationThread::execute(const SpeedCommand& command) {
 void SimulationThread::execute(const BroadphaseCommand& command) {
     m_broadphase = command.row;
     applyBroadphase();
+    if (m_world && m_structureWanted) publish(true);
+}
+
+void SimulationThread::execute(const StructureCommand& command) {
+    m_structureWanted = command.wanted;
+    if (m_world && m_structureWanted) publish(true);
 }
 
 void SimulationThread::applyBroadphase() {
@@ -136,7 +142,8 @@ void SimulationThread::publish(bool always) {
     const Clock::time_point now = Clock::now();
     if (!always && now + publishSlack < m_nextPublish) return;
     m_nextPublish = std::max(m_nextPublish + publishInterval, now);
-    m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot())});
+    m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()),
+                         m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>()});
     m_listener.published();
 }
 

@@ -20,6 +20,7 @@
 #include <optional>
 #include <thread>
 #include <variant>
+#include <vector>
 
 // The thread that owns the World. Commands come down a queue; snapshots, samples and changes of state go up.
 // What crosses is immutable or a small value, and neither side waits for the other:
@@ -55,12 +56,18 @@ struct BroadphaseCommand {
     const BroadphaseRow* row = nullptr;
 };
 
+/// Whether snapshots carry the broad-phase's cells or nodes from now on; they cost a copy each.
+struct StructureCommand {
+    bool wanted = false;
+};
+
 using SimulationCommand = std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, ResetCommand,
-                                       SpeedCommand, BroadphaseCommand>;
+                                       SpeedCommand, BroadphaseCommand, StructureCommand>;
 
 struct PublishedSnapshot {
     std::uint64_t run = 0;
     std::shared_ptr<const Snapshot> snapshot;
+    std::vector<Aabb> structure; ///< World::broadphaseStructure(), empty unless asked for
 };
 
 class SimulationThread {
@@ -92,6 +99,7 @@ class SimulationThread {
     void execute(const ResetCommand& command);
     void execute(const SpeedCommand& command);
     void execute(const BroadphaseCommand& command);
+    void execute(const StructureCommand& command);
 
     void advance();
     void schedule();
@@ -113,6 +121,7 @@ class SimulationThread {
     RunState m_state = RunState::Paused;
     std::optional<double> m_speed = 1.0;
     const BroadphaseRow* m_broadphase = nullptr;
+    bool m_structureWanted = false;
     Clock::time_point m_due;         ///< when the next frame begins
     Clock::time_point m_nextPublish; ///< no snapshot goes up before
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double velocityTime = 0.1; ///< [s]: an arrow is the way of this time
 constexpr double headShare = 0.2;    ///< of an arrow's length
-const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55);
+const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
+    pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45);
 
 class Pen {
   public:
@@ -64,6 +65,14 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
             const Vec3 colour = Vec3::Constant(0.25) + 0.7 * Vec3::Unit(axis);
             pen.arrow(Vec3::Zero(), 0.25 * state.size * Vec3::Unit(axis), colour);
         }
+    // Before the boxes of all bodies, whose lines would hide these. The line alone is often inside the
+    // bodies.
+    if (holds(overlays, Overlay::Pairs))
+        for (const BodyPair& pair : state.overlapping) {
+            pen.line(state.poses[pair.a].position, state.poses[pair.b].position, pairColour);
+            for (const BodyIndex i : {pair.a, pair.b})
+                pen.box(boundsOf(state.scene.bodies[i].shape, state.poses[i]), pairColour);
+        }
     for (std::size_t i = 0; i < std::min(state.scene.bodies.size(), state.poses.size()); ++i) {
         const Body& body = state.scene.bodies[i];
         if (isWall(body.shape) || !state.poses[i].position.allFinite()) continue;
@@ -80,6 +89,8 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
                 pen.arrow(point.onB, reach * touching.manifold.normal, contactColour);
         }
     }
+    if (holds(overlays, Overlay::Structure))
+        for (const Aabb& box : state.structure) pen.box(box, structureColour);
     return lines;
 }
 

@@ -20,6 +20,8 @@ enum class Overlay : std::uint8_t {
     Velocities = 4, ///< where each body would be after a tenth of a second
     Contacts = 8,   ///< touching pairs: the points, and the normal as long as a ball is thick
     Labels = 16,
+    Pairs = 32,     ///< boxes that overlap, and a line from centre to centre of their bodies
+    Structure = 64, ///< the broad-phase's grid cells or tree nodes
 };
 
 /// A set of Overlay values, added up.
@@ -39,6 +41,8 @@ struct OverlayState {
     std::span<const Pose> poses;
     std::span<const Vec3> velocities;       ///< [m/s]
     std::span<const TouchingPair> touching; ///< needed for Contacts only
+    std::span<const BodyPair> overlapping;  ///< needed for Pairs only
+    std::span<const Aabb> structure;        ///< needed for Structure only
     double size = 1;                        ///< of the scene [m]: axes are a quarter of it long
 };
 

@@ -76,6 +76,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const bool first = !m_pipeline;
     m_pipeline = std::move(pipeline);
     m_snapshot.reset();
+    m_structure.clear();
     m_startPoses.clear();
     m_sceneChanged = m_linesChanged = true;
     redraw();
@@ -103,6 +104,12 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
 void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
     m_snapshot = std::move(snapshot);
+    m_linesChanged = true;
+    redraw();
+}
+
+void Viewport::showStructure(std::vector<Aabb> boxes) {
+    m_structure = std::move(boxes);
     m_linesChanged = true;
     redraw();
 }
@@ -144,10 +151,15 @@ void Viewport::updateLines() {
         std::vector<TouchingPair> touching;
         // Contacts of a snapshot are found anew: what the simulation knows of them stays on its own thread.
         if (holds(m_overlays, Overlay::Contacts)) touching = touchingPairs(m_pipeline->bodies(), state);
+        std::vector<BodyPair> overlapping;
+        if (holds(m_overlays, Overlay::Pairs))
+            overlapping = overlappingPairs(m_pipeline->bodies(), state.pose);
         lines = overlayLines(m_overlays, {.scene = m_pipeline->scene(),
                                           .poses = state.pose,
                                           .velocities = state.velocity,
                                           .touching = touching,
+                                          .overlapping = overlapping,
+                                          .structure = m_structure,
                                           .size = boundsOf(m_pipeline->scene(), m_startPoses).size().norm()});
     }
     m_renderer->showLines(lines);

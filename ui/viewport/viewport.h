@@ -37,6 +37,8 @@ class Viewport : public QOpenGLWidget {
     void showPipeline(std::shared_ptr<const Pipeline> pipeline);
     /// The newest state of the scene shown; a state of another scene is not taken.
     void showSnapshot(std::shared_ptr<const Snapshot> snapshot);
+    /// The cells or nodes that Overlay::Structure draws with the snapshot that comes next.
+    void showStructure(std::vector<Aabb> boxes);
     /// Outlines a body; noBody clears.
     void setSelectedBody(BodyIndex body);
     BodyIndex selectedBody() const { return m_selected; }
@@ -98,6 +100,7 @@ class Viewport : public QOpenGLWidget {
     std::unique_ptr<Renderer> m_renderer;
     std::shared_ptr<const Pipeline> m_pipeline;
     std::shared_ptr<const Snapshot> m_snapshot;
+    std::vector<Aabb> m_structure; ///< of the broad-phase, for its overlay
     std::vector<Pose> m_startPoses;
     Room m_room;
     Camera m_camera;

@@ -39,6 +39,8 @@ void RunCommands::connectActions() {
     const std::pair<ActionId, Overlay> overlays[] = {
         {ActionId::ShowAxes, Overlay::Axes},
         {ActionId::ShowBoxes, Overlay::Boxes},
+        {ActionId::ShowPairs, Overlay::Pairs},
+        {ActionId::ShowStructure, Overlay::Structure},
         {ActionId::ShowVelocities, Overlay::Velocities},
         {ActionId::ShowContacts, Overlay::Contacts},
         {ActionId::ShowLabels, Overlay::Labels},
@@ -48,6 +50,7 @@ void RunCommands::connectActions() {
         connect(&actions[row.first], &QAction::toggled, &viewport,
                 [&viewport, overlay = row.second](bool shown) { viewport.setOverlay(overlay, shown); });
     }
+    connect(&actions[ActionId::ShowStructure], &QAction::toggled, &m_simulation, &Simulation::wantStructure);
 
     // Keys that mean something else in the text, so only the viewport has them.
     const std::pair<QKeySequence, ActionId> viewportKeys[] = {
@@ -65,6 +68,7 @@ void RunCommands::connectActions() {
 
 void RunCommands::connectFrames() {
     Viewport& viewport = m_window.viewport();
+    connect(&m_simulation, &Simulation::structureArrived, &viewport, &Viewport::showStructure);
     connect(&m_simulation, &Simulation::framesArrived, &m_log, &FrameLog::addFrames);
     connect(&m_simulation, &Simulation::snapshotArrived, this,
             [this, &viewport](const std::shared_ptr<const Snapshot>& snapshot) {

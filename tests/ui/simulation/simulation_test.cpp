@@ -126,6 +126,35 @@ class SimulationTest : public QObject {
         }
     }
 
+    void cellsComeWithTheSnapshotsOnlyWhenAskedForAndAlreadyAtFrameZero() {
+        const std::shared_ptr<const Pipeline> pipeline = compiled(jostling());
+        Simulation simulation;
+        Witness witness(simulation);
+        std::vector<std::size_t> counts;
+        QObject::connect(&simulation, &Simulation::structureArrived,
+                         [&counts](const std::vector<Aabb>& boxes) { counts.push_back(boxes.size()); });
+        const BroadphaseRow* grid = findBroadphase("uniform_grid");
+        simulation.useBroadphase(grid);
+        simulation.load(pipeline);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QVERIFY(counts.empty());
+        simulation.wantStructure(true);
+        QTRY_VERIFY_WITH_TIMEOUT(!counts.empty() && counts.back() > 0, patience);
+
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, patience);
+        World alone(pipeline);
+        alone.useBroadphase(*grid);
+        alone.step();
+        QCOMPARE(counts.back(), alone.broadphase().structure().size());
+
+        simulation.wantStructure(false);
+        const std::size_t heard = counts.size();
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, patience);
+        QCOMPARE(counts.size(), heard);
+    }
+
     void aRunPausesAtTheSceneDuration() {
         Simulation simulation;
         Witness witness(simulation);

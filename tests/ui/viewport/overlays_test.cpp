@@ -21,10 +21,13 @@ std::vector<LineVertex> linesOf(Overlay overlay, const Scene& scene) {
     const Pipeline pipeline(scene);
     const State& state = pipeline.initialState();
     const std::vector<TouchingPair> touching = touchingPairs(pipeline.bodies(), state);
+    const std::vector<BodyPair> overlapping = overlappingPairs(pipeline.bodies(), state.pose);
     return overlayLines(static_cast<Overlays>(overlay), {.scene = pipeline.scene(),
                                                          .poses = state.pose,
                                                          .velocities = state.velocity,
                                                          .touching = touching,
+                                                         .overlapping = overlapping,
+                                                         .structure = {},
                                                          .size = 8});
 }
 
@@ -59,6 +62,29 @@ class OverlaysTest : public QObject {
         QVERIFY(at(lines[0]).norm() < 0.011); // within the overlap of the point that touches
     }
 
+    void aPairIsALineAndTwoBoxesThoughTheBodiesDoNotTouch() {
+        const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0}), sphere(1, 1, {1.9, 1.9, 0}),
+                                     sphere(1, 1, {0, 2.1, 0}), wall(Vec3::UnitY(), -1)});
+        const std::vector<LineVertex> lines = linesOf(Overlay::Pairs, scene);
+        QCOMPARE(lines.size(), 2U * (2 + 24 + 24)); // the first two balls and the last two; walls have no box
+        QVERIFY(at(lines[0]).norm() < inFloats);
+        QVERIFY((at(lines[1]) - Vec3(1.9, 1.9, 0)).norm() < inFloats);
+    }
+
+    void cellsAreDrawnAsBoxes() {
+        const Scene scene = sceneOf({});
+        const std::vector<Aabb> cells = {{Vec3(0, 0, 0), Vec3(1, 1, 1)}, {Vec3(2, 0, 0), Vec3(3, 1, 1)}};
+        const std::vector<LineVertex> lines =
+            overlayLines(static_cast<Overlays>(Overlay::Structure), {.scene = scene,
+                                                                     .poses = {},
+                                                                     .velocities = {},
+                                                                     .touching = {},
+                                                                     .overlapping = {},
+                                                                     .structure = cells});
+        QCOMPARE(lines.size(), 48U);
+        QVERIFY((at(lines[24]) - Vec3(2, 0, 0)).norm() < inFloats);
+    }
+
     void axesStartAtTheOriginInTheirColours() {
         const std::vector<LineVertex> lines = linesOf(Overlay::Axes, sceneOf({sphere(1, 1, {0, 0, 0})}));
         QCOMPARE(lines.size(), 30U);
@@ -73,7 +99,13 @@ class OverlaysTest : public QObject {
     void nothingIsDrawnThatIsNotAskedFor() {
         const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0}, {1, 1, 1})});
         QVERIFY(linesOf(Overlay::Labels, scene).empty()); // words are not lines
-        QVERIFY(overlayLines(0, {.scene = scene, .poses = {}, .velocities = {}, .touching = {}}).empty());
+        QVERIFY(overlayLines(0, {.scene = scene,
+                                 .poses = {},
+                                 .velocities = {},
+                                 .touching = {},
+                                 .overlapping = {},
+                                 .structure = {}})
+                    .empty());
     }
 };
 

@@ -454,8 +454,8 @@ class ViewportTest : public QObject {
         scene.bodies[0].label = "lower";
         show(scene, frontCamera());
         const QImage before = picked();
-        for (const Overlay overlay :
-             {Overlay::Axes, Overlay::Boxes, Overlay::Velocities, Overlay::Contacts, Overlay::Labels}) {
+        for (const Overlay overlay : {Overlay::Axes, Overlay::Boxes, Overlay::Velocities, Overlay::Contacts,
+                                      Overlay::Labels, Overlay::Pairs}) {
             m_viewport->setOverlay(overlay, true);
             const QImage with = picked();
             int changed = 0;
