@@ -237,7 +237,11 @@ void BroadphaseComparison::showTable() {
     m_table = new ValueTable(content.rows, content.columns);
     m_table->setObjectName(QStringLiteral("comparison"));
     m_table->setAccessibleName(tr("What each algorithm took"));
-    m_table->setToolTip(tr("Means of the frames behind the first; Ctrl+C copies"));
+    m_table->setToolTip(m_result->plan.scenes.empty()
+                            ? tr("Means of the frames behind the first: of the broad-phase, the whole step, "
+                                 "pairs tested, pairs overlapping, and tested for each overlapping")
+                            : tr("Median time of a step [ms] behind the first"));
+    m_table->setMinimumWidth(m_table->sizeHint().width() + 30);
     for (std::size_t row = 0; row < content.values.size(); ++row) {
         m_table->setRowColour(static_cast<int>(row), seriesColour(row));
         for (std::size_t column = 0; column < content.decimals.size(); ++column)
@@ -250,7 +254,8 @@ void BroadphaseComparison::showTable() {
 void BroadphaseComparison::showChart() {
     if (m_chart->currentIndex() < 0) return;
     ChartSpec chart = m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart;
-    chart.title.clear(); // the box above says it
+    chart.title.clear(); // the box above says it, and the table shows whose the colours are
+    chart.legend = !m_result->plan.scenes.empty();
     m_plot->setChart(chart);
 }
 

@@ -19,8 +19,8 @@ QString textOf(std::string_view utf8) {
 
 ComparisonTable tableOfOneScene(const Benchmark& benchmark) {
     ComparisonTable table{.rows = {},
-                          .columns = {say("Broad-phase [ms]"), say("Frame [ms]"), say("First [ms]"),
-                                      say("Tested"), say("Overlapping"), say("Tested / overl.")},
+                          .columns = {say("Broad [ms]"), say("Step [ms]"), say("First [ms]"), say("Tested"),
+                                      say("Overlap"), say("Ratio")},
                           .decimals = {3, 3, 3, 1, 1, 1},
                           .values = {}};
     for (const BenchmarkPoint& point : benchmark.points) {
@@ -35,7 +35,7 @@ ComparisonTable tableAgainstNumbers(const Benchmark& benchmark) {
     ComparisonTable table;
     const GeneratorRow& scene = *benchmark.plan.scenes.front();
     for (const std::int64_t n : benchmark.plan.counts) {
-        table.columns << say("N = %1").arg(n);
+        table.columns << say("N=%1").arg(n);
         table.decimals.push_back(2);
     }
     for (const BroadphaseRow* algorithm : benchmark.plan.algorithms) {

@@ -52,7 +52,7 @@ void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
     axis.grid()->setPen(QPen(colours.grid, 1));
     axis.grid()->setZeroLinePen(QPen(colours.grid, 1));
     axis.setNumberFormat(spec.logarithmic ? QStringLiteral("gb") : QStringLiteral("g"));
-    if (spec.logarithmic) axis.setNumberPrecision(0);
+    if (spec.logarithmic) axis.setNumberPrecision(2);
     axis.setScaleType(spec.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     if (spec.logarithmic)
         axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
@@ -169,7 +169,7 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     plot.legend->setWrap(6);
     plot.legend->setRowSpacing(0);
     grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
-    plot.legend->setVisible(spec.series.size() > 1);
+    plot.legend->setVisible(spec.legend && spec.series.size() > 1);
     fit(plot, spec);
 }
 

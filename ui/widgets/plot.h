@@ -47,6 +47,7 @@ struct ChartSpec {
     ChartAxis x, y;
     std::vector<ChartSeries> series;
     std::vector<ChartLevel> levels;
+    bool legend = true; ///< of more than one series
 };
 
 /// Writes the chart as .png, .svg or .pdf by the ending of the path; the file is replaced only when the new
