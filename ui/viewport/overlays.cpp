@@ -65,14 +65,6 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
             const Vec3 colour = Vec3::Constant(0.25) + 0.7 * Vec3::Unit(axis);
             pen.arrow(Vec3::Zero(), 0.25 * state.size * Vec3::Unit(axis), colour);
         }
-    // Before the boxes of all bodies, whose lines would hide these. The line alone is often inside the
-    // bodies.
-    if (holds(overlays, Overlay::Pairs))
-        for (const BodyPair& pair : state.overlapping) {
-            pen.line(state.poses[pair.a].position, state.poses[pair.b].position, pairColour);
-            for (const BodyIndex i : {pair.a, pair.b})
-                pen.box(boundsOf(state.scene.bodies[i].shape, state.poses[i]), pairColour);
-        }
     for (std::size_t i = 0; i < std::min(state.scene.bodies.size(), state.poses.size()); ++i) {
         const Body& body = state.scene.bodies[i];
         if (isWall(body.shape) || !state.poses[i].position.allFinite()) continue;
@@ -89,6 +81,14 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
                 pen.arrow(point.onB, reach * touching.manifold.normal, contactColour);
         }
     }
+    // After the boxes of all bodies: of two lines in one place the later shows. The line from centre to
+    // centre alone is often inside the bodies.
+    if (holds(overlays, Overlay::Pairs))
+        for (const BodyPair& pair : state.overlapping) {
+            pen.line(state.poses[pair.a].position, state.poses[pair.b].position, pairColour);
+            for (const BodyIndex i : {pair.a, pair.b})
+                pen.box(boundsOf(state.scene.bodies[i].shape, state.poses[i]), pairColour);
+        }
     if (holds(overlays, Overlay::Structure))
         for (const Aabb& box : state.structure) pen.box(box, structureColour);
     return lines;
