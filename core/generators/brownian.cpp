@@ -44,15 +44,13 @@ std::string generateBrownian(const GeneratorRequest& request) {
     const double edge = edgeFor(n, optionOf(row, request, "packing"));
     const double half = edge / 2;
 
-    SceneWriter scene;
-    scene.comment(
+    SceneWriter scene = sceneFor(
+        row, request,
         "Brownian motion: two gases of " + std::to_string(n) +
-        " particles in all, in a perfectly elastic box without a lid.\n" + commandOf(row, request) +
-        "\n\n"
-        "What to look for: the white gas on the left and the red one on the right diffuse into each\n"
+            " particles in all, in a perfectly elastic box without a lid.",
+        "the white gas on the left and the red one on the right diffuse into each\n"
         "other, while the blue particle walks at random. Nothing dissipates: what the energy gains or\n"
         "loses is the error of the method.");
-    scene.blankLine();
     scene.camera(toMillionths(Vec3(0, 0.9 * edge, 2.5 * edge)), toMillionths(Vec3(0, 0.5 * edge, 0)), 40);
     scene.substeps(4);
     scene.blankLine();

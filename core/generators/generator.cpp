@@ -71,4 +71,13 @@ std::string commandOf(const GeneratorRow& row, const GeneratorRequest& request) 
     return command;
 }
 
+SceneWriter sceneFor(const GeneratorRow& row, const GeneratorRequest& request, std::string_view title,
+                     std::string_view whatToLookFor) {
+    SceneWriter scene;
+    scene.comment(std::string(title) + "\n" + commandOf(row, request) +
+                  "\n\nWhat to look for: " + std::string(whatToLookFor));
+    scene.blankLine();
+    return scene;
+}
+
 } // namespace carom

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/generators/pool_rack.h"
-#include "core/generators/request.h"
 
 #include <array>
 #include <cmath>
@@ -19,25 +18,11 @@ constexpr std::int64_t ballsPerBreak = 16;
 /// [m]: the corner of the widest rack (jitter .005 m) is .79 m away.
 constexpr double reach = 0.85;
 
+constexpr std::array<GeneratorOption, 3> rackOptions = poolRackOptions(0.01);
 constexpr std::array<GeneratorOption, 4> options = {{
-    {.name = "jitter",
-     .unit = "m",
-     .defaultValue = 2e-5,
-     .minimum = 0,
-     .maximum = 0.005,
-     .help = "standard deviation of each racked ball's place"},
-    {.name = "aim",
-     .unit = "m",
-     .defaultValue = 0.002,
-     .minimum = 0,
-     .maximum = 0.01,
-     .help = "standard deviation of each cue ball's place across its shot"},
-    {.name = "speed",
-     .unit = "m/s",
-     .defaultValue = 8,
-     .minimum = 0.1,
-     .maximum = 30,
-     .help = "speed of the cue balls"},
+    rackOptions[0],
+    rackOptions[1],
+    rackOptions[2],
     {.name = "spacing",
      .unit = "m",
      .defaultValue = 2.2,
@@ -62,20 +47,14 @@ std::string generatePoolBreaks(const GeneratorRequest& request) {
     const auto columns = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(breaks))));
     const double spacing = optionOf(row, request, "spacing");
     const double side = spacing * static_cast<double>(columns);
-    PoolRack rack;
-    rack.jitter = optionOf(row, request, "jitter");
-    rack.aim = optionOf(row, request, "aim");
-    rack.speed = optionOf(row, request, "speed");
+    PoolRack rack = rackFor(row, request);
     rack.labels = false;
 
-    SceneWriter scene;
-    scene.comment(
-        "Pool breaks: " + std::to_string(breaks) + " breaks of sixteen balls on one large table.\n" +
-        commandOf(row, request) +
-        "\n\n"
-        "What to look for: the time a frame takes as the number of balls grows. Detection has to find\n"
-        "the few pairs that meet among the many that cannot.");
-    scene.blankLine();
+    SceneWriter scene =
+        sceneFor(row, request,
+                 "Pool breaks: " + std::to_string(breaks) + " breaks of sixteen balls on one large table.",
+                 "the time a frame takes as the number of balls grows. Detection has to find\n"
+                 "the few pairs that meet among the many that cannot.");
     scene.camera(toMillionths(Vec3(0, 0.55 * side, 0.75 * side)), {0, 0, 0}, 50);
     writePoolTable(scene, rack.speed);
     for (std::int64_t i = 0; i < breaks; ++i) {

@@ -39,6 +39,14 @@ Vec3 planarJitter(double deviation, Random& random) {
 
 } // namespace
 
+PoolRack rackFor(const GeneratorRow& row, const GeneratorRequest& request) {
+    PoolRack rack;
+    rack.jitter = optionOf(row, request, "jitter");
+    rack.aim = optionOf(row, request, "aim");
+    rack.speed = optionOf(row, request, "speed");
+    return rack;
+}
+
 void writePoolRack(SceneWriter& scene, const PoolRack& rack, Random& random) {
     const Vec3 up = Vec3::UnitY();
     const Vec3 side = rack.direction.cross(up);

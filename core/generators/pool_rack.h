@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/generators/request.h"
 #include "core/generators/scene_writer.h"
 #include "core/math/random.h"
 
@@ -31,6 +32,27 @@ struct PoolRack {
     double cueDistance = 0.9;        ///< from the cue ball to the apex [m]
     bool labels = true;              ///< name the cue ball `cue` and the black one `black`
 };
+
+/// The options of a rack; its cue ball may be `mostAim` [m] off the line.
+constexpr std::array<GeneratorOption, 3> poolRackOptions(double mostAim) {
+    return {{
+        jitterOption(2e-5, 0.005, "standard deviation of each racked ball's place"),
+        {.name = "aim",
+         .unit = "m",
+         .defaultValue = 0.002,
+         .minimum = 0,
+         .maximum = mostAim,
+         .help = "standard deviation of a cue ball's place across its shot"},
+        {.name = "speed",
+         .unit = "m/s",
+         .defaultValue = 8,
+         .minimum = 0.1,
+         .maximum = 30,
+         .help = "speed of a cue ball"},
+    }};
+}
+/// The rack that a request to a row with these options asks for.
+PoolRack rackFor(const GeneratorRow& row, const GeneratorRequest& request);
 
 /// Writes the sixteen balls, none overlapping another.
 void writePoolRack(SceneWriter& scene, const PoolRack& rack, Random& random);

@@ -79,7 +79,6 @@ double writeSteps(SceneWriter& scene, double side) {
 
 void writeShower(SceneWriter& scene, const GeneratorRequest& request, std::int64_t n,
                  const PlacementBox& cloud) {
-    constexpr std::array<std::string_view, 6> colours = {"red", "yellow", "lime", "aqua", "blue", "fuchsia"};
     const double speed = optionOf(pyramidGenerator(), request, "speed");
     Placement placement(cloud, largestRadius, static_cast<std::size_t>(n));
     Random random(request.seed);
@@ -87,7 +86,7 @@ void writeShower(SceneWriter& scene, const GeneratorRequest& request, std::int64
         const double radius = rounded(random.uniform(smallestRadius, largestRadius), 1e3);
         WrittenBody sphere{.mass = rounded(shower * ballVolume(radius), 1e3),
                            .elastic = elastic,
-                           .colour = colours[random.below(colours.size())]};
+                           .colour = brightColours[random.below(brightColours.size())]};
         for (Eigen::Index k = 0; k < 3; ++k) sphere.velocity[k] = rounded(random.gaussian(0, speed), 1e3);
         sphere.centre = placement.place(radius, cloud, random);
         scene.sphere(radius, sphere);
@@ -99,15 +98,12 @@ std::string generatePyramid(const GeneratorRequest& request) {
     const std::int64_t n = countOf(row, request);
     const double side = sideFor(n);
 
-    SceneWriter scene;
-    scene.comment(
+    SceneWriter scene = sceneFor(
+        row, request,
         "Pyramid: " + std::to_string(n) +
-        " spheres rain on a stepped pyramid of standing cylinders, then a heavy one falls.\n" +
-        commandOf(row, request) +
-        "\n\n"
-        "What to look for: the spheres rebound and scatter over the steps; after five seconds the heavy\n"
+            " spheres rain on a stepped pyramid of standing cylinders, then a heavy one falls.",
+        "the spheres rebound and scatter over the steps; after five seconds the heavy\n"
         "sphere strikes the top. The timing graph shows both as peaks, and falls off as they disperse.");
-    scene.blankLine();
     scene.camera(toMillionths(Vec3(0.9 * side, 0.9 * side, 1.9 * side)), toMillionths(Vec3(0, 0.4 * side, 0)),
                  45);
     scene.substeps(4);

@@ -50,11 +50,13 @@ void SceneWriter::camera(const Vec3& position, const Vec3& target, double fieldO
     close();
 }
 
-void SceneWriter::wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour) {
+void SceneWriter::wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour,
+                       double friction) {
     open("wall");
     parameter("normal", normal);
     parameter("toOrig", toOrigin);
     if (elastic != 1) parameter("elastic", elastic);
+    if (friction != 0) parameter("friction", friction);
     parameter("colour", colour);
     close();
 }
@@ -78,10 +80,14 @@ void SceneWriter::cylinder(double radius, double height, const Vec3& axis, const
 }
 
 void SceneWriter::common(const WrittenBody& body) {
-    parameter("mass", body.mass);
+    if (body.fixed)
+        parameter("fixed", "yes");
+    else
+        parameter("mass", body.mass);
     parameter("centre", body.centre);
     if (body.velocity != Vec3::Zero()) parameter("vel", body.velocity);
     if (body.elastic != 1) parameter("elastic", body.elastic);
+    if (body.friction != 0) parameter("friction", body.friction);
     if (body.colour != "white") parameter("colour", body.colour);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/math/types.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +22,14 @@ struct WrittenBody {
     Vec3 velocity = Vec3::Zero(); ///< [m/s]
     double mass = 1;              ///< [kg]
     double elastic = 1;
+    double friction = 0;
+    bool fixed = false;                ///< then it needs no mass
     std::string_view colour = "white"; ///< one of the basic colour names, or three components
 };
+
+/// Colours that tell neighbours apart.
+inline constexpr std::array<std::string_view, 6> brightColours = {"red",  "yellow", "lime",
+                                                                  "aqua", "blue",   "fuchsia"};
 
 class SceneWriter {
   public:
@@ -34,7 +41,8 @@ class SceneWriter {
     void gravity(const Vec3& acceleration);
     void substeps(int count); ///< a `simulation` declaration
     void camera(const Vec3& position, const Vec3& target, double fieldOfView);
-    void wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour);
+    void wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour,
+              double friction = 0);
     void sphere(double radius, const WrittenBody& body);
     void cylinder(double radius, double height, const Vec3& axis, const Vec3& spin, const WrittenBody& body);
 

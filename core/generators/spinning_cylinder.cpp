@@ -22,12 +22,7 @@ GeneratorRow spinningCylinderGenerator();
 namespace {
 
 constexpr std::array<GeneratorOption, 2> options = {{
-    {.name = "jitter",
-     .unit = "m",
-     .defaultValue = 0,
-     .minimum = 0,
-     .maximum = 0.05,
-     .help = "standard deviation of each sphere's place, per component"},
+    jitterOption(0, 0.05, "standard deviation of each sphere's place, per component"),
     {.name = "spin",
      .unit = "rad/s",
      .defaultValue = 2,
@@ -41,15 +36,11 @@ std::string generateSpinningCylinder(const GeneratorRequest& request) {
     const double jitter = optionOf(row, request, "jitter");
     const double spin = optionOf(row, request, "spin");
 
-    SceneWriter scene;
-    scene.comment(
-        "Spinning cylinder: what turns can push, and what pushes can stop a turn.\n" +
-        commandOf(row, request) +
-        "\n\n"
-        "What to look for: the cylinder, which only turns, drives the white sphere away and begins to\n"
+    SceneWriter scene = sceneFor(
+        row, request, "Spinning cylinder: what turns can push, and what pushes can stop a turn.",
+        "the cylinder, which only turns, drives the white sphere away and begins to\n"
         "drift; then the heavier red sphere hits the cylinder, takes nearly all of its spin and drives it\n"
         "to the left. Nothing falls here: momentum and angular momentum must stay.");
-    scene.blankLine();
     scene.camera({0, 6, 3}, {0, 0, -0.2}, 45);
     scene.gravity(Vec3::Zero());
     scene.substeps(4);

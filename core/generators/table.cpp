@@ -15,12 +15,7 @@ constexpr double legHeight = 0.7, legRadius = 0.06, legPlace = 0.5; ///< [m]
 constexpr double topHeight = 0.08, topRadius = 0.9;                 ///< [m]
 
 constexpr std::array<GeneratorOption, 2> options = {{
-    {.name = "jitter",
-     .unit = "m",
-     .defaultValue = 0,
-     .minimum = 0,
-     .maximum = 0.05,
-     .help = "standard deviation of each sphere's place across the table"},
+    jitterOption(0, 0.05, "standard deviation of each sphere's place across the table"),
     {.name = "drop",
      .unit = "m",
      .defaultValue = 0.3,
@@ -34,13 +29,9 @@ std::string generateTable(const GeneratorRequest& request) {
     const double jitter = optionOf(row, request, "jitter");
     const double drop = optionOf(row, request, "drop");
 
-    SceneWriter scene;
-    scene.comment(
-        "Table: five cylinders make a table, two spheres land on it.\n" + commandOf(row, request) +
-        "\n\n"
-        "What to look for: the spheres land, move across the top and collide with each other in the\n"
-        "process. The table only stands: nothing glues the top to its legs.");
-    scene.blankLine();
+    SceneWriter scene = sceneFor(row, request, "Table: five cylinders make a table, two spheres land on it.",
+                                 "the spheres land, move across the top and collide with each other in the\n"
+                                 "process. The table only stands: nothing glues the top to its legs.");
     scene.camera({1.4, 1.5, 2.4}, {0, 0.6, 0}, 45);
     scene.substeps(32);
     scene.wall(Vec3::UnitY(), 0, 0, "gray");

@@ -59,6 +59,7 @@ void ScenesTest::nothingOverlapsAtTheStart_data() {
     for (const int n : {1, 2, 3, 10, 150, 600}) {
         QTest::addRow("brownian %d", n) << n << 0.0;
         QTest::addRow("pyramid %d", n) << n << 0.0;
+        QTest::addRow("pile %d", n) << n << 1.0;
     }
 }
 
@@ -211,7 +212,7 @@ void ScenesTest::theTableStandsOnItsLegs() {
 
 void ScenesTest::theShippedScenesAreTheGeneratorsOwn_data() {
     QTest::addColumn<QString>("path");
-    for (const char* name : {"pool_break", "brownian", "pyramid", "spinning_cylinder", "table"})
+    for (const char* name : {"pool_break", "brownian", "pyramid", "pile", "spinning_cylinder", "table"})
         QTest::newRow(name) << test::source(QStringLiteral("scenes/%1.sdl").arg(name));
 }
 
