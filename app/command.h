@@ -13,7 +13,7 @@ namespace carom {
 
 /// One subcommand: what reads its command line, prints its help, writes its manual page and runs it.
 struct CommandRow {
-    std::string_view name;     ///< "check"
+    std::string_view name;     ///< "check", or two words: "study gas"
     std::string_view summary;  ///< one line, no full stop
     std::string_view operands; ///< "SCENE..."
     std::string_view example;  ///< one command line, or several with line ends between

@@ -59,6 +59,28 @@ bool hasDisplay() {
     return false;
 }
 
+/// How many words the command line begins with that name this command: `study gas` is two; 0 if it does not.
+std::size_t wordsNaming(const CommandRow& command, std::span<const std::string> words) {
+    std::string said;
+    for (std::size_t count = 1; count <= words.size() && said.size() < command.name.size(); ++count) {
+        said.append(count > 1 ? " " : "").append(words[count - 1]);
+        if (said == command.name) return count;
+    }
+    return 0;
+}
+
+/// `study` alone, or with a name that is none: what could follow it.
+void rejectUnknownMember(std::span<const std::string> words) {
+    const std::string family = words.empty() ? "" : words.front() + " ";
+    std::vector<std::string_view> members;
+    for (const CommandRow& command : commands())
+        if (command.name.starts_with(family)) members.push_back(command.name.substr(family.size()));
+    if (words.empty() || members.empty()) return;
+    const std::string seen = words.size() > 1 ? "there is no " + family + "`" + words[1] + "`"
+                                              : "`" + words.front() + "` alone says too little";
+    throw UsageError(seen + "; it must be `" + words.front() + "` followed by " + listOf(members));
+}
+
 /// A first word that is no subcommand is a scene for the IDE, or a slip of the finger.
 void rejectSlip(const std::vector<std::string>& operands) {
     const std::string& word = operands.front();
@@ -99,10 +121,18 @@ int openIde(const std::string& program, std::span<const std::string> words, IdeE
 int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
     // A reader that goes away is a write error like any other, not a silent death by signal.
     std::signal(SIGPIPE, SIG_IGN);
-    const CommandRow* command = words.empty() ? nullptr : findByName(commands(), words.front());
+    const CommandRow* command = nullptr;
+    std::size_t named = 0;
+    for (const CommandRow& row : commands())
+        if (const std::size_t count = wordsNaming(row, words); count > named) {
+            command = &row;
+            named = count;
+        }
     const std::string who = command ? "carom " + std::string(command->name) : "carom";
     try {
-        return command ? runCommand(*command, words.subspan(1)) : openIde(program, words, ide);
+        if (command) return runCommand(*command, words.subspan(named));
+        rejectUnknownMember(words);
+        return openIde(program, words, ide);
     } catch (const UsageError& error) {
         printError(who + ": " + error.what() + "\nTry `" + who + " --help`.\n");
         return exitcode::wrongUsage;

@@ -85,8 +85,9 @@ std::string helpOf(const CommandRow& command) {
 std::string helpOfProgram() {
     std::string page = "Usage: carom [SCENE] [OPTION]...\n       carom SUBCOMMAND ...\n";
     page.append("Carom: ").append(purpose).append(".\n\nSubcommands (no display needed; each has --help):\n");
+    constexpr std::size_t nameWidth = 17;
     for (const CommandRow& command : commands()) {
-        page.append("  ").append(command.name).append(std::string(12 - command.name.size(), ' '));
+        page.append("  ").append(command.name).append(std::string(nameWidth - command.name.size(), ' '));
         page.append(command.summary).append("\n");
     }
     page.append("\nOptions without a subcommand, for the IDE:\n").append(describe(withHelp(ideOptions())));
@@ -112,7 +113,7 @@ std::string manualPage() {
     page.append(".SH OPTIONS\n").append(optionsAsTroff(withHelp(ideOptions())));
     for (const CommandRow& command : commands()) {
         page.append(".SH CAROM ");
-        for (const char c : command.name) page += static_cast<char>(c - 'a' + 'A');
+        for (const char c : command.name) page += c == ' ' ? c : static_cast<char>(c - 'a' + 'A');
         page.append("\n")
             .append(troff(command.summary))
             .append(".\n")
