@@ -4,6 +4,7 @@
 #include "core/base/index.h"
 #include "core/narrowphase/narrowphase.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -40,6 +41,7 @@ class SeparatingAxes {
     bool collide(BodyPair pair, const PlacedShape& a, const PlacedShape& b, double margin,
                  Manifold& manifold);
     const Counters& counters() const { return m_counters; }
+    std::size_t bytes() const { return (m_last.size() + m_current.size()) * sizeof(Entry); }
 
   private:
     struct Entry {

@@ -48,6 +48,17 @@ Snapshot World::snapshot() const {
             .health = m_health};
 }
 
+Checkpoint World::checkpoint() const { return {m_state, m_statistics, m_health, m_solver->memory()}; }
+
+// The broad-phase starts anew, so that its counters do not depend on where the world comes from.
+void World::restore(const Checkpoint& checkpoint) {
+    m_state = checkpoint.state;
+    m_statistics = checkpoint.statistics;
+    m_health = checkpoint.health;
+    m_solver->recall(*checkpoint.memory);
+    m_broadphase = m_broadphaseRow->create();
+}
+
 std::uint64_t World::stateHash() const {
     Hash64 hash;
     hash.add(static_cast<std::uint64_t>(m_state.frame));

@@ -3,6 +3,7 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/state.h"
+#include "core/simulation/checkpoint.h"
 #include "core/simulation/health.h"
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
@@ -42,6 +43,9 @@ class World {
     const FrameStatistics& statistics() const { return m_statistics; }
     const Health& health() const { return m_health; }
     Snapshot snapshot() const;
+    Checkpoint checkpoint() const;
+    /// Goes on from a checkpoint of a world of this pipeline, to the bit as that world did.
+    void restore(const Checkpoint& checkpoint);
     /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
     std::uint64_t stateHash() const;
 

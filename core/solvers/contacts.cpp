@@ -28,6 +28,12 @@ constexpr double reachFactor = 2.2;
 /// And always this far, relative to the smaller body, so that forces are remembered through small hops.
 constexpr double leastMargin = 0.01;
 
+/// What the next substep starts from: the forces of this one, and who was near whom.
+struct LastSubstep {
+    ContactSet contacts;
+    std::vector<BodyPair> candidates;
+};
+
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
@@ -38,6 +44,8 @@ class Contacts final : public Solver {
     }
 
     SolverReport advance(const SolverInput& input) override;
+    std::unique_ptr<const SolverMemory> memory() const override;
+    void recall(const SolverMemory& memory) override;
 
   private:
     void measureReach(const SolverInput& input);
@@ -80,6 +88,19 @@ SolverReport Contacts::advance(const SolverInput& input) {
     report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
     return report;
+}
+
+std::unique_ptr<const SolverMemory> Contacts::memory() const {
+    const std::size_t bytes = m_contacts.pairs.size() * sizeof(ContactPair) +
+                              m_contacts.points.size() * sizeof(ContactConstraint) +
+                              m_candidates.size() * sizeof(BodyPair);
+    return std::make_unique<Remembered<LastSubstep>>(LastSubstep{m_contacts, m_candidates}, bytes);
+}
+
+void Contacts::recall(const SolverMemory& memory) {
+    const LastSubstep& last = dynamic_cast<const Remembered<LastSubstep>&>(memory).value();
+    m_contacts = last.contacts;
+    m_candidates = last.candidates;
 }
 
 void Contacts::measureReach(const SolverInput& input) {

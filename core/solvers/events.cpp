@@ -14,27 +14,44 @@
 namespace carom {
 namespace {
 
+/// The state says where the balls are now, the gas which flights they are on.
+struct Progress {
+    std::optional<EventGas> gas; // made at the first substep, when gravity is known
+    std::int64_t substeps = 0;
+};
+
 class Events final : public Solver {
   public:
     SolverReport advance(const SolverInput& input) override;
+    std::unique_ptr<const SolverMemory> memory() const override;
+    void recall(const SolverMemory& memory) override;
 
   private:
-    std::optional<EventGas> m_gas; // made at the first substep, when gravity is known
-    std::int64_t m_substeps = 0;
+    Progress m_progress;
 };
+
+std::unique_ptr<const SolverMemory> Events::memory() const {
+    const std::size_t bytes = m_progress.gas ? m_progress.gas->memoryBytes() : 0;
+    return std::make_unique<Remembered<Progress>>(m_progress, bytes);
+}
+
+void Events::recall(const SolverMemory& memory) {
+    m_progress = dynamic_cast<const Remembered<Progress>&>(memory).value();
+}
 
 SolverReport Events::advance(const SolverInput& input) {
     SolverReport report;
     Stopwatch watch;
-    if (!m_gas) m_gas.emplace(input.bodies, input.state, input.gravity);
-    const EventCounts before = m_gas->counts();
-    report.loss = m_gas->advanceTo(static_cast<double>(++m_substeps) * input.substep);
-    const EventCounts& after = m_gas->counts();
+    if (!m_progress.gas) m_progress.gas.emplace(input.bodies, input.state, input.gravity);
+    EventGas& gas = *m_progress.gas;
+    const EventCounts before = gas.counts();
+    report.loss = gas.advanceTo(static_cast<double>(++m_progress.substeps) * input.substep);
+    const EventCounts& after = gas.counts();
     report.contacts = (after.collisions - before.collisions) + (after.bounces - before.bounces);
     report.events = after.events() - before.events();
     report.respond = watch.lap();
 
-    m_gas->write(input.state);
+    gas.write(input.state);
     for (const BodyIndex i : input.bodies.rotating) {
         Quat& orientation = input.state.pose[i].orientation;
         orientation =

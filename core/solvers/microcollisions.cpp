@@ -74,6 +74,12 @@ class Microcollisions final : public Solver {
   public:
     explicit Microcollisions(const Bodies& bodies);
     SolverReport advance(const SolverInput& input) override;
+    std::unique_ptr<const SolverMemory> memory() const override {
+        return std::make_unique<Remembered<SeparatingAxes>>(m_axes, m_axes.bytes());
+    }
+    void recall(const SolverMemory& memory) override {
+        m_axes = dynamic_cast<const Remembered<SeparatingAxes>&>(memory).value();
+    }
 
   private:
     void moveSmoothly(const SolverInput& input);

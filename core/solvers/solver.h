@@ -10,11 +10,13 @@
 #include "core/math/types.h"
 #include "core/scene/scene.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 // A solver is a method of motion: given the state and the forces of the scene it moves the bodies through one
 // substep, collisions and all. What a user chooses with `method`.
@@ -53,6 +55,31 @@ struct SolverSettings {
     bool simultaneous = false; ///< impacts at one instant all at once, in place of one after the other
 };
 
+/// What a method carries from one substep to the next besides the state.
+class SolverMemory {
+  public:
+    virtual ~SolverMemory() = default;
+    SolverMemory() = default;
+    SolverMemory(const SolverMemory&) = delete;
+    SolverMemory& operator=(const SolverMemory&) = delete;
+
+    virtual std::size_t bytes() const = 0;
+};
+
+/// A memory that is one value; most are.
+template<class Value>
+class Remembered final : public SolverMemory {
+  public:
+    Remembered(Value value, std::size_t bytes) : m_value(std::move(value)), m_bytes(bytes) {}
+
+    std::size_t bytes() const override { return m_bytes; }
+    const Value& value() const { return m_value; }
+
+  private:
+    Value m_value;
+    std::size_t m_bytes;
+};
+
 class Solver {
   public:
     virtual ~Solver() = default;
@@ -62,6 +89,12 @@ class Solver {
 
     /// Checks that the state is finite after the smooth motion and again after the collisions.
     virtual SolverReport advance(const SolverInput& input) = 0;
+
+    /// A copy of everything that the motion to come depends on, apart from the state.
+    virtual std::unique_ptr<const SolverMemory> memory() const = 0;
+    /// Takes up what memory() of this method gave for the same bodies and settings: with the state of that
+    /// moment the motion goes on to the bit as it did then.
+    virtual void recall(const SolverMemory& memory) = 0;
 };
 
 /// Why a method cannot treat a scene, and what in the text rules it out.

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/checkpoint.h"
+
+namespace carom {
+
+std::size_t Checkpoint::bytes() const {
+    return sizeof(Checkpoint) + state.pose.size() * (sizeof(Pose) + 2 * sizeof(Vec3)) +
+           (memory ? memory->bytes() : 0);
+}
+
+} // namespace carom

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/checkpoint.h"
+#include "core/simulation/world.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+// The way back through a run. Keeping every frame would need gigabytes, so only checkpoints are kept, and a
+// frame between two of them is simulated again, bit for bit as it was:
+//
+//     frame     0 . . . . 5 . . . . 10 . . . . 15 . .
+//     kept      #         #         #          #            seek(12) = restore 10, two steps
+//
+// A checkpoint is due when re-simulating what followed the last one would be felt. When they need more memory
+// than they may, every second one goes and the rest stand twice as far apart.
+
+namespace carom {
+
+class Recording {
+  public:
+    /// `budget` bounds the checkpoints' memory [bytes]; the one at the start is always kept.
+    explicit Recording(std::size_t budget) : m_budget(budget) {}
+
+    /// Forgets everything; the world stands where its run begins.
+    void restart(const World& world);
+    /// To be called after every step; a frame that was there before changes nothing.
+    void note(const World& world);
+
+    /// Brings the world to `frame`, which must not be before the first one, going through any frames it has
+    /// not been at yet. `proceed` is asked before each step; where it says no, or the world stops being
+    /// healthy, the world stays at the frame it has come to. True if it has arrived.
+    bool seek(World& world, std::int64_t frame, const std::function<bool()>& proceed);
+
+    std::int64_t first() const { return m_checkpoints.empty() ? 0 : m_checkpoints.front().frame(); }
+    /// The last frame the run has been at.
+    std::int64_t furthest() const { return m_furthest; }
+    std::size_t count() const { return m_checkpoints.size(); }
+    std::size_t bytes() const { return m_bytes; }
+
+  private:
+    bool isDue(const World& world) const;
+    void keep(const World& world);
+    void thinOut();
+
+    std::size_t m_budget;
+    std::size_t m_bytes = 0;
+    std::int64_t m_furthest = 0;
+    std::int64_t m_apart = 1;              ///< doubled whenever memory ran out
+    double m_costSince = 0;                ///< of the frames since the last checkpoint [ms]
+    std::vector<Checkpoint> m_checkpoints; ///< ascending
+};
+
+} // namespace carom

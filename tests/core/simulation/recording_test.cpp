@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/recording.h"
+
+#include "core/generators/generator.h"
+#include "core/simulation/build.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/scenes.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace carom;
+
+namespace {
+
+constexpr std::size_t plenty = std::size_t{1} << 30; // [bytes]
+constexpr std::uint64_t seed = 20061;
+
+QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+/// The exact states of a run, by frame.
+std::vector<std::uint64_t> hashesOf(const std::shared_ptr<const Pipeline>& pipeline, int frames) {
+    World world(pipeline);
+    std::vector<std::uint64_t> hashes = {world.stateHash()};
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+        hashes.push_back(world.stateHash());
+    }
+    return hashes;
+}
+
+std::shared_ptr<const Pipeline> pipelineOf(const Scene& scene, std::string_view method) {
+    SimulationSettings options;
+    options.method = std::string(method);
+    return std::make_shared<const Pipeline>(scene, options);
+}
+
+bool always() { return true; }
+
+/// A pile that comes to rest on a floor: impacts, contacts and rest.
+Scene pile() {
+    Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
+    Random random(seed);
+    for (int i = 0; i < 12; ++i) scene.bodies.push_back(test::randomBody(random, 2));
+    return scene;
+}
+
+} // namespace
+
+class RecordingTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aRunTakenUpInTheMiddleGoesOnToTheBit_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("method");
+        for (const SolverRow& row : solvers()) {
+            for (const QString& path : test::shippedScenes())
+                QTest::newRow(qPrintable(path + u' ' + q(row.name)))
+                    << q(test::textOfScene(path)) << q(row.name);
+            for (const GeneratorRow& generator : generators())
+                QTest::newRow(qPrintable(q(generator.name) + u' ' + q(row.name)))
+                    << q(generate(generator, GeneratorRequest{})) << q(row.name);
+        }
+    }
+
+    void aRunTakenUpInTheMiddleGoesOnToTheBit() {
+        QFETCH(QString, text);
+        QFETCH(QString, method);
+        const Build built = build(text.toStdString());
+        const std::shared_ptr<const Pipeline> pipeline =
+            pipelineOf(built.pipeline->scene(), method.toStdString());
+        const int half = pipeline->bodies().count() > 300 ? 20 : 90;
+        World whole(pipeline);
+        test::run(whole, half);
+        const Checkpoint middle = whole.checkpoint();
+        test::run(whole, half);
+
+        World other(pipeline); // never was where it goes on
+        other.restore(middle);
+        QCOMPARE(other.state().frame, std::int64_t{half});
+        QCOMPARE(other.statistics().kinetic, middle.statistics.kinetic);
+        test::run(other, half);
+        QCOMPARE(other.stateHash(), whole.stateHash());
+        QCOMPARE(other.statistics().contacts, whole.statistics().contacts);
+        QCOMPARE(other.statistics().axesTried, whole.statistics().axesTried);
+
+        other.restore(middle); // and one that has memories of its own
+        test::run(other, half);
+        QCOMPARE(other.stateHash(), whole.stateHash());
+    }
+
+    void everyFrameOfARunCanBeReachedFromEveryOther() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        constexpr int frames = 200;
+        for (const std::string_view method : {"microcollisions", "contacts"}) {
+            const std::shared_ptr<const Pipeline> pipeline = pipelineOf(pile(), method);
+            const std::vector<std::uint64_t> hashes = hashesOf(pipeline, frames);
+            World world(pipeline);
+            Recording recording(plenty);
+            recording.restart(world);
+            Random random(seed);
+            for (int jump = 0; jump < 60; ++jump) {
+                const std::size_t frame = random.below(frames + 1);
+                QVERIFY(recording.seek(world, static_cast<std::int64_t>(frame), always));
+                QCOMPARE(world.stateHash(), hashes[frame]);
+            }
+            QVERIFY(recording.count() > 3);
+        }
+    }
+
+    void theMemoryBudgetIsKeptAndTheWayBackStaysExact() {
+        constexpr int frames = 1500;
+        const std::shared_ptr<const Pipeline> pipeline = pipelineOf(pile(), "microcollisions");
+        const std::vector<std::uint64_t> hashes = hashesOf(pipeline, frames);
+        World world(pipeline);
+        const std::size_t budget = 6 * world.checkpoint().bytes();
+        Recording recording(budget);
+        recording.restart(world);
+        for (int frame = 0; frame < frames; ++frame) {
+            world.step();
+            recording.note(world);
+            QVERIFY(recording.bytes() <= budget);
+        }
+        QVERIFY(recording.count() > 1 && recording.count() <= 6);
+        for (const std::size_t frame : {1499, 1, 700, 0, 1500}) {
+            QVERIFY(recording.seek(world, static_cast<std::int64_t>(frame), always));
+            QCOMPARE(world.stateHash(), hashes[frame]);
+        }
+    }
+
+    void seekingPastTheEndSimulatesOnAndStopsWhereItIsTold() {
+        const std::shared_ptr<const Pipeline> pipeline = pipelineOf(pile(), "microcollisions");
+        World world(pipeline);
+        Recording recording(plenty);
+        recording.restart(world);
+        int allowed = 25;
+        QVERIFY(!recording.seek(world, 100, [&allowed] { return allowed-- > 0; }));
+        QCOMPARE(world.state().frame, std::int64_t{25});
+        QCOMPARE(recording.furthest(), std::int64_t{25});
+        QVERIFY(recording.seek(world, 100, always));
+        QCOMPARE(recording.furthest(), std::int64_t{100});
+        QVERIFY(recording.seek(world, 3, always));
+        QCOMPARE(recording.furthest(), std::int64_t{100});
+    }
+
+    void aRunThatLostItsNumbersCanGoBackToWhenItHadThem() {
+        const Build built = build("gravity { accel 0,-1e306,0 } simulation { step 1 }"
+                                  "sphere { radius 1 mass 1 centre 0,0,0 }");
+        World world(built.pipeline);
+        Recording recording(plenty);
+        recording.restart(world);
+        QVERIFY(!recording.seek(world, 100000, always));
+        QVERIFY(!world.health().finite);
+        QVERIFY(recording.seek(world, 1, always));
+        QVERIFY(world.health().finite);
+        QCOMPARE(world.state().velocity[0].y(), -1e306);
+    }
+};
+
+QTEST_APPLESS_MAIN(RecordingTest)
+#include "recording_test.moc"
