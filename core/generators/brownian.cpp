@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/generators/placement.h"
+#include "core/generators/portable.h"
 #include "core/generators/request.h"
 #include "core/generators/scene_writer.h"
 

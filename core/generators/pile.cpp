@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/generators/placement.h"
+#include "core/generators/portable.h"
 #include "core/generators/request.h"
 #include "core/math/random.h"
 
@@ -83,7 +83,7 @@ std::string generatePile(const GeneratorRequest& request) {
 GeneratorRow pileGenerator() {
     return {.name = "pile",
             .help = "N rough spheres are poured into a box and come to rest",
-            .defaultN = 150,
+            .defaultN = 100,
             .minimumN = 1,
             .maximumN = 1'000'000,
             .options = options,

@@ -80,12 +80,4 @@ Vec3 Placement::place(double radius, const PlacementBox& region, Random& random)
     }
 }
 
-double portableCubeRoot(double x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    double root = std::ldexp(1.0, exponent / 3); // within a factor 2^(4/3) of the root
-    for (int i = 0; i < 12; ++i) root = (2 * root + x / (root * root)) / 3;
-    return root;
-}
-
 } // namespace carom

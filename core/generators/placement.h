@@ -47,8 +47,4 @@ class Placement {
     std::vector<double> m_radii;
 };
 
-/// The cube root, by Newton's iteration on exactly rounded operations: the same bits on every machine, which
-/// std::cbrt does not promise. x > 0.
-double portableCubeRoot(double x);
-
 } // namespace carom

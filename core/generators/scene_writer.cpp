@@ -79,6 +79,25 @@ void SceneWriter::cylinder(double radius, double height, const Vec3& axis, const
     close();
 }
 
+void SceneWriter::cuboid(const Vec3& size, const Vec3& rotation, const WrittenBody& body) {
+    open("cuboid", body.label);
+    parameter("size", size);
+    if (rotation != Vec3::Zero()) parameter("rotation", rotation);
+    common(body);
+    close();
+}
+
+void SceneWriter::spring(const WrittenSpring& spring) {
+    open("spring");
+    parameter("from", spring.from);
+    parameter("to", spring.to);
+    if (spring.fromAt != Vec3::Zero()) parameter("fromAt", spring.fromAt);
+    parameter("stiffness", spring.stiffness);
+    if (spring.damping != 0) parameter("damping", spring.damping);
+    if (spring.length) parameter("length", *spring.length);
+    close();
+}
+
 void SceneWriter::common(const WrittenBody& body) {
     if (body.fixed)
         parameter("fixed", "yes");

@@ -27,6 +27,16 @@ struct WrittenBody {
     std::string_view colour = "white"; ///< one of the basic colour names, or three components
 };
 
+/// A spring between two labelled bodies, or a body and `world`.
+struct WrittenSpring {
+    std::string_view from = "world";
+    std::string_view to{};
+    Vec3 fromAt = Vec3::Zero();     ///< [m], in the world for `world`, else in the body
+    double stiffness = 0;           ///< [N/m]
+    double damping = 0;             ///< [N s/m]
+    std::optional<double> length{}; ///< at rest [m]; absent: that of the start
+};
+
 /// Colours that tell neighbours apart.
 inline constexpr std::array<std::string_view, 6> brightColours = {"red",  "yellow", "lime",
                                                                   "aqua", "blue",   "fuchsia"};
@@ -45,6 +55,10 @@ class SceneWriter {
               double friction = 0);
     void sphere(double radius, const WrittenBody& body);
     void cylinder(double radius, double height, const Vec3& axis, const Vec3& spin, const WrittenBody& body);
+
+    /// `size` are the edges [m], `rotation` is axis × angle in degrees.
+    void cuboid(const Vec3& size, const Vec3& rotation, const WrittenBody& body);
+    void spring(const WrittenSpring& spring);
 
     std::string take() { return std::move(m_text); }
 

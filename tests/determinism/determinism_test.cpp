@@ -58,8 +58,8 @@ void addScenes() {
     QTest::addColumn<QString>("text");
     for (const QString& path : test::shippedScenes())
         QTest::newRow(qPrintable(path)) << q(test::textOfScene(path));
-    for (const GeneratorRow& row : generators())
-        QTest::newRow(row.name.data()) << q(generate(row, GeneratorRequest{}));
+    // Every other generator's scene is shipped.
+    QTest::newRow("pool_breaks") << q(generate(*findGenerator("pool_breaks"), GeneratorRequest{}));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/generators/generator.h"
-#include "core/generators/placement.h"
+#include "core/generators/portable.h"
 
 #include <QTest>
 
