@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/language/description.h"
 #include "core/language/navigation.h"
+#include "core/language/open_list.h"
 #include "core/scene/schema.h"
 
 #include <algorithm>
@@ -21,8 +22,6 @@ std::string shownColour(const NamedColour& colour) {
            shortest(colour.colour.z());
 }
 
-bool skipped(TokenKind kind) { return kind == TokenKind::Comment || kind == TokenKind::Invalid; }
-
 bool takesWord(const ParameterRow& row) {
     return row.kind == ValueKind::Word || row.kind == ValueKind::Label || row.kind == ValueKind::Colour;
 }
@@ -35,7 +34,7 @@ struct ListState {
     bool insideVector = false;             ///< behind a comma or a sign
 
     void take(TokenKind kind, std::string_view spelling) {
-        if (skipped(kind) || kind == TokenKind::Colon) return;
+        if (isSkippedToken(kind) || kind == TokenKind::Colon) return;
         insideVector = kind == TokenKind::Comma || kind == TokenKind::Minus;
         const ParameterRow* named = kind == TokenKind::Name ? row.find(spelling) : nullptr;
         if (named != nullptr) given[static_cast<std::size_t>(named - row.parameters.data())] = true;
@@ -65,49 +64,22 @@ class Completer {
     }
 
   private:
-    static constexpr std::size_t npos = ~std::size_t{0};
-
     const Token& token(std::size_t i) const { return m_analysis.tokens[i]; }
     std::string_view spelling(std::size_t i) const { return textOf(m_analysis.text, token(i).range); }
-    bool isWord(std::size_t i) const {
-        return i != npos && (token(i).kind == TokenKind::Name || token(i).kind == TokenKind::Faulty);
-    }
-    bool endsList(std::size_t i) const {
-        const TokenKind kind = token(i).kind;
-        return kind == TokenKind::CloseBrace || kind == TokenKind::Semicolon;
-    }
-
-    // The token before i that counts, or npos.
-    std::size_t before(std::size_t i) const {
-        while (i > 0)
-            if (!skipped(token(--i).kind)) return i;
-        return npos;
-    }
+    bool isWord(std::size_t i) const { return isWordToken(token(i).kind); }
+    bool endsList(std::size_t i) const { return endsListToken(token(i).kind); }
 
     void complete() {
         const std::size_t place = m_list.replaced.length > 0 ? m_next - 1 : m_next;
-        const std::size_t last = before(place);
-        if (last == npos || endsList(last)) return addDeclarations();
-        std::size_t open = last;
-        while (open != npos && token(open).kind != TokenKind::OpenBrace && !endsList(open))
-            open = before(open);
-        if (open != npos && !endsList(open)) completeInside(open, place);
+        const std::optional<std::size_t> last = tokenBefore(m_analysis.tokens, place);
+        if (!last || endsList(*last)) return addDeclarations();
+        if (const std::optional<OpenList> list = openListAt(m_analysis, place)) completeInside(*list, place);
     }
 
-    // The row of the declaration whose list opens at token `open`.
-    const DeclarationRow* rowOfList(std::size_t open) const {
-        const std::size_t first = before(open);
-        if (!isWord(first)) return nullptr;
-        const std::size_t second = before(first);
-        const DeclarationRow* labelled = isWord(second) ? findDeclaration(spelling(second)) : nullptr;
-        return labelled != nullptr ? labelled : findDeclaration(spelling(first));
-    }
-
-    void completeInside(std::size_t open, std::size_t place) {
-        const DeclarationRow* row = rowOfList(open);
-        if (row == nullptr) return;
+    void completeInside(const OpenList& open, std::size_t place) {
+        const DeclarationRow* row = open.row;
         ListState list{*row};
-        for (std::size_t i = open + 1; i < place; ++i) list.take(token(i).kind, spelling(i));
+        for (std::size_t i = open.brace + 1; i < place; ++i) list.take(token(i).kind, spelling(i));
         const ParameterRow* const pending = list.pending;
         const bool insideVector = list.insideVector;
         for (std::size_t i = m_next; !endsList(i) && token(i).kind != TokenKind::OpenBrace; ++i) {

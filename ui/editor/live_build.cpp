@@ -26,7 +26,6 @@ SharedBuild buildRevision(const QByteArray& text, std::int64_t revision, bool fr
 LiveBuild::LiveBuild(std::function<QByteArray()> text, QObject* parent)
     : QObject(parent), m_text(std::move(text)) {
     m_idle.setSingleShot(true);
-    m_idle.setInterval(idleTime);
     connect(&m_idle, &QTimer::timeout, this, &LiveBuild::start);
     m_worker.setMaxThreadCount(1);
 }
@@ -35,7 +34,11 @@ LiveBuild::~LiveBuild() { m_worker.waitForDone(); }
 
 void LiveBuild::textEdited(std::int64_t revision) {
     m_revision = revision;
-    m_idle.start();
+    m_idle.start(idleTime);
+}
+
+void LiveBuild::hurry() {
+    if (m_idle.isActive()) m_idle.start(0); // steps that arrive together are built once
 }
 
 void LiveBuild::textReplaced(std::int64_t revision) {

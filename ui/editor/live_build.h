@@ -37,6 +37,9 @@ class LiveBuild : public QObject {
 
     /// The text is at this revision now; it will be built when it has rested for 150 ms.
     void textEdited(std::int64_t revision);
+    /// What was typed last is built without waiting for rest: a number is being turned and the picture
+    /// follows.
+    void hurry();
     /// Another text altogether: built now.
     void textReplaced(std::int64_t revision);
 

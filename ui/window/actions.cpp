@@ -29,6 +29,7 @@ struct MenuRow {
 constexpr std::array menuRows = {
     MenuRow{MenuId::File, QT_TRANSLATE_NOOP("carom::Actions", "&File")},
     MenuRow{MenuId::Edit, QT_TRANSLATE_NOOP("carom::Actions", "&Edit")},
+    MenuRow{MenuId::Text, QT_TRANSLATE_NOOP("carom::Actions", "&Text")},
     MenuRow{MenuId::Simulation, QT_TRANSLATE_NOOP("carom::Actions", "&Simulation")},
     MenuRow{MenuId::View, QT_TRANSLATE_NOOP("carom::Actions", "&View")},
     MenuRow{MenuId::Help, QT_TRANSLATE_NOOP("carom::Actions", "&Help")},

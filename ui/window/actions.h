@@ -26,7 +26,7 @@ enum class ActionId : std::uint8_t {
 #undef CAROM_SEPARATOR
 };
 
-enum class MenuId : std::uint8_t { File, Edit, Simulation, View, Help };
+enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Help };
 
 struct ActionRow {
     ActionId id{};

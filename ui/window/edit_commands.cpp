@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/edit_commands.h"
 
-#include "ui/editor/completer.h"
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/editor/find_bar.h"
 #include "ui/viewport/viewport.h"
@@ -41,9 +40,6 @@ void EditCommands::connectEditing() {
     on(ActionId::Copy, &SceneEditor::copy);
     on(ActionId::Paste, &SceneEditor::paste);
     on(ActionId::SelectAll, [&editor] { editor.selectAll(); });
-    on(ActionId::Comment, &SceneEditor::toggleComment);
-    Completer* completer = new Completer(editor);
-    connect(&actions[ActionId::Complete], &QAction::triggered, completer, &Completer::complete);
     const auto refresh = [&editor, &actions] {
         actions[ActionId::Undo].setEnabled(editor.isUndoAvailable());
         actions[ActionId::Redo].setEnabled(editor.isRedoAvailable());

@@ -3,6 +3,7 @@
 
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
+#include "ui/docks/outline_dock.h"
 #include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/timing_dock.h"
@@ -13,6 +14,7 @@
 #include "ui/window/actions.h"
 #include "ui/window/settings.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QLabel>
 #include <QMenu>
@@ -40,7 +42,8 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     : m_actions(new Actions(this)), m_editor(new SceneEditor(theme)), m_findBar(new FindBar(*m_editor)),
       m_viewport(new Viewport), m_transport(new TransportBar(*m_actions)),
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
-      m_effects(new EffectsDock(theme)), m_output(new OutputDock), m_caret(new QLabel) {
+      m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)), m_output(new OutputDock),
+      m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -97,24 +100,29 @@ void MainWindow::placeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, m_timing);
     addDockWidget(Qt::BottomDockWidgetArea, m_broadphase);
     addDockWidget(Qt::BottomDockWidgetArea, m_output);
+    addDockWidget(Qt::RightDockWidgetArea, m_outline);
     addDockWidget(Qt::RightDockWidgetArea, m_effects);
-    for (QDockWidget* dock :
-         std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_output})
+    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_output,
+                                                                 m_outline, m_effects})
         dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
     tabifyDockWidget(m_problems, m_timing);
     tabifyDockWidget(m_timing, m_broadphase);
     tabifyDockWidget(m_broadphase, m_output);
+    tabifyDockWidget(m_outline, m_effects);
     m_problems->raise();
+    m_outline->raise();
     resizeDocks({m_problems}, {bottomHeight}, Qt::Vertical);
     resizeDocks({m_effects}, {rightWidth}, Qt::Horizontal);
 }
 
-/// Alt+1 to Alt+9 show a panel and put the keyboard into it, or hide it when it is in front.
+/// Alt+1 to Alt+9 show a panel and put the keyboard into it; where it is already, they hide the panel and go
+/// back to the text.
 void MainWindow::addDockToggles() {
-    const std::array<std::pair<QDockWidget*, const char*>, 5> docks = {{{m_problems, "problems"},
+    const std::array<std::pair<QDockWidget*, const char*>, 6> docks = {{{m_problems, "problems"},
                                                                         {m_timing, "timing"},
                                                                         {m_broadphase, "broadphase"},
                                                                         {m_output, "output"},
+                                                                        {m_outline, "outline"},
                                                                         {m_effects, "effects"}}};
     QMenu& view = m_actions->menu(MenuId::View);
     view.addSeparator();
@@ -127,14 +135,19 @@ void MainWindow::addDockToggles() {
         addAction(action);
         action->setCheckable(true); // checked: in front
         connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-        connect(action, &QAction::triggered, dock, [this, panel = dock](bool shown) {
-            panel->setVisible(shown);
-            if (!shown) {
+        connect(action, &QAction::triggered, dock, [this, panel = dock, action] {
+            const bool here = panel->isAncestorOf(QApplication::focusWidget());
+            const bool takesFocus = panel->focusProxy() != nullptr;
+            const bool wasInFront = panel->isVisible() && !panel->visibleRegion().isEmpty();
+            const bool hides = here || (wasInFront && !takesFocus);
+            panel->setVisible(!hides);
+            if (hides) {
                 m_editor->setFocus();
-                return;
+            } else {
+                panel->raise();
+                if (takesFocus) panel->setFocus();
             }
-            panel->raise();
-            if (panel->focusProxy() != nullptr) panel->setFocus();
+            action->setChecked(!hides);
         });
     }
 }
@@ -144,6 +157,7 @@ void MainWindow::setTheme(const Theme& theme) {
     m_editor->setTheme(theme);
     m_viewport->setDarkTheme(theme.dark);
     m_problems->setTheme(theme);
+    m_outline->setTheme(theme);
     m_effects->setTheme(theme);
     for (QAction* action : QWidget::actions())
         if (action->property("icon").isValid())

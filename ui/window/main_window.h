@@ -16,6 +16,7 @@ class Actions;
 class BroadphaseDock;
 class EffectsDock;
 class FindBar;
+class OutlineDock;
 class OutputDock;
 class ProblemsDock;
 class SceneEditor;
@@ -28,7 +29,7 @@ class Viewport;
 ///
 ///     menu bar, toolbar
 ///     editor            │ viewport
-///     find bar          │                 effects
+///     find bar          │                 outline | effects
 ///     transport ─────────────────────────
 ///     problems | timing | broad-phase | output
 class MainWindow : public QMainWindow {
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
     ProblemsDock& problems() const { return *m_problems; }
     TimingDock& timing() const { return *m_timing; }
     BroadphaseDock& broadphase() const { return *m_broadphase; }
+    OutlineDock& outline() const { return *m_outline; }
     EffectsDock& effects() const { return *m_effects; }
     OutputDock& output() const { return *m_output; }
 
@@ -75,6 +77,7 @@ class MainWindow : public QMainWindow {
     ProblemsDock* m_problems;
     TimingDock* m_timing;
     BroadphaseDock* m_broadphase;
+    OutlineDock* m_outline;
     EffectsDock* m_effects;
     OutputDock* m_output;
     QSplitter* m_splitter = nullptr;

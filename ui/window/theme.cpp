@@ -85,6 +85,7 @@ QScrollBar::handle { background: @border; border-radius: 3px; margin: 2px; min-h
 QScrollBar::handle:hover { background: @disabledText; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QFrame[role="popup"] { background: @panel; border: 1px solid @accent; border-radius: 5px; }
 *[role="muted"] { color: @mutedText; }
 *[role="error"] { color: @error; }
 )";

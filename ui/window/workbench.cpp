@@ -3,6 +3,7 @@
 
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
+#include "ui/docks/outline_dock.h"
 #include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/timing_dock.h"
@@ -14,6 +15,7 @@
 #include "ui/window/actions.h"
 #include "ui/window/edit_commands.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/language_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recovery.h"
@@ -39,6 +41,7 @@ Workbench::Workbench()
       m_builds(std::make_unique<LiveBuild>([this] { return m_document->text(); })),
       m_simulation(std::make_unique<Simulation>()), m_frames(std::make_unique<FrameLog>()),
       m_marks(new DiagnosticMarks(m_window->editor(), loadTheme(m_settings.darkTheme()))),
+      m_language(new LanguageCommands(*m_window, *m_builds)),
       m_preview(new LivePreview(*m_simulation, m_window->viewport(), this)),
       m_files(new FileCommands(*m_document, *m_window, m_settings)),
       m_runs(new RunCommands(*m_window, *m_simulation, *m_frames, *m_preview)),
@@ -107,11 +110,14 @@ void Workbench::connectText() {
     };
     connect(&m_window->problems(), &ProblemsDock::placeActivated, &editor, goTo);
     connect(&m_window->effects(), &EffectsDock::placeActivated, &editor, goTo);
+    connect(&m_window->outline(), &OutlineDock::placeActivated, &editor, goTo);
+    connect(&editor, &SceneEditor::caretMoved, &m_window->outline(), &OutlineDock::followCaret);
 }
 
 void Workbench::showBuild(const SharedBuild& result) {
     m_marks->show(result);
     m_window->problems().show(result);
+    m_window->outline().show(result);
     m_window->effects().show(result);
     m_preview->take(result);
     m_selection->followCaret();
@@ -165,6 +171,7 @@ void Workbench::setDark(bool dark) {
     applyTheme(*qApp, theme);
     m_window->setTheme(theme);
     m_marks->setTheme(theme);
+    m_language->setTheme(theme);
     m_runs->setTheme(theme);
 }
 

@@ -14,6 +14,7 @@ namespace carom {
 class DiagnosticMarks;
 class FileCommands;
 class FrameLog;
+class LanguageCommands;
 class LivePreview;
 class MainWindow;
 class Recovery;
@@ -60,6 +61,7 @@ class Workbench : public QObject {
     std::unique_ptr<Recovery> m_recovery; ///< null until unsaved text is kept
     // Owned by the widgets or objects they serve.
     DiagnosticMarks* m_marks;
+    LanguageCommands* m_language;
     LivePreview* m_preview;
     FileCommands* m_files;
     RunCommands* m_runs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/ide.h"
+#include "tests/support/whole_ide.h"
 
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
@@ -24,57 +24,6 @@ using namespace carom::test;
 using Sci = QsciScintillaBase;
 
 namespace {
-
-const QByteArray twoBalls = "camera { position 0,1,6 target 0,1,0 fov 40 }\n"
-                            "wall { normal 0,1,0 toOrig 0 }\n"
-                            "sphere left { radius .5 mass 1 centre -1,1,0 vel 0,3,0 colour red }\n"
-                            "sphere right { radius .5 mass 1 centre 1,1,0 colour blue }\n";
-
-/// The whole IDE with the two balls in it, on the screen.
-struct Ide {
-    QTemporaryDir folder;
-    QString path = folder.filePath(QStringLiteral("balls.sdl"));
-    Workbench bench;
-    SceneEditor& editor = bench.window().editor();
-    Viewport& viewport = bench.window().viewport();
-    Simulation& simulation = bench.simulation();
-    std::int64_t frame = -1;
-
-    explicit Ide(const QByteArray& text = twoBalls) {
-        QObject::connect(&simulation, &Simulation::snapshotArrived, &bench,
-                         [this](const std::shared_ptr<const Snapshot>& s) { frame = s->frame; });
-        bench.window().show();
-        if (!writeFile(path, text) || bench.document().open(path))
-            qFatal("the test's scene cannot be opened");
-        bench.window().activateWindow();
-        if (!QTest::qWaitForWindowActive(&bench.window(), patience)) qFatal("the window is not active");
-    }
-    ~Ide() { editor.markSaved(); }
-
-    void trigger(ActionId id) { bench.window().actions()[id].trigger(); }
-    int problems() { return bench.window().problems().findChild<QAbstractItemView*>()->model()->rowCount(); }
-    bool current() const { return bench.builds().isCurrent(); }
-    QColor pixel(double x, double y) {
-        const QImage picture = viewport.grabFramebuffer();
-        return picture.pixelColor(static_cast<int>(x * picture.width()),
-                                  static_cast<int>(y * picture.height()));
-    }
-    QPoint place(double x, double y) const {
-        return {static_cast<int>(x * viewport.width()), static_cast<int>(y * viewport.height())};
-    }
-    /// Where a body is on screen: the first hit on a coarse raster.
-    QPoint placeOf(BodyIndex body) const {
-        for (int y = 4; y < viewport.height(); y += 8)
-            for (int x = 4; x < viewport.width(); x += 8)
-                if (viewport.hitAt(QPointF(x, y)).body == body) return {x, y};
-        return {-1, -1};
-    }
-};
-
-void typeAtTheEnd(SceneEditor& editor, const char* text) {
-    editor.send(Sci::SCI_GOTOPOS, editor.bytes().size());
-    QTest::keyClicks(&editor, QString::fromLatin1(text));
-}
 
 bool hasErrorSquiggle(const SceneEditor& editor, const QByteArray& word) {
     const qsizetype at = editor.bytes().indexOf(word);

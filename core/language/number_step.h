@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/language/analysis.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+// Turning a number in the text up and down, as with a wheel. The step is one of the last decimal written, so
+// how finely a value turns is up to who wrote it: 2 turns by 1, 2.00 by 0.01, 5e-3 by 1e-3.
+
+namespace carom {
+
+/// A number in the text, and what it may become.
+struct NumberAt {
+    SourceRange range; ///< with its minus
+    double least = -std::numeric_limits<double>::infinity();
+    double greatest = std::numeric_limits<double>::infinity();
+    bool leastIsAllowed = true; ///< false: the value stays above `least`
+    bool greatestIsAllowed = true;
+
+    bool allows(double value) const;
+};
+
+/// The number whose digits or sign hold the place (ends included), with the bounds its parameter sets.
+std::optional<NumberAt> numberAt(const Analysis& analysis, std::uint32_t offset);
+
+/// The literal turned by so many steps of its last decimal, with as many decimals and the same exponent;
+/// nothing where it has more than 17 digits or the steps would take it there.
+std::optional<std::string> stepped(std::string_view literal, std::int64_t steps);
+
+/// The same, stopping at the last value that `bounds` allow; a literal that breaks them already turns freely.
+std::optional<std::string> steppedWithin(const NumberAt& bounds, std::string_view literal,
+                                         std::int64_t steps);
+
+} // namespace carom

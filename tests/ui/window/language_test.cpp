@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/whole_ide.h"
+
+#include "ui/docks/outline_dock.h"
+#include "ui/editor/call_tip_box.h"
+#include "ui/editor/rename_box.h"
+#include "ui/window/live_preview.h"
+
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTreeView>
+#include <QWheelEvent>
+
+using namespace carom;
+using namespace carom::test;
+using Sci = QsciScintillaBase;
+
+// The Text menu and the outline, driven by keys and mouse in the whole IDE.
+
+namespace {
+
+const QByteArray tied = twoBalls + "spring { from left to right stiffness 5 }\n";
+
+QPoint placeOfText(const SceneEditor& editor, const QByteArray& behind) {
+    const qsizetype at = editor.bytes().indexOf(behind) + behind.size();
+    return {static_cast<int>(editor.send(Sci::SCI_POINTXFROMPOSITION, 0, at)) + 2,
+            static_cast<int>(editor.send(Sci::SCI_POINTYFROMPOSITION, 0, at)) + 6};
+}
+
+void turnWheel(SceneEditor& editor, const QPoint& place, int notches) {
+    for (int i = 0; i < std::abs(notches); ++i) {
+        QWheelEvent event(place, editor.viewport()->mapToGlobal(place), {}, {0, notches > 0 ? 120 : -120},
+                          Qt::NoButton, Qt::AltModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(editor.viewport(), &event);
+    }
+}
+
+void dragWithAlt(SceneEditor& editor, const QPoint& from, int pixels) {
+    QTest::mousePress(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from);
+    for (int i = 1; i <= 10; ++i) {
+        const QPoint at(from.x() + pixels * i / 10, from.y());
+        QMouseEvent move(QEvent::MouseMove, at, editor.viewport()->mapToGlobal(at), Qt::NoButton,
+                         Qt::LeftButton, Qt::AltModifier);
+        QApplication::sendEvent(editor.viewport(), &move);
+    }
+    QTest::mouseRelease(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from + QPoint(pixels, 0));
+}
+
+} // namespace
+
+class LanguageTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void f12GoesFromASpringToTheBodyItNames() {
+        Ide ide(tied);
+        placeCaretBehind(ide.editor, "to ri");
+        QTest::keyClick(&ide.editor, Qt::Key_F12);
+        QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("right {")));
+    }
+
+    void f2RenamesALabelEverywhereInOneUndoStep() {
+        Ide ide(tied);
+        placeCaretBehind(ide.editor, "sphere le");
+        QTest::keyClick(&ide.editor, Qt::Key_F2);
+        RenameBox* box = ide.editor.findChild<RenameBox*>();
+        QVERIFY(box->isVisible());
+        QLineEdit* name = box->findChild<QLineEdit*>();
+        QTest::keyClicks(name, QStringLiteral("right"));
+        QTest::keyClick(name, Qt::Key_Return);
+        QVERIFY(box->isVisible()); // taken: refused, and said so
+        QCOMPARE(ide.editor.bytes(), tied);
+        name->selectAll();
+        QTest::keyClicks(name, QStringLiteral("cue"));
+        QTest::keyClick(name, Qt::Key_Return);
+        QVERIFY(!box->isVisible());
+        QVERIFY(ide.editor.bytes().contains("sphere cue {"));
+        QVERIFY(ide.editor.bytes().contains("from cue to right"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), tied);
+    }
+
+    void escapeLeavesTheLabelAsItIs() {
+        Ide ide(tied);
+        placeCaretBehind(ide.editor, "sphere le");
+        QTest::keyClick(&ide.editor, Qt::Key_F2);
+        RenameBox* box = ide.editor.findChild<RenameBox*>();
+        QTest::keyClicks(box->findChild<QLineEdit*>(), QStringLiteral("cue"));
+        QTest::keyClick(box->findChild<QLineEdit*>(), Qt::Key_Escape);
+        QVERIFY(!box->isVisible());
+        QVERIFY(ide.editor.hasFocus());
+        QCOMPARE(ide.editor.bytes(), tied);
+    }
+
+    void formattingKeepsTheCaretAtItsWordAndIsOneUndoStep() {
+        const QByteArray ragged = "sphere  left{radius .5 mass 1\ncentre -1,1,0 // here\n}\n";
+        Ide ide(ragged);
+        placeCaretBehind(ide.editor, "centre");
+        QTest::keyClick(&ide.editor, Qt::Key_F, Qt::ShiftModifier | Qt::AltModifier);
+        QVERIFY(ide.editor.bytes().contains("sphere left {"));
+        QVERIFY(ide.editor.bytes().left(ide.editor.caret()).endsWith("centre"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), ragged);
+    }
+
+    void theCallTipFollowsTheCaretUntilEscape() {
+        Ide ide;
+        placeCaretBehind(ide.editor, "sphere left { ");
+        QTest::keyClick(&ide.editor, Qt::Key_Space, Qt::ControlModifier | Qt::ShiftModifier);
+        const CallTipBox* tip = ide.editor.findChild<CallTipBox*>();
+        QVERIFY(tip->isShown());
+        QTest::keyClicks(&ide.editor, QStringLiteral("1"));
+        QVERIFY(tip->isShown());
+        QTest::keyClick(&ide.editor, Qt::Key_Escape);
+        QVERIFY(!tip->isShown());
+        QTest::keyClick(&ide.editor, Qt::Key_Right);
+        QVERIFY(!tip->isShown());
+        placeCaretBehind(ide.editor, "}\n");
+        ide.trigger(ActionId::CallTip);
+        QVERIFY(!tip->isShown()); // between declarations there is nothing to say
+    }
+
+    void tabBehindATypeInsertsADeclarationAndGoesThroughItsValues() {
+        Ide ide;
+        typeAtTheEnd(ide.editor, "sphere");
+        while (ide.editor.isListActive()) ide.editor.cancelList();
+        QTest::keyClick(&ide.editor, Qt::Key_Tab);
+        QVERIFY(ide.editor.bytes().contains("radius"));
+        QVERIFY(ide.editor.hasSelectedText());
+        QTest::keyClicks(&ide.editor, QStringLiteral("3"));
+        QTest::keyClick(&ide.editor, Qt::Key_Tab);
+        QTest::keyClicks(&ide.editor, QStringLiteral("7"));
+        QVERIFY(ide.editor.bytes().contains("radius 3\n"));
+        QVERIFY(ide.editor.bytes().contains("mass 7\n"));
+        QTest::keyClick(&ide.editor, Qt::Key_Tab);
+        QTest::keyClick(&ide.editor, Qt::Key_Tab);
+        QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().size()));
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
+                                  patience);
+    }
+
+    void altAndTheWheelTurnTheNumberUnderTheMouse() {
+        Ide ide;
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 3);
+        QVERIFY(ide.editor.bytes().contains("centre 2,1,0 vel"));
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre "), -1);
+        QVERIFY(ide.editor.bytes().contains("centre 1,1,0 vel"));
+        ide.editor.undo(); // one turn without a pause is one step
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    void aDragTurnsANumberLiveInThePictureAsOneUndoStep() {
+        Ide ide;
+        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), 12);
+        QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.7, patience);
+        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), -400);
+        QVERIFY(ide.editor.bytes().contains("left { radius .1 mass")); // a radius stays above 0
+        ide.editor.undo();
+        QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    void theNumberAtTheCaretTurnsByKey() {
+        Ide ide;
+        placeCaretBehind(ide.editor, "vel 0,");
+        QTest::keyClick(&ide.editor, Qt::Key_Up, Qt::AltModifier);
+        QTest::keyClick(&ide.editor, Qt::Key_Up, Qt::AltModifier);
+        QTest::keyClick(&ide.editor, Qt::Key_Down, Qt::AltModifier);
+        QVERIFY(ide.editor.bytes().contains("vel 0,4,0"));
+        ide.editor.undo();
+        QVERIFY(ide.editor.bytes().contains("vel 0,5,0"));
+    }
+
+    void theOutlineListsTheDeclarationsAndGoesToThem() {
+        Ide ide(tied);
+        OutlineDock& outline = ide.bench.window().outline();
+        QTreeView* rows = outline.findChild<QTreeView*>();
+        QCOMPARE(rows->model()->rowCount(), 5);
+        QCOMPARE(rows->model()->index(3, 0).data().toString(), QStringLiteral("right"));
+        QTest::mouseClick(rows->viewport(), Qt::LeftButton, {},
+                          rows->visualRect(rows->model()->index(3, 0)).center());
+        QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("right {")));
+        placeCaretBehind(ide.editor, "stiff");
+        QTRY_COMPARE_WITH_TIMEOUT(rows->currentIndex().row(), 4, patience);
+    }
+
+    void theOutlineIsNarrowedByWhatOneWritesAboveIt() {
+        Ide ide(tied);
+        OutlineDock& outline = ide.bench.window().outline();
+        QTest::keyClick(&ide.bench.window(), Qt::Key_5, Qt::AltModifier);
+        QLineEdit* filter = outline.findChild<QLineEdit*>(QStringLiteral("outlineFilter"));
+        QTRY_VERIFY_WITH_TIMEOUT(filter->hasFocus(), patience);
+        QTest::keyClicks(filter, QStringLiteral("RIGHT"));
+        QCOMPARE(outline.findChild<QTreeView*>()->model()->rowCount(), 1);
+        QTest::keyClick(filter, Qt::Key_Return);
+        QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("right {")));
+    }
+};
+
+CAROM_IDE_TEST_MAIN(LanguageTest)
+#include "language_test.moc"

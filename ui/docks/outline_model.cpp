@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/outline_model.h"
+
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+constexpr int swatchSize = 12; // [px]
+
+QString shown(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+} // namespace
+
+OutlineModel::OutlineModel(const Theme& theme, QObject* parent) : QAbstractTableModel(parent) {
+    setTheme(theme);
+}
+
+void OutlineModel::show(const SharedBuild& result) {
+    beginResetModel();
+    m_result = result;
+    m_entries = outlineOf(result->build.analysis);
+    endResetModel();
+}
+
+void OutlineModel::setTheme(const Theme& theme) {
+    m_broken = theme.error;
+    m_muted = theme.mutedText;
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+int OutlineModel::rowAt(std::uint32_t offset) const {
+    const auto behind = std::upper_bound(
+        m_entries.begin(), m_entries.end(), offset,
+        [](std::uint32_t place, const OutlineEntry& entry) { return place < entry.range.offset; });
+    if (behind == m_entries.begin() || offset > std::prev(behind)->range.end()) return -1;
+    return static_cast<int>(behind - m_entries.begin()) - 1;
+}
+
+int OutlineModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
+}
+
+int OutlineModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QVariant OutlineModel::data(const QModelIndex& index, int role) const {
+    const OutlineEntry& entry = m_entries[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(entry, index.column());
+    case FilterRole:
+        return nameOf(entry) + u' ' + shown(entry.type);
+    case Qt::ForegroundRole:
+        if (!entry.built) return m_broken;
+        return index.column() == Name && !entry.label.empty() ? QVariant() : QVariant(m_muted);
+    case Qt::DecorationRole:
+        return index.column() == Name ? swatch(entry) : QVariant();
+    case Qt::ToolTipRole:
+        return entry.built ? QVariant() : tr("left out: there is a mistake in it");
+    default:
+        return {};
+    }
+}
+
+/// The label, else the name messages give the body.
+QString OutlineModel::nameOf(const OutlineEntry& entry) const {
+    if (!entry.label.empty()) return shown(entry.label);
+    if (entry.body != noBody) return QString::fromStdString(m_result->scene().nameOf(entry.body));
+    return shown(entry.type);
+}
+
+QVariant OutlineModel::text(const OutlineEntry& entry, int column) const {
+    if (column == Name) return nameOf(entry);
+    if (column == Type) return shown(entry.type);
+    return m_result->build.analysis.lines.lineAt(entry.range.offset);
+}
+
+/// A dot in the body's colour; an empty one in front of what is no body.
+QVariant OutlineModel::swatch(const OutlineEntry& entry) const {
+    QPixmap dot(swatchSize, swatchSize);
+    dot.fill(Qt::transparent);
+    if (entry.body != noBody) {
+        const Vec3& colour = m_result->scene().bodies[entry.body].colour;
+        QPainter painter(&dot);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(m_muted);
+        painter.setBrush(QColor::fromRgbF(static_cast<float>(colour.x()), static_cast<float>(colour.y()),
+                                          static_cast<float>(colour.z())));
+        painter.drawEllipse(QRectF(1, 1, swatchSize - 2, swatchSize - 2));
+    }
+    return dot;
+}
+
+QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return section == Name ? tr("Name") : section == Type ? tr("Type") : tr("Line");
+}
+
+} // namespace carom

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/editor/scene_editor.h"
+
+#include "core/language/number_step.h"
+
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include <optional>
+
+class QMouseEvent;
+class QWheelEvent;
+
+namespace carom {
+
+/// Turns numbers in the text: Alt+wheel over one, or Alt and a drag that begins on one, by steps of its last
+/// decimal (Shift: ten). A drag, or a turn of the wheel without a pause, is one undo step.
+class NumberScrubber : public QObject {
+    Q_OBJECT
+  public:
+    explicit NumberScrubber(SceneEditor& editor);
+
+    /// Turns the number at the caret, as one undo step; false where there is none.
+    bool turnAtCaret(int steps);
+
+  Q_SIGNALS:
+    /// After each step: the picture should follow at once.
+    void turned();
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    struct Grip {
+        NumberAt number;     ///< its range is kept up to date
+        QByteArray original; ///< the literal when it was taken hold of
+    };
+
+    bool take(std::uint32_t offset);
+    bool takeUnder(const QPoint& place);
+    void turnTo(std::int64_t steps);
+    void letGo();
+    bool press(const QMouseEvent& event);
+    bool move(const QMouseEvent& event);
+    bool wheel(const QWheelEvent& event);
+
+    SceneEditor& m_editor;
+    std::optional<Grip> m_grip; ///< while it stands an undo step is open
+    bool m_dragging = false;
+    QPoint m_pressedAt;
+    int m_wheel = 0; ///< [eighths of a degree] turned since the number was taken
+    std::int64_t m_wheelSteps = 0;
+    QTimer m_pause; ///< ends a turn of the wheel
+};
+
+} // namespace carom
