@@ -10,11 +10,8 @@
 #include "core/study/benchmark_report.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <filesystem>
 #include <limits>
 #include <memory>
-#include <system_error>
 
 namespace carom {
 
@@ -83,21 +80,11 @@ BenchmarkPlan planFrom(const Arguments& arguments) {
     return plan;
 }
 
-void writeFile(const std::filesystem::path& path, const std::string& text) {
-    OutputFile file(path.string());
-    file.write(text);
-    file.close();
-}
-
 int runBench(const Arguments& arguments) {
     const BenchmarkPlan plan = planFrom(arguments);
     catchInterrupts();
     const std::optional<std::string> folder = arguments.text("output");
-    if (folder) {
-        std::error_code error;
-        std::filesystem::create_directories(*folder, error);
-        if (error) throw FileError("cannot make the folder", *folder, error.value());
-    }
+    if (folder) makeFolder(*folder);
     std::unique_ptr<Progress> progress;
     const Benchmark benchmark = runBenchmark(plan, [&progress](std::int64_t done, std::int64_t total) {
         if (!progress) progress = std::make_unique<Progress>(total);
@@ -109,10 +96,9 @@ int runBench(const Arguments& arguments) {
     const std::string summary = summaryOf(benchmark);
     printOut(summary);
     if (folder) {
-        const std::filesystem::path base(*folder);
-        writeFile(base / "performance.csv", pointsAsCsv(benchmark));
-        writeFile(base / "trace.csv", tracesAsCsv(benchmark));
-        writeFile(base / "summary.txt", summary);
+        writeFile(*folder, "performance.csv", pointsAsCsv(benchmark));
+        writeFile(*folder, "trace.csv", tracesAsCsv(benchmark));
+        writeFile(*folder, "summary.txt", summary);
         if (chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
     }
     return benchmark.complete ? exitcode::done : exitcode::interrupted;

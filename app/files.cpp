@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 #include <vector>
@@ -122,6 +123,18 @@ void OutputFile::close() {
 }
 
 void OutputFile::fail() const { throw FileError("cannot write", nameOfOutput(m_path), errno); }
+
+void makeFolder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error) throw FileError("cannot make the folder", path, error.value());
+}
+
+void writeFile(const std::string& folder, const std::string& name, std::string_view text) {
+    OutputFile file((std::filesystem::path(folder) / name).string());
+    file.write(text);
+    file.close();
+}
 
 void printOut(std::string_view text) {
     OutputFile output("-");

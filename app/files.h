@@ -36,6 +36,11 @@ class OutputFile {
     std::FILE* m_file;
 };
 
+/// Makes a folder and those above it; one that exists already is fine.
+void makeFolder(const std::string& path);
+/// Writes a whole text file into a folder.
+void writeFile(const std::string& folder, const std::string& name, std::string_view text);
+
 /// Writes all of `text` to standard output.
 void printOut(std::string_view text);
 /// Writes to standard error, where nothing more can be done if it fails.

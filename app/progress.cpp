@@ -13,8 +13,8 @@ constexpr double interval = 200;  ///< [ms] between lines
 
 } // namespace
 
-Progress::Progress(std::int64_t total)
-    : m_total(total), m_nextShow(patience), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::int64_t total, std::string_view things)
+    : m_total(total), m_things(things), m_nextShow(patience), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
     if (m_shown) std::fputs("\r\x1b[K", stderr);
@@ -27,8 +27,8 @@ void Progress::update(std::int64_t done) {
     m_nextShow = elapsed + interval;
     m_shown = true;
     const double left = elapsed * static_cast<double>(m_total - done) / static_cast<double>(done) / 1000;
-    std::fprintf(stderr, "\r%lld of %lld frames, about %.0f s left\x1b[K", static_cast<long long>(done),
-                 static_cast<long long>(m_total), left);
+    std::fprintf(stderr, "\r%lld of %lld %s, about %.0f s left\x1b[K", static_cast<long long>(done),
+                 static_cast<long long>(m_total), m_things.c_str(), left);
 }
 
 } // namespace carom

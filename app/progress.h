@@ -4,6 +4,8 @@
 #include "core/base/clock.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace carom {
 
@@ -11,7 +13,8 @@ namespace carom {
 /// seconds; otherwise nothing at all.
 class Progress {
   public:
-    explicit Progress(std::int64_t total);
+    /// `things` is what is counted: "frames".
+    explicit Progress(std::int64_t total, std::string_view things = "frames");
     ~Progress(); ///< wipes the line
 
     void update(std::int64_t done);
@@ -19,6 +22,7 @@ class Progress {
   private:
     Stopwatch m_watch;
     std::int64_t m_total;
+    std::string m_things;
     double m_nextShow; ///< [ms] since the start
     bool m_isTerminal;
     bool m_shown = false;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command.h"
+#include "app/errors.h"
+#include "app/files.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/study_origin.h"
+#include "core/base/catalogue.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+namespace carom {
+
+CommandRow studyStabilityCommand();
+
+namespace {
+
+constexpr std::string_view command = "study stability";
+
+const HardCase* caseNamed(const std::string& name) {
+    if (const HardCase* row = findHardCase(name)) return row;
+    const std::optional<std::string_view> near = nearestRow(name, hardCases());
+    throw UsageError("there is no hard case `" + name + "`; " +
+                     (near ? "did you mean `" + std::string(*near) + "`?" : "`--list` names them"));
+}
+
+StabilityPlan planFrom(const Arguments& arguments) {
+    StabilityPlan plan;
+    for (const std::string& name : arguments.operands) plan.cases.push_back(caseNamed(name));
+    if (plan.cases.empty())
+        for (const HardCase& row : hardCases()) plan.cases.push_back(&row);
+    std::vector<std::string_view> names;
+    for (const StudyColumn column : studyColumns) names.push_back(nameOf(column));
+    if (const std::optional<std::string> wanted = arguments.word("column", names))
+        std::erase_if(plan.columns, [&](StudyColumn column) { return nameOf(column) != *wanted; });
+    if (arguments.has("long")) plan.length = StudyLength::Long;
+    return plan;
+}
+
+std::string listOfCases() {
+    std::string list;
+    for (const HardCase& row : hardCases()) {
+        const std::string number = std::to_string(row.number);
+        list.append(number.size() < 2 ? " " : "").append(number).append(" ").append(row.name);
+        list.append(std::string(26 - row.name.size(), ' ')).append(row.title).append("\n");
+        list.append(29, ' ').append("right: ").append(row.answer).append("\n");
+    }
+    return list;
+}
+
+int runStudy(const Arguments& arguments) {
+    if (arguments.has("list")) {
+        printOut(listOfCases());
+        return exitcode::done;
+    }
+    const StabilityPlan plan = planFrom(arguments);
+    if (const std::optional<std::string> name = arguments.text("scene")) {
+        printOut(sceneOf(*caseNamed(*name), plan.columns.front()));
+        return exitcode::done;
+    }
+    const std::optional<std::string> folder = arguments.text("output");
+    if (folder) makeFolder(*folder);
+    catchInterrupts();
+
+    const auto total = static_cast<std::int64_t>(plan.cases.size() * plan.columns.size());
+    auto progress = std::make_unique<Progress>(total, "trials");
+    std::int64_t done = 0;
+    StabilityListener listener;
+    listener.goOn = [&] {
+        progress->update(done);
+        return !interrupted();
+    };
+    listener.ends = [&](const TrialResult&) { progress->update(++done); };
+    const StabilityStudy study = runStability(plan, listener);
+    progress.reset();
+
+    const std::string summary = summaryOf(study);
+    printOut(summary);
+    if (folder) {
+        writeFile(*folder, "stability.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
+        writeFile(*folder, "summary.txt", summary);
+    }
+    if (!study.complete) return exitcode::interrupted;
+    return study.allHold() ? exitcode::done : exitcode::stabilityFailed;
+}
+
+} // namespace
+
+CommandRow studyStabilityCommand() {
+    return {
+        .name = command,
+        .summary = "Run the hard cases: each with its figures and its verdict",
+        .operands = "[CASE]...",
+        .example = "carom study stability -o results\n"
+                   "carom study stability sliding_cube 17 --column=accurate --long",
+        .options =
+            {
+                {"long", 0, "", "the cases as published, which take hours; without it, their short forms"},
+                {"column", 0, "COLUMN",
+                 "only one of `default`, `accurate` (its preset) and `exact` (method events)"},
+                {"list", 0, "", "list the cases by number and name, with the right answer of each"},
+                {"scene", 0, "CASE", "print a scene of the case, for `--column`, and run nothing"},
+                {"output", 'o', "DIR", "write stability.csv and summary.txt there"},
+            },
+        .details =
+            "A case is given by name or number; without any, all of them run. Each has a closed-form answer "
+            "or a "
+            "quantity that must be kept, and a limit for every column. The exit code is 0 if everything "
+            "holds and 5 if a case fails. Ctrl-C ends the study: what was measured is written, and the exit "
+            "code is 130. stability.csv has the columns case, name, column, figure, value, unit, limit, "
+            "verdict, "
+            "wall_s, command, version, machine, a row a figure.",
+        .leastOperands = 0,
+        .mostOperands = std::numeric_limits<std::size_t>::max(),
+        .run = runStudy};
+}
+
+} // namespace carom

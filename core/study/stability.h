@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The hard cases: scenes that are hard to simulate and have a right answer in closed form, or a quantity that
+// must be kept. Each is run in up to three columns, measured, and judged by the limits of its column. Nothing
+// in the simulation knows of them. A case that does not hold stays in the list, failing, with its figure.
+//
+// A case is one file's function and a row of constants, listed in cases/cases.def; what it may use while it
+// runs is a Trial (trial.h).
+
+namespace carom {
+
+class Trial;
+
+/// How a case is simulated.
+enum class StudyColumn : std::uint8_t {
+    Default,  ///< a scene that says nothing about its simulation
+    Accurate, ///< `simulation { preset accurate }`
+    Exact,    ///< `simulation { method events }`
+};
+inline constexpr std::array studyColumns = {StudyColumn::Default, StudyColumn::Accurate, StudyColumn::Exact};
+std::string_view nameOf(StudyColumn column); ///< "default"
+
+/// Short forms last a second or two each; long forms are the cases as published, hours of them.
+enum class StudyLength : std::uint8_t { Short, Long };
+
+/// One measured number and what it may be at most. Counts of what must not happen are figures too.
+struct Figure {
+    std::string name;        ///< "energy error"
+    double value = 0;        ///< in `unit`; not a number where it could not be measured
+    std::string_view unit{}; ///< "m", "rad/s"; empty: relative, or a count
+    double limit = 0;        ///< in `unit`
+
+    bool holds() const { return value <= limit; }
+};
+
+/// Which columns a case has a right answer in.
+using StudyColumns = std::array<bool, 3>;
+inline constexpr StudyColumns everyColumn = {true, true, true};
+inline constexpr StudyColumns steppingColumns = {true, true, false};
+inline constexpr StudyColumns exactColumn = {false, false, true};
+
+struct HardCase {
+    int number = 0;
+    std::string_view name;      ///< "elastic_ball"
+    std::string_view title;     ///< "an elastic ball dropped from 5 m, 20 s"
+    std::string_view answer;    ///< what is right, one sentence
+    std::string_view byDefault; ///< the limit of the default column, for people; "–" where there is none
+    std::string_view accurate;  ///< of the two others
+    std::string_view aim;       ///< what we want in the end
+    StudyColumns columns = steppingColumns;
+    /// A scene of the case, without a `simulation` declaration.
+    std::string (*declarations)() = nullptr;
+    void (*run)(Trial& trial) = nullptr;
+    std::string_view simulation = ""; ///< further parameters of `simulation`: "step 0.01"
+
+    bool has(StudyColumn column) const { return columns[static_cast<std::size_t>(column)]; }
+};
+
+/// Every case, ascending by number.
+std::span<const HardCase> hardCases();
+/// By name or number ("13"), or null.
+const HardCase* findHardCase(std::string_view nameOrNumber);
+
+/// The case as a scene to open: a comment with the right answer, the declarations, the column's `simulation`.
+std::string sceneOf(const HardCase& hardCase, StudyColumn column);
+
+enum class Verdict : std::uint8_t { Holds, Fails, NotApplicable };
+std::string_view nameOf(Verdict verdict); ///< "holds", "fails", "not applicable"
+
+/// One case in one column.
+struct TrialResult {
+    const HardCase* hardCase = nullptr;
+    StudyColumn column = StudyColumn::Default;
+    Verdict verdict = Verdict::NotApplicable;
+    std::vector<Figure> figures;
+    double seconds = 0; ///< wall time
+
+    /// The figure that decides: the one furthest beyond its limit, or nearest to it. Null without figures.
+    const Figure* decisive() const;
+};
+
+struct StabilityPlan {
+    std::vector<const HardCase*> cases;
+    std::vector<StudyColumn> columns{studyColumns.begin(), studyColumns.end()};
+    StudyLength length = StudyLength::Short;
+};
+
+struct StabilityStudy {
+    StabilityPlan plan;
+    std::vector<TrialResult> results; ///< by case, then column, as in the plan
+    bool complete = false;            ///< false: it was told to stop; what is there is whole
+
+    std::size_t count(StudyColumn column, Verdict verdict) const;
+    bool allHold() const;
+};
+
+/// Who watches a study. All may be empty.
+struct StabilityListener {
+    std::function<bool()> goOn; ///< false ends the study; asked every frame
+    std::function<void(const HardCase&, StudyColumn)> starts;
+    std::function<void(const TrialResult&)> ends;
+};
+
+/// One case in one column; nothing where `goOn` ended it.
+std::optional<TrialResult> runTrial(const HardCase& hardCase, StudyColumn column, StudyLength length,
+                                    const StabilityListener& listener = {});
+
+StabilityStudy runStability(const StabilityPlan& plan, const StabilityListener& listener = {});
+
+} // namespace carom

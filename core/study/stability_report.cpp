@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/stability_report.h"
+
+#include "core/base/figures.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+std::string withUnit(double value, std::string_view unit) {
+    std::string result = figure(value, 2);
+    if (!unit.empty()) result.append(" ").append(unit);
+    return result;
+}
+
+/// A field of CSV (RFC 4180): quoted where it has to be.
+std::string field(std::string_view value) {
+    if (value.find_first_of(",\"\n") == value.npos) return std::string(value);
+    std::string quoted = "\"";
+    for (const char c : value) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+} // namespace
+
+std::string describe(const Figure& figure) {
+    return figure.name + " " + withUnit(figure.value, figure.unit) + ", limit " +
+           withUnit(figure.limit, figure.unit);
+}
+
+std::string tallyOf(const StabilityStudy& study, StudyColumn column) {
+    const std::size_t holding = study.count(column, Verdict::Holds);
+    const std::size_t all = holding + study.count(column, Verdict::Fails);
+    return std::string(nameOf(column)) + ": " + std::to_string(holding) + " of " + std::to_string(all) +
+           " hold";
+}
+
+std::string summaryOf(const StabilityStudy& study) {
+    std::string summary;
+    const HardCase* last = nullptr;
+    for (const TrialResult& result : study.results) {
+        if (result.hardCase != last) {
+            last = result.hardCase;
+            summary += std::to_string(last->number) + " " + std::string(last->name) + ": " +
+                       std::string(last->title) + "\n";
+        }
+        if (result.verdict == Verdict::NotApplicable) continue;
+        summary.append("    ").append(nameOf(result.column)).append(" ");
+        summary.append(nameOf(result.verdict)).append(" (").append(figure(result.seconds, 2)).append(" s)\n");
+        for (const Figure& figure : result.figures)
+            summary.append(figure.holds() ? "        " : "      ! ").append(describe(figure)).append("\n");
+    }
+    summary += '\n';
+    for (const StudyColumn column : study.plan.columns) summary += tallyOf(study, column) + "\n";
+    return summary;
+}
+
+std::string figuresAsCsv(const StabilityStudy& study, const StudyOrigin& origin) {
+    std::string csv = "case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine\n";
+    const std::string tail =
+        "," + field(origin.command) + "," + field(origin.version) + "," + field(origin.machine) + "\n";
+    for (const TrialResult& result : study.results) {
+        std::string head = std::to_string(result.hardCase->number);
+        head.append(",").append(result.hardCase->name).append(",").append(nameOf(result.column)).append(",");
+        const std::string time = shortest(result.seconds);
+        if (result.figures.empty())
+            csv.append(head)
+                .append(",,,,")
+                .append(nameOf(result.verdict))
+                .append(",")
+                .append(time)
+                .append(tail);
+        for (const Figure& figure : result.figures) {
+            const Verdict verdict = figure.holds() ? Verdict::Holds : Verdict::Fails;
+            csv.append(head).append(field(figure.name)).append(",").append(shortest(figure.value));
+            csv.append(",").append(figure.unit).append(",").append(shortest(figure.limit)).append(",");
+            csv.append(nameOf(verdict)).append(",").append(time).append(tail);
+        }
+    }
+    return csv;
+}
+
+} // namespace carom

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include "core/study/stability.h"
+
+#include <QDir>
+#include <QTest>
+
+namespace carom::test {
+
+class StudyStabilityTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void itWritesFiguresAndASummary() {
+        const QTemporaryDir folder;
+        const Ended ended = carom({"study", "stability", "elastic_ball", "7", "-o", folder.filePath("new")});
+        QCOMPARE(ended.exitCode, 0);
+        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder.filePath("new/stability.csv"))));
+        QVERIFY(rows[1].startsWith("1,elastic_ball,default,energy error,"));
+        QVERIFY(rows[1].contains("carom study stability elastic_ball 7 --output="));
+        QCOMPARE(QString::fromUtf8(contentOf(folder.filePath("new/summary.txt"))), ended.out);
+        QVERIFY(ended.out.contains("default: 2 of 2 hold\naccurate: 2 of 2 hold\nexact: 1 of 1 hold\n"));
+        QCOMPARE(ended.err, QString());
+    }
+
+    void oneColumnCanBeAskedFor() {
+        const Ended ended = carom({"study", "stability", "1", "--column=exact"});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY(ended.out.endsWith("\nexact: 1 of 1 hold\n"));
+        QVERIFY(!ended.out.contains("accurate"));
+    }
+
+    void theListNamesEveryCase() {
+        const QString list = carom({"study", "stability", "--list"}).out;
+        for (const HardCase& row : hardCases())
+            QVERIFY2(list.contains(QString::fromUtf8(row.name.data(), qsizetype(row.name.size()))),
+                     row.name.data());
+    }
+
+    void aCaseComesAsAScene() {
+        const QTemporaryDir folder;
+        const Ended ended = carom({"study", "stability", "--scene=sliding_cube", "--column=accurate"});
+        QCOMPARE(ended.exitCode, 0);
+        QCOMPARE(ended.out.toStdString(), sceneOf(*findHardCase("13"), StudyColumn::Accurate));
+    }
+
+    void aWrongWordIsNamedWithTheNearestRightOne() {
+        Ended ended = carom({"study", "stability", "elastic_bal"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY(ended.err.contains("there is no hard case `elastic_bal`; did you mean `elastic_ball`?"));
+        ended = carom({"study", "stability", "1", "--column=fast"});
+        QCOMPARE(ended.exitCode, 2);
+        ended = carom({"study", "stability", "1", "-o", "/dev/null/x"});
+        QCOMPARE(ended.exitCode, 3);
+    }
+};
+
+} // namespace carom::test
+
+QTEST_GUILESS_MAIN(carom::test::StudyStabilityTest)
+#include "study_stability_test.moc"

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/build.h"
+#include "core/study/stability_report.h"
+
+#include "tests/core/study/cases/hard_cases.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+// The catalogue of hard cases, how they are judged, and what is written of them.
+
+namespace carom {
+namespace {
+
+QStringList linesOf(const std::string& text) {
+    return QString::fromStdString(text).split('\n', Qt::SkipEmptyParts);
+}
+
+} // namespace
+
+class StabilityTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyCaseSaysWhatIsRightAndHasItsOwnNumberAndName() {
+        std::set<std::string_view> names;
+        int last = 0;
+        for (const HardCase& row : hardCases()) {
+            QVERIFY2(row.number > last, row.name.data());
+            last = row.number;
+            QVERIFY(names.insert(row.name).second);
+            QVERIFY(!row.title.empty() && !row.answer.empty() && !row.aim.empty());
+            QVERIFY(row.run != nullptr && row.declarations != nullptr);
+            QVERIFY(row.has(StudyColumn::Default) || row.has(StudyColumn::Accurate) ||
+                    row.has(StudyColumn::Exact));
+            QCOMPARE(row.byDefault == "–", !row.has(StudyColumn::Default));
+            QVERIFY(findHardCase(row.name) == &row);
+            QVERIFY(findHardCase(std::to_string(row.number)) == &row);
+        }
+        QVERIFY(findHardCase("elastic_bal") == nullptr);
+    }
+
+    void everyCaseOpensAsASceneWithoutErrors() {
+        for (const HardCase& row : hardCases())
+            for (const StudyColumn column : studyColumns) {
+                if (!row.has(column)) continue;
+                const std::string text = sceneOf(row, column);
+                QVERIFY(text.starts_with("# Hard case " + std::to_string(row.number) + ": "));
+                const Build built = build(text);
+                for (const Diagnostic& diagnostic : built.diagnostics)
+                    QVERIFY2(diagnostic.severity() != Severity::Error, diagnostic.message.c_str());
+                const std::string_view method = built.pipeline->settings().method->name;
+                QCOMPARE(method == "events", column == StudyColumn::Exact);
+            }
+    }
+
+    void everyKnownFailureIsOfACaseThatExists() {
+        for (const test::KnownFailure& failure : test::knownFailures) {
+            const HardCase* row = findHardCase(failure.name);
+            QVERIFY2(row != nullptr && row->has(failure.column), failure.name.data());
+        }
+    }
+
+    void aFigureHoldsUpToItsLimitAndNeverWhereItIsNoNumber() {
+        QVERIFY(Figure({.name = "x", .value = 1, .limit = 1}).holds());
+        QVERIFY(!Figure({.name = "x", .value = 1.0000001, .limit = 1}).holds());
+        QVERIFY(!Figure({.name = "x", .value = std::nan(""), .limit = 1}).holds());
+    }
+
+    void theDecisiveFigureIsTheOneFurthestBeyondItsLimit() {
+        TrialResult result{.figures = {{.name = "a", .value = 0.5, .limit = 1},
+                                       {.name = "b", .value = 3, .limit = 2},
+                                       {.name = "c", .value = 0, .limit = 0}}};
+        QCOMPARE(result.decisive()->name, std::string("b"));
+        result.figures[2].value = 1;
+        QCOMPARE(result.decisive()->name, std::string("c"));
+        QVERIFY(TrialResult{}.decisive() == nullptr);
+    }
+
+    void aStudyTellsTheColumnsApart() {
+        StabilityPlan plan;
+        plan.cases = {findHardCase("1"), findHardCase("7")};
+        int started = 0, ended = 0;
+        const StabilityStudy study =
+            runStability(plan, {.goOn = {},
+                                .starts = [&](const HardCase&, StudyColumn) { ++started; },
+                                .ends = [&](const TrialResult&) { ++ended; }});
+        QVERIFY(study.complete && study.allHold());
+        QCOMPARE(started, 5); // case 7 has no exact column
+        QCOMPARE(ended, 6);
+        QCOMPARE(study.results.size(), std::size_t(6));
+        QCOMPARE(study.count(StudyColumn::Default, Verdict::Holds), std::size_t(2));
+        QCOMPARE(study.count(StudyColumn::Exact, Verdict::NotApplicable), std::size_t(1));
+        QCOMPARE(tallyOf(study, StudyColumn::Exact), std::string("exact: 1 of 1 hold"));
+
+        const QStringList rows = linesOf(figuresAsCsv(study, {"carom, quoted", "1.0", "a \"machine\""}));
+        QCOMPARE(rows.front(),
+                 "case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine");
+        QVERIFY(rows[1].startsWith("1,elastic_ball,default,energy error,"));
+        QVERIFY(rows[1].endsWith(",\"carom, quoted\",1.0,\"a \"\"machine\"\"\""));
+        QVERIFY(rows.back().startsWith("7,flat_cube,exact,,,,,not applicable,"));
+    }
+
+    void aStoppedStudyKeepsWhatIsWhole() {
+        StabilityPlan plan;
+        plan.cases = {findHardCase("1"), findHardCase("7")};
+        int frames = 0;
+        const StabilityStudy study =
+            runStability(plan, {.goOn = [&frames] { return ++frames <= 1300; }, .starts = {}, .ends = {}});
+        QVERIFY(!study.complete);
+        QCOMPARE(study.results.size(), std::size_t(1)); // case 1 has 1200 frames a column
+        QCOMPARE(study.results.front().verdict, Verdict::Holds);
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::StabilityTest)
+#include "stability_test.moc"
