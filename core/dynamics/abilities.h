@@ -9,6 +9,7 @@ struct Abilities {
     bool friction = false;
     bool rollingResistance = false;
     bool springs = false;
+    bool locatesImpacts = false; ///< within the step, so that nothing tunnels however fast it is
     bool gyroscopicTerm = false; ///< free bodies keep their angular momentum
 };
 

@@ -172,6 +172,7 @@ DeclarationRow simulationDeclaration() {
         }
     };
     amend("step", "1/60 s: one frame", "0.01");
+    amend("method", "contacts", "contacts");
     amend("tolerance", "what the preset says", "1e-6");
     amend("broadphase", "auto", "auto");
     amend("preset", "default", "accurate");

@@ -122,7 +122,7 @@ class Overlaps {
 // behind it at the other.
 std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found;
-    if (scene.bodies.size() < 2) return found;
+    if (scene.bodies.size() < 2 || settings.method->abilities.locatesImpacts) return found;
     for (BodyIndex i = 0; i < scene.bodies.size() && found.size() < mostOfAKind; ++i) {
         const Body& body = scene.bodies[i];
         if (!body.mobile()) continue;

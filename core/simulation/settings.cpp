@@ -53,8 +53,9 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
 
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
-/// The method that iterates to a tolerance, and the integrator that fits it: exact in free fall, as it is.
-constexpr std::string_view iterating = "contacts", exactInFreeFall = "verlet";
+/// The method where nobody names one. It iterates to a tolerance, and the integrator that fits it is exact in
+/// free fall, as it is.
+constexpr std::string_view defaultMethod = "contacts", exactInFreeFall = "verlet";
 /// Sweeps a substep over the contacts of a big pile.
 constexpr int sweeps = 20;
 
@@ -79,23 +80,24 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
 
     RunSettings settings;
     if (wanted.step) settings.step = *wanted.step;
-    settings.method = rowFor(wanted.method, solvers(), solvers().data(),
-                             {scene, "method", options.method.has_value()}, warnings);
+    const SolverRow* fallback = findSolver(defaultMethod);
+    settings.method =
+        rowFor(wanted.method, solvers(), fallback, {scene, "method", options.method.has_value()}, warnings);
     if (const std::optional<SolverObjection> objection = objectionTo(*settings.method, scene)) {
         const Asked asked{scene, "method", options.method.has_value()};
         Diagnostic error{.code = DiagnosticCode::UnsuitableMethod,
                          .range = objection->place,
                          .message = "method `" + std::string(settings.method->name) +
                                     "` cannot treat this scene: " + objection->reason + "; `" +
-                                    std::string(solvers().front().name) + "` runs in its place",
+                                    std::string(fallback->name) + "` runs in its place",
                          .notes = {},
                          .fixIt = {}};
         if (!asked.onCommandLine) error.notes.push_back({asked.place(), "the method is asked for here"});
         warnings.push_back(std::move(error));
-        settings.method = solvers().data();
+        settings.method = fallback;
     }
     const std::string method(settings.method->name);
-    const bool iterates = method == iterating;
+    const bool iterates = method == defaultMethod;
     const IntegratorRow* integrator = iterates ? findIntegrator(exactInFreeFall) : integrators().data();
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);

@@ -6,6 +6,9 @@
 
 namespace carom {
 
+/// Rounding of a velocity: no tolerance is smaller than this part of the speeds in play.
+inline constexpr double speedRounding = 4e-15;
+
 /// A gap or overlap up to this part of the smaller body's size counts as touching: neither pushed apart nor
 /// waited for. Rounding in positions is 1e-16 of the coordinates; without the dead band it would show up,
 /// divided by the substep, as inconsistent speeds at redundant contact points.

@@ -216,7 +216,11 @@ constinit const SolverRow contactsRow = {
         "P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like "
         "solution methods, 1991",
     .create = create,
-    .abilities = {.friction = true, .rollingResistance = true, .springs = true, .gyroscopicTerm = true},
+    .abilities = {.friction = true,
+                  .rollingResistance = true,
+                  .springs = true,
+                  .locatesImpacts = true,
+                  .gyroscopicTerm = true},
 };
 
 } // namespace carom

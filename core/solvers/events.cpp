@@ -101,6 +101,7 @@ constinit const SolverRow eventsRow = {
     .source = "B. J. Alder, T. E. Wainwright, Studies in molecular dynamics I, 1959",
     .create = create,
     .objection = objection,
+    .abilities = {.locatesImpacts = true},
 };
 
 } // namespace carom

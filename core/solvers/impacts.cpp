@@ -13,7 +13,7 @@ namespace {
 /// difference a scene intends.
 constexpr double tie = 1e-9;
 /// Contacts solved directly at most; larger groups are rare and left to the sparse solver.
-constexpr std::size_t mostDirect = 16;
+constexpr int mostDirect = 16;
 /// W counts as singular below this reciprocal condition.
 constexpr double singular = 1e-10;
 /// Newton's tolerance relative to the largest closing speed.
@@ -141,12 +141,14 @@ void ImpactSolver::solveGroup(ContactProblem& problem, std::span<const ImpactRow
 
 bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows) {
     const std::size_t count = m_group.size();
-    if (count > mostDirect) return false;
+    if (count > std::size_t{mostDirect}) return false;
     for (const std::size_t i : m_group)
         if (problem.rows[i].friction > 0 || !(m_closing[i] > 0)) return false;
     const Eigen::Index size = static_cast<Eigen::Index>(count);
-    Eigen::MatrixXd w(size, size);
-    Eigen::VectorXd right(size);
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostDirect, mostDirect>;
+    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostDirect, 1>;
+    Matrix w(size, size);
+    Vector right(size);
     for (Eigen::Index i = 0; i < size; ++i) {
         const std::size_t rowI = m_group[static_cast<std::size_t>(i)];
         right[i] = (1 + rows[rowI].restitution) * m_closing[rowI];
@@ -154,11 +156,11 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
             w(i, k) =
                 couplingOf(problem, problem.rows[rowI], problem.rows[m_group[static_cast<std::size_t>(k)]]);
     }
-    Eigen::VectorXd impulse;
+    Vector impulse;
     if (size == 1) {
         impulse = right / w(0, 0);
     } else {
-        const Eigen::LDLT<Eigen::MatrixXd> forward(w), backward(w.reverse());
+        const Eigen::LDLT<Matrix> forward(w), backward(w.reverse());
         if (!(forward.rcond() > singular)) return false;
         impulse = 0.5 * (forward.solve(right) + backward.solve(right.reverse()).reverse());
     }

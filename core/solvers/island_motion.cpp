@@ -4,43 +4,19 @@
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
-#include "core/narrowphase/narrowphase.h"
-#include "core/solvers/bounce_train.h"
 #include "core/solvers/contact_settings.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace carom {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// Rounding of a velocity: no tolerance is smaller than this part of the speeds in play.
-constexpr double speedRounding = 4e-15;
-
 /// No part of a substep is shorter than this part of it: forces are impulses over a duration.
 constexpr double shortestPart = 1e-9;
 
-/// Forces are remembered from parts of at least this part of the substep.
-constexpr double shortestMemory = 0.1;
-/// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
-constexpr int rescueSweeps = 200;
-
 double rimSpeed(const ContactBody& body) {
     return std::max(body.velocity.head<3>().norm(), body.velocity.tail<3>().norm() * body.gyration);
-}
-
-/// The first t in (0, duration] at which gap + u0 t + (u1 − u0) t²/(2 duration) vanishes; infinite if none.
-double closingTime(double gap, double u0, double u1, double duration) {
-    const double a = 0.5 * (u1 - u0) / duration;
-    const double discriminant = u0 * u0 - 4 * a * gap;
-    if (discriminant < 0) return std::numeric_limits<double>::infinity();
-    const double q =
-        std::sqrt(discriminant) - u0; // −2 gap/(u0 − sqrt): the root that comes first while closing
-    if (q <= 0) return std::numeric_limits<double>::infinity();
-    return 2 * gap / q;
 }
 
 } // namespace
@@ -64,7 +40,7 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
         double duration = left;
         smooth(input, duration, locating);
         if (locating) {
-            double event = firstImpact(input, island, duration);
+            double event = firstImpact(input, duration);
             if (event >= duration && accurate) event = firstStop(input, duration);
             if (event < (1 - shortestPart) * duration) {
                 duration = std::max(event, shortestPart * input.substep);
@@ -102,57 +78,6 @@ bool IslandMotion::deservesNewton(const MotionInput& input, const Island& island
     double fastest = 0;
     for (const BodyIndex i : island.bodies) fastest = std::max(fastest, input.state.velocity[i].norm());
     return fastest <= nearlyResting * m_scale;
-}
-
-// A lone ball that bounces on a lone wall has a closed form, however many bounces a substep holds.
-bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
-    if (island.bodies.size() != 1 || !island.links.empty() || m_contacts.points.size() != 1) return false;
-    const ContactPair& pair = m_contacts.pairs.front();
-    const BodyIndex ball = island.bodies.front();
-    const BodyIndex other = pair.a == ball ? pair.b : pair.a;
-    const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other]);
-    if (wall == nullptr || !std::holds_alternative<Sphere>(input.bodies.shape[ball])) return false;
-
-    ContactConstraint& point = m_contacts.points.front();
-    Vec3& velocity = input.state.velocity[ball];
-    const Vec3& normal = wall->normal;
-    const double speed = normal.dot(velocity), pull = -normal.dot(input.gravity);
-    const double noise = std::max(elasticClosing, 10 * input.settings.tolerance) * m_scale;
-    const bool touching = std::abs(point.separation) <= touchingGap * pair.size;
-    if (touching && std::abs(speed) <= std::max(noise, speedRounding * velocity.norm())) return false;
-    if (point.separation < -touchingGap * pair.size) return false; // to be parted first
-
-    loadBodies(input, island);
-    const double h = input.substep;
-    const Bounce after = bounceTrain(std::max(0.0, point.separation), speed, pull, pair.restitution, h);
-    const double impulse = input.bodies.mass[ball] * (after.speed - speed + pull * h);
-    ContactBody& body = m_problem.bodies.front();
-    const Vec6 before = body.velocity;
-    body.velocity.head<3>() += h * input.gravity;
-    body.freeVelocity = body.velocity;
-    if (impulse > 0 && (pair.friction > 0 || pair.rolling > 0)) {
-        // Momentum gives the whole normal impulse of the bounces; friction has μ times that to stop the slip.
-        ContactRow row = rowOf(pair, point);
-        const double arm = input.bodies.boundingRadius[ball];
-        const double mass = 1 / (1 / body.mass + arm * arm * body.inverseInertia(0, 0));
-        row.impulse << impulse, -mass * relativeVelocity(m_problem, row).tail<2>();
-        row.rollingImpulse = -row.effectiveInertia * rollingVelocity(m_problem, row);
-        const Projected across = projectOnCone(row, row.impulse, row.rollingImpulse);
-        row.impulse << 0, across.impulse.tail<2>(); // the normal part is in `after`
-        row.rollingImpulse = across.rolling;
-        m_problem.rows.assign(1, row);
-        velocitiesFromImpulses(m_problem);
-    }
-    // Along the normal the closed form; across it the mean of both ends.
-    Vec3 end = body.velocity.head<3>();
-    end += (after.speed - normal.dot(end)) * normal;
-    Vec3 across = 0.5 * h * (before.head<3>() + end);
-    across -= normal.dot(across) * normal;
-    input.state.pose[ball].position += across + (after.gap - point.separation) * normal;
-    velocity = end;
-    rotateBetween(input.bodies, ball, before.tail<3>(), body.velocity.tail<3>(), h, input.state);
-    point.force.setZero();
-    return true;
 }
 
 void IslandMotion::recollide(const MotionInput& input) {
@@ -274,203 +199,6 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
         const ContactBody& body = m_problem.bodies[i];
         m_start[i] = {body.velocity, body.inertia * body.velocity.tail<3>()};
     }
-}
-
-// Velocities after `duration` under gravity and the forces of contacts that touch.
-void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
-    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
-        ContactBody& body = m_problem.bodies[i];
-        body.velocity = m_start[i].velocity;
-        body.freeVelocity = m_start[i].velocity;
-        body.freeVelocity.head<3>() += duration * input.gravity;
-    }
-    chooseRows(input, duration, locating);
-    if (m_springs.empty())
-        solve(input);
-    else
-        solveSprings(input, duration);
-    // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
-    // later.
-    if (duration < shortestMemory * input.substep) return;
-    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
-        ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
-        point.force = m_problem.rows[i].impulse / duration;
-        point.rollingTorque = m_problem.rows[i].rollingImpulse / duration;
-    }
-}
-
-// Contacts that touch take part; so do open ones that could only close gently, which the bound
-// uₙ + gap/T >= 0 stops at the surface. Those that may close hard are left to firstImpact while locating.
-void IslandMotion::chooseRows(const MotionInput& input, double duration, bool locating) {
-    m_problem.rows.clear();
-    m_rowPoint.clear();
-    m_waiting.clear();
-    for (std::uint32_t i = 0; i < m_contacts.points.size(); ++i) {
-        ContactConstraint& point = m_contacts.points[i];
-        const ContactPair& pair = m_contacts.pairs[m_pairOf[i]];
-        const double open = point.separation - touchingGap * pair.size;
-        ContactRow row = rowOf(pair, point);
-        if (open > 0 && locating) {
-            const double gentle = (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
-            const double closing = -relativeVelocity(m_problem, row).x();
-            if (closing > gentle || m_scale == 0) {
-                point.force.setZero();
-                point.rollingTorque.setZero();
-                m_waiting.push_back(i);
-                continue;
-            }
-        }
-        row.bound = std::max(0.0, open) / duration;
-        row.impulse = duration * point.force;
-        row.rollingImpulse = duration * point.rollingTorque;
-        m_problem.rows.push_back(row);
-        m_rowPoint.push_back(i);
-    }
-    (void)input;
-}
-
-void IslandMotion::solve(const MotionInput& input) {
-    if (m_problem.rows.empty() && m_problem.springs.empty()) {
-        velocitiesFromImpulses(m_problem);
-        return;
-    }
-    double residual = 0;
-    if (m_exact) {
-        NewtonReport solved = m_newton.solve(m_problem, m_tolerance);
-        report.factorisations += solved.factorisations;
-        if (!solved.solved) {
-            for (ContactRow& row : m_problem.rows) {
-                row.impulse.setZero();
-                row.rollingImpulse.setZero();
-            }
-            solved = m_newton.solve(m_problem, m_tolerance);
-            report.factorisations += solved.factorisations;
-            if (!solved.solved && m_problem.springs.empty())
-                m_gaussSeidel.solve(m_problem, m_tolerance, rescueSweeps);
-        }
-        residual = solved.residual;
-    } else {
-        residual = m_gaussSeidel.solve(m_problem, m_tolerance, input.settings.iterations);
-    }
-    if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
-}
-
-// When the first of the waiting contacts closes, or `duration` if none does.
-double IslandMotion::firstImpact(const MotionInput& input, const Island&, double duration) {
-    double first = duration;
-    std::uint32_t donePair = std::numeric_limits<std::uint32_t>::max();
-    for (const std::uint32_t i : m_waiting) {
-        const std::uint32_t p = m_pairOf[i];
-        if (p == donePair) continue;
-        const ContactPair& pair = m_contacts.pairs[p];
-        const ContactConstraint& point = m_contacts.points[i];
-        const ContactRow row = rowOf(pair, point);
-        const double u1 = relativeVelocity(m_problem, row).x();
-        double u0 = 0;
-        if (row.a != immobile) u0 += row.jacobianA.row(0).dot(m_start[at(row.a)].velocity);
-        if (row.b != immobile) u0 += row.jacobianB.row(0).dot(m_start[at(row.b)].velocity);
-        const double estimate = closingTime(point.separation, u0, u1, duration);
-        if (!(estimate < 1.01 * first)) continue;
-        donePair = p;
-        first = std::min(first, timeOfImpact(input, pair, std::min(estimate, first), duration));
-    }
-    return first;
-}
-
-Pose IslandMotion::poseAt(const MotionInput& input, BodyIndex i, double t, double duration) const {
-    const int local = localOf(i);
-    Pose pose = input.state.pose[i];
-    if (local == immobile) return pose;
-    const Start& start = m_start[at(local)];
-    const ContactBody& end = m_problem.bodies[at(local)];
-    const Vec3 v0 = start.velocity.head<3>(), v1 = end.velocity.head<3>();
-    pose.position += t * (v0 + (0.5 * t / duration) * (v1 - v0));
-    const Vec3 momentum =
-        start.angularMomentum +
-        (0.5 * t / duration) * (end.inertia * end.velocity.tail<3>() - start.angularMomentum);
-    rotateFreely(input.bodies.inertia[i], momentum, t, pose.orientation);
-    return pose;
-}
-
-// Conservative advancement (B. Mirtich, 1996) along the paths: from a time at which the two are apart on by
-// their distance over the speed at which the nearest points close. It never passes the first contact of
-// convex bodies in translation, and turns into Newton's iteration near it.
-double IslandMotion::timeOfImpact(const MotionInput& input, const ContactPair& pair, double from,
-                                  double duration) const {
-    constexpr int mostSteps = 30;
-    constexpr double reached = 1e-3; // of touchingGap
-    double t = from;
-    for (int step = 0; step < mostSteps; ++step) {
-        const Pose a = poseAt(input, pair.a, t, duration), b = poseAt(input, pair.b, t, duration);
-        const Proximity near =
-            proximityOf({&input.bodies.shape[pair.a], &a}, {&input.bodies.shape[pair.b], &b});
-        if (near.distance <= reached * touchingGap * pair.size && step > 0) return t;
-        const auto velocityOf = [&](BodyIndex i, const Pose& pose, const Vec3& point) -> Vec3 {
-            const int local = localOf(i);
-            if (local == immobile) return Vec3::Zero();
-            const Vec6 v0 = m_start[at(local)].velocity, v1 = m_problem.bodies[at(local)].velocity;
-            const Vec6 v = v0 + (t / duration) * (v1 - v0);
-            return v.head<3>() + v.tail<3>().cross(point - pose.position);
-        };
-        const double closing =
-            near.normal.dot(velocityOf(pair.a, a, near.onA) - velocityOf(pair.b, b, near.onB));
-        if (!(closing > 0)) return near.distance <= touchingGap * pair.size ? t : duration;
-        t = std::max(0.0, t + near.distance / closing);
-        if (t >= duration) return duration;
-    }
-    return t;
-}
-
-// When the first sliding contact comes to stick, or `duration`. Slip falls linearly under constant forces:
-// the force that stopped it, as a part of what the cone allows, tells about when; a solve shortly before
-// gives the slope.
-double IslandMotion::firstStop(const MotionInput& input, double duration) {
-    constexpr double stuck = 1e-9; // of the slip before
-    double earliest = 1;
-    std::uint32_t stopping = 0;
-    Vec2 direction = Vec2::Zero();
-    double before = 0;
-    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
-        const ContactRow& row = m_problem.rows[i];
-        if (!(row.friction > 0) || !(row.impulse.x() > 0)) continue;
-        Vec3 u0 = Vec3::Zero();
-        if (row.a != immobile) u0 += row.jacobianA * m_start[at(row.a)].velocity;
-        if (row.b != immobile) u0 += row.jacobianB * m_start[at(row.b)].velocity;
-        const double slip = u0.tail<2>().norm();
-        if (slip <= 1e3 * m_tolerance) continue;
-        if (relativeVelocity(m_problem, row).tail<2>().norm() > 10 * m_tolerance) continue;
-        const double part = row.impulse.tail<2>().norm() / (row.friction * row.impulse.x());
-        if (part >= earliest) continue;
-        earliest = part;
-        stopping = m_rowPoint[i];
-        before = slip;
-        direction = u0.tail<2>() / slip;
-    }
-    if (earliest >= 1) return duration;
-    const auto slipAfter = [&](double t) {
-        smooth(input, t, true);
-        for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
-            if (m_rowPoint[i] == stopping)
-                return direction.dot(relativeVelocity(m_problem, m_problem.rows[i]).tail<2>());
-        return 0.0;
-    };
-    double low = 0, slipLow = before, high = duration, guess = 0.9 * earliest * duration;
-    for (int i = 0; i < 8; ++i) {
-        const double slip = slipAfter(guess);
-        if (slip > stuck * before) {
-            const double slope = (slip - slipLow) / (guess - low);
-            low = guess;
-            slipLow = slip;
-            guess = slope < 0 ? std::min(high, low - slipLow / slope) : high;
-            if (guess >= high) return high;
-        } else if (low > 0) {
-            return guess; // on the line through two sliding states: the stop itself
-        } else {
-            high = guess;
-            guess *= 0.5;
-        }
-    }
-    return high;
 }
 
 // A body within the tolerance of rest is at rest: the forces balance as well as they are known.

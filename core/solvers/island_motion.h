@@ -4,6 +4,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
+#include "core/narrowphase/time_of_impact.h"
 #include "core/solvers/contact_problem.h"
 #include "core/solvers/gauss_seidel.h"
 #include "core/solvers/impacts.h"
@@ -44,6 +45,8 @@ struct MotionReport {
     int factorisations = 0;
 };
 
+inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
 class IslandMotion {
   public:
     /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep;
@@ -67,20 +70,32 @@ class IslandMotion {
     void part(const MotionInput& input, const Island& island);
     void impacts(const MotionInput& input, double duration, bool locating);
     void smooth(const MotionInput& input, double duration, bool locating);
-    void chooseRows(const MotionInput& input, double duration, bool locating);
+    void chooseRows(double duration, bool locating);
     void solve(const MotionInput& input);
     Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
     void linkSprings(const MotionInput& input, double duration);
     void solveSprings(const MotionInput& input, double duration);
-    double firstImpact(const MotionInput& input, const Island& island, double duration);
+    double firstImpact(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
     void commit(const MotionInput& input, const Island& island, double duration);
     void settle(const MotionInput& input);
     void keep(ContactSet& kept) const;
 
+    struct Braked;
+    bool findStop(Braked& first) const;
+    double speedOf(const Braked& braked) const;
+    void markHeld();
+    double gentleClosing(const ContactPair& pair) const;
+    double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
+    double nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
+                       double duration) const;
+    double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
+    double cornerTime(const MotionInput& input, const ContactPair& pair, const ContactConstraint& point,
+                      double t, double duration) const;
+    MovingShape movingShape(const MotionInput& input, BodyIndex body, double duration) const;
     Pose poseAt(const MotionInput& input, BodyIndex body, double t, double duration) const;
-    double timeOfImpact(const MotionInput& input, const ContactPair& pair, double from,
-                        double duration) const;
+    Vec3 velocityAt(BodyIndex body, const Vec3& arm, double t, double duration) const;
+
     ContactRow rowOf(const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
@@ -94,7 +109,9 @@ class IslandMotion {
     std::vector<Vec6> m_lastVelocity;      // by body of m_problem, of the round before
     std::vector<Start> m_start;            // by body of m_problem
     std::vector<std::uint32_t> m_rowPoint; // by row, the point of m_contacts
-    std::vector<std::uint32_t> m_waiting;  // points that are open and may close within the substep
+    std::vector<std::uint8_t> m_waits;     // by point, 1: open, and may close hard within the substep
+    std::vector<std::uint8_t> m_held;      // by pair, 1: a contact force acts in it
+    std::vector<std::uint8_t> m_pushed;    // by body of m_problem, 1: something besides gravity acts on it
     std::vector<std::uint32_t> m_pairOf;   // by point, the pair of m_contacts
     std::vector<ImpactRow> m_impactRows;
     NewtonSolver m_newton;

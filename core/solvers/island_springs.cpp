@@ -33,8 +33,6 @@ constexpr double roundsEnd = 1e-14;
 /// so nothing may be lost here.
 constexpr double springTolerance = 1e-14;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 } // namespace
 
 void IslandMotion::solveSprings(const MotionInput& input, double duration) {

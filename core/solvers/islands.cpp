@@ -62,13 +62,13 @@ void Islands::find(const Bodies& bodies, std::span<const ContactPair> pairs,
     m_bodies.resize(bodies.mobileBodies.size());
     m_pairs.resize(pairs.size());
     m_links.resize(live);
-    std::vector<Start> next(m_first.begin(), m_first.end() - 1);
-    for (const BodyIndex body : bodies.mobileBodies) m_bodies[next[m_island[rootOf(body)]].body++] = body;
+    m_next.assign(m_first.begin(), m_first.end() - 1);
+    for (const BodyIndex body : bodies.mobileBodies) m_bodies[m_next[m_island[rootOf(body)]].body++] = body;
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
-        m_pairs[next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
+        m_pairs[m_next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
     for (std::uint32_t i = 0; i < links.size(); ++i)
         if (moves(links[i].a) || moves(links[i].b))
-            m_links[next[islandOf(links[i].a, links[i].b)].link++] = i;
+            m_links[m_next[islandOf(links[i].a, links[i].b)].link++] = i;
 }
 
 Island Islands::operator[](std::size_t island) const {

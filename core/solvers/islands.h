@@ -37,6 +37,7 @@ class Islands {
     std::vector<std::uint32_t> m_parent; // by body
     std::vector<std::uint32_t> m_island; // by root
     std::vector<Start> m_first;          // by island, one more at the end
+    std::vector<Start> m_next;           // by island, the next free place
     std::vector<BodyIndex> m_bodies;
     std::vector<std::uint32_t> m_pairs, m_links;
 };

@@ -104,7 +104,7 @@ struct SolverObjection {
 };
 
 struct SolverRow {
-    std::string_view name; ///< "microcollisions"
+    std::string_view name; ///< "contacts"
     std::string_view title;
     std::string_view help;   ///< one sentence: what it does, what it costs
     std::string_view source; ///< author, title, year

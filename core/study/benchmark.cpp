@@ -46,7 +46,9 @@ Contest prepare(std::shared_ptr<const Pipeline> pipeline,
 
 Contest prepare(const GeneratorRow& scene, std::int64_t n,
                 const std::vector<const BroadphaseRow*>& algorithms) {
-    Contest contest = prepare(build(generate(scene, requestFor(scene, n))).pipeline, algorithms);
+    SimulationSettings options;
+    options.method = "microcollisions"; // as in the reference's own measurements
+    Contest contest = prepare(build(generate(scene, requestFor(scene, n)), options).pipeline, algorithms);
     contest.scene = &scene;
     contest.n = n;
     return contest;

@@ -69,11 +69,11 @@ void RunTest::theJsonSummaryHasEveryFieldInOrder() {
                               ",\"bodies\":3",
                               ",\"mobile\":2",
                               ",\"diagnostics\":0",
-                              ",\"method\":\"microcollisions\"",
-                              ",\"integrator\":\"euler\"",
+                              ",\"method\":\"contacts\"",
+                              ",\"integrator\":\"verlet\"",
                               ",\"broadphase\":\"all_pairs\"",
                               ",\"step\":0.125",
-                              ",\"substeps\":1",
+                              ",\"substeps\":4",
                               ",\"threads\":1",
                               ",\"time_ms\":{\"first\":",
                               ",\"mean\":",
@@ -103,10 +103,9 @@ void RunTest::theTextSummarySaysTheSame() {
     const test::Ended ended = test::carom({"run", "-", "-n", "4"}, glide);
     QCOMPARE(ended.exitCode, 0);
     QCOMPARE(ended.err, QString());
-    for (const char* part :
-         {"<stdin>: 3 bodies, 2 mobile; 0 diagnostics", "microcollisions, euler, all_pairs",
-          "4 of 0.125 s in 1 substeps", "initial 1 J, final 1 J, relative drift 0",
-          "initial (2, 0, 0), final (2, 0, 0) kg m/s", "max 0 m, mean 0 m"})
+    for (const char* part : {"<stdin>: 3 bodies, 2 mobile; 0 diagnostics", "contacts, verlet, all_pairs",
+                             "4 of 0.125 s in 4 substeps", "initial 1 J, final 1 J, relative drift 0",
+                             "initial (2, 0, 0), final (2, 0, 0) kg m/s", "max 0 m, mean 0 m"})
         QVERIFY2(ended.out.contains(QLatin1String(part)), part);
     QVERIFY(ended.out.contains(summary({"-n", "4"}, glide)["state_hash"].toString()));
 }

@@ -58,6 +58,13 @@ inline Scene sceneOf(std::initializer_list<Body> bodies, const Vec3& gravity = V
     return scene;
 }
 
+/// Options that name the method and leave the rest to the scene.
+inline SimulationSettings byMethod(const char* name) {
+    SimulationSettings options;
+    options.method = name;
+    return options;
+}
+
 inline World worldOf(const Scene& scene, const SimulationSettings& options = {}) {
     return World(std::make_shared<const Pipeline>(scene, options));
 }

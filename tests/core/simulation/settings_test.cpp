@@ -57,13 +57,14 @@ class SettingsTest : public QObject {
         for (const PresetRow& row : presets()) QVERIFY(!row.name.empty() && !row.help.empty());
     }
 
-    void aSceneThatSaysNothingRunsAsTheReferenceDid() {
+    void aSceneThatSaysNothingRunsByContacts() {
         const Build built = build(ball);
         const RunSettings& settings = built.pipeline->settings();
         QCOMPARE(settings.step, 1.0 / 60);
-        QCOMPARE(settings.substeps, 1);
-        QCOMPARE(q(settings.method->name), QStringLiteral("microcollisions"));
-        QCOMPARE(q(settings.integrator->name), QStringLiteral("euler"));
+        QCOMPARE(settings.substeps, 4);
+        QCOMPARE(q(settings.method->name), QStringLiteral("contacts"));
+        QCOMPARE(q(settings.integrator->name), QStringLiteral("verlet"));
+        QCOMPARE(settings.tolerance, 1e-6);
         QVERIFY(settings.broadphase != nullptr && !settings.broadphaseReason.empty());
         QCOMPARE(settings.threads, 1);
         QVERIFY(!settings.duration);
@@ -129,17 +130,21 @@ class SettingsTest : public QObject {
     void whatIsNotSimulatedYetIsSaidAtTheValueThatAsks() {
         QFETCH(QString, text);
         QFETCH(QString, place);
-        const Build built = build(ball + "simulation { " + text.toStdString() + " }");
+        const bool namesMethod = text.startsWith(QStringLiteral("method "));
+        const Build built = build(ball + "simulation { " + text.toStdString() + " }",
+                                  namesMethod ? SimulationSettings{} : test::byMethod("microcollisions"));
         const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings[0].startsWith(u'`' + place + u'`'), qPrintable(warnings[0]));
         QVERIFY(!built.hasErrors());
-        QCOMPARE(q(built.pipeline->settings().method->name), QStringLiteral("microcollisions"));
-        QCOMPARE(q(built.pipeline->settings().integrator->name), QStringLiteral("euler"));
+        QCOMPARE(q(built.pipeline->settings().method->name),
+                 namesMethod ? QStringLiteral("contacts") : QStringLiteral("microcollisions"));
+        QCOMPARE(q(built.pipeline->settings().integrator->name),
+                 namesMethod ? QStringLiteral("verlet") : QStringLiteral("euler"));
     }
 
     void whatTheCommandLineAsksForInVainIsSaidToo() {
-        SimulationSettings options;
+        SimulationSettings options = test::byMethod("microcollisions");
         options.integrator = "rk4";
         const Build built = build(ball + "simulation { integrator euler }", options);
         const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
@@ -151,7 +156,8 @@ class SettingsTest : public QObject {
     void effectsTheTextAsksForInVainAreSaidAtEachPlace() {
         const Build built = build("wall { normal 0, 1, 0 toOrig 0 friction 0.5 }\n"
                                   "sphere a { radius 1 mass 1 centre 0, 5, 0 friction 0.25 rolling 0.125 }\n"
-                                  "spring { from world to a stiffness 3 }\n");
+                                  "spring { from world to a stiffness 3 }\n",
+                                  test::byMethod("microcollisions"));
         const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 4);
         QVERIFY(warnings[0].startsWith(QStringLiteral("`0.5`: friction is not simulated yet")));
@@ -164,7 +170,8 @@ class SettingsTest : public QObject {
         std::string text;
         for (int i = 0; i < 300; ++i)
             text += "sphere { radius 1 mass 1 centre " + std::to_string(3 * i) + ", 5, 0 friction 0.5 }\n";
-        const QStringList warnings = warningsOf(build(text), DiagnosticCode::NotSimulatedYet);
+        const QStringList warnings =
+            warningsOf(build(text, test::byMethod("microcollisions")), DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 50);
         QVERIFY(warnings.back().endsWith(QStringLiteral("(and so in 250 more places)")));
     }
@@ -172,7 +179,8 @@ class SettingsTest : public QObject {
     void diagnosticsOfABuildAscendByPlace() {
         const Build built = build("sphere { radius 1 mass 1 centre 0, 0, 0 friction 1 }\n"
                                   "sphere { raduis 1 mass 1 centre 0, 9, 0 }\n"
-                                  "sphere { radius 1 mass 1 centre 0, 0, 0 friction 1 }\n");
+                                  "sphere { radius 1 mass 1 centre 0, 0, 0 friction 1 }\n",
+                                  test::byMethod("microcollisions"));
         QVERIFY(built.hasErrors());
         QVERIFY(built.diagnostics.size() > 3);
         for (std::size_t i = 1; i < built.diagnostics.size(); ++i)

@@ -273,7 +273,7 @@ class EventsTest : public QObject {
                        d.message.find("cylinder") != std::string::npos;
             });
         QVERIFY(named);
-        QCOMPARE(pipeline.settings().method->name, std::string_view("microcollisions"));
+        QCOMPARE(pipeline.settings().method->name, std::string_view("contacts"));
     }
 };
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contact_settings.h"
+#include "core/solvers/island_motion.h"
+
+#include <algorithm>
+
+// The smooth part of an island's motion: velocities at the end of a part of the substep under gravity and the
+// forces of the contacts that hold.
+
+namespace carom {
+namespace {
+
+/// Forces are remembered from parts of at least this part of the substep.
+constexpr double shortestMemory = 0.1;
+/// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
+constexpr int rescueSweeps = 200;
+
+} // namespace
+
+// Velocities after `duration` under gravity and the forces of contacts that touch.
+void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        ContactBody& body = m_problem.bodies[i];
+        body.velocity = m_start[i].velocity;
+        body.freeVelocity = m_start[i].velocity;
+        body.freeVelocity.head<3>() += duration * input.gravity;
+    }
+    chooseRows(duration, locating);
+    if (m_springs.empty())
+        solve(input);
+    else
+        solveSprings(input, duration);
+    // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
+    // later.
+    if (duration < shortestMemory * input.substep) return;
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
+        point.force = m_problem.rows[i].impulse / duration;
+        point.rollingTorque = m_problem.rows[i].rollingImpulse / duration;
+    }
+}
+
+// Closing speeds up to this are a matter for the contact force: the bound uₙ + gap/T >= 0 stops them at the
+// surface [m/s].
+double IslandMotion::gentleClosing(const ContactPair& pair) const {
+    return (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
+}
+
+// Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
+// left to firstImpact while locating.
+void IslandMotion::chooseRows(double duration, bool locating) {
+    m_problem.rows.clear();
+    m_rowPoint.clear();
+    m_waits.assign(m_contacts.points.size(), 0);
+    for (std::uint32_t i = 0; i < m_contacts.points.size(); ++i) {
+        ContactConstraint& point = m_contacts.points[i];
+        const ContactPair& pair = m_contacts.pairs[m_pairOf[i]];
+        const double open = point.separation - touchingGap * pair.size;
+        ContactRow row = rowOf(pair, point);
+        if (open > 0 && locating) {
+            const double closing = -relativeVelocity(m_problem, row).x();
+            if (closing > gentleClosing(pair) || m_scale == 0) {
+                point.force.setZero();
+                point.rollingTorque.setZero();
+                m_waits[i] = 1;
+                continue;
+            }
+        }
+        row.bound = std::max(0.0, open) / duration;
+        row.impulse = duration * point.force;
+        row.rollingImpulse = duration * point.rollingTorque;
+        m_problem.rows.push_back(row);
+        m_rowPoint.push_back(i);
+    }
+}
+
+void IslandMotion::solve(const MotionInput& input) {
+    if (m_problem.rows.empty() && m_problem.springs.empty()) {
+        velocitiesFromImpulses(m_problem);
+        return;
+    }
+    double residual = 0;
+    if (m_exact) {
+        NewtonReport solved = m_newton.solve(m_problem, m_tolerance);
+        report.factorisations += solved.factorisations;
+        if (!solved.solved) {
+            for (ContactRow& row : m_problem.rows) {
+                row.impulse.setZero();
+                row.rollingImpulse.setZero();
+            }
+            solved = m_newton.solve(m_problem, m_tolerance);
+            report.factorisations += solved.factorisations;
+            if (!solved.solved && m_problem.springs.empty())
+                m_gaussSeidel.solve(m_problem, m_tolerance, rescueSweeps);
+        }
+        residual = solved.residual;
+    } else {
+        residual = m_gaussSeidel.solve(m_problem, m_tolerance, input.settings.iterations);
+    }
+    if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
+}
+
+} // namespace carom
