@@ -25,11 +25,17 @@ void Recording::restart(const World& world) {
     keep(world);
 }
 
-void Recording::note(const World& world) {
-    if (world.state().frame <= m_furthest || !world.health().finite) return;
+bool Recording::note(const World& world) {
+    if (world.state().frame <= m_furthest || !world.health().finite) return false;
     m_furthest = world.state().frame;
     m_costSince += world.statistics().simulate;
     if (isDue(world)) keep(world);
+    return true;
+}
+
+void Recording::setBudget(std::size_t budget) {
+    m_budget = budget;
+    while (m_bytes > m_budget && m_checkpoints.size() > 1) thinOut();
 }
 
 bool Recording::isDue(const World& world) const {
@@ -53,7 +59,7 @@ void Recording::thinOut() {
                               [](std::size_t sum, const Checkpoint& one) { return sum + one.bytes(); });
 }
 
-bool Recording::seek(World& world, std::int64_t frame, const std::function<bool()>& proceed) {
+bool Recording::seek(World& world, std::int64_t frame, const AfterStep& goesOn) {
     ASSERT(!m_checkpoints.empty() && frame >= first());
     const auto behind =
         std::upper_bound(m_checkpoints.begin(), m_checkpoints.end(), frame,
@@ -62,9 +68,10 @@ bool Recording::seek(World& world, std::int64_t frame, const std::function<bool(
     const std::int64_t now = world.state().frame;
     const bool onTheWay = world.health().finite && now >= nearest.frame() && now <= frame;
     if (!onTheWay) world.restore(nearest);
-    while (world.state().frame < frame && world.health().finite && proceed()) {
+    bool goOn = true;
+    while (world.state().frame < frame && world.health().finite && goOn) {
         world.step();
-        note(world);
+        goOn = goesOn(note(world));
     }
     return world.state().frame == frame && world.health().finite;
 }

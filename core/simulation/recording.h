@@ -27,13 +27,17 @@ class Recording {
 
     /// Forgets everything; the world stands where its run begins.
     void restart(const World& world);
-    /// To be called after every step; a frame that was there before changes nothing.
-    void note(const World& world);
+    /// To be called after every step. True if the run had never come so far.
+    bool note(const World& world);
+    void setBudget(std::size_t budget);
 
-    /// Brings the world to `frame`, which must not be before the first one, going through any frames it has
-    /// not been at yet. `proceed` is asked before each step; where it says no, or the world stops being
-    /// healthy, the world stays at the frame it has come to. True if it has arrived.
-    bool seek(World& world, std::int64_t frame, const std::function<bool()>& proceed);
+    /// Called after each step of a seek, with whether the run had never come so far; false breaks the seek
+    /// off.
+    using AfterStep = std::function<bool(bool isNew)>;
+    /// Brings the world to `frame`, which must not be before the first one, also where it has not been yet.
+    /// Broken off, or where the world stops being healthy, it stays at the frame it has come to. True if it
+    /// has arrived.
+    bool seek(World& world, std::int64_t frame, const AfterStep& goesOn);
 
     std::int64_t first() const { return m_checkpoints.empty() ? 0 : m_checkpoints.front().frame(); }
     /// The last frame the run has been at.

@@ -3,6 +3,9 @@
 
 #include <QMetaObject>
 
+#include <cmath>
+#include <utility>
+
 namespace carom {
 
 namespace {
@@ -37,7 +40,17 @@ Simulation::Simulation(QObject* parent)
 void Simulation::load(std::shared_ptr<const Pipeline> pipeline) {
     m_pipeline = std::move(pipeline);
     m_atStart = true;
-    m_thread.post(LoadCommand{m_pipeline, ++m_run});
+    m_underWay = false;
+    m_time = 0;
+    m_thread.post(LoadCommand{m_pipeline, ++m_run, 0});
+    Q_EMIT restarted();
+}
+
+void Simulation::exchange(std::shared_ptr<const Pipeline> pipeline) {
+    m_pipeline = std::move(pipeline);
+    m_underWay = true;
+    const std::int64_t frame = std::llround(m_time / m_pipeline->settings().step);
+    m_thread.post(LoadCommand{m_pipeline, ++m_run, frame});
     Q_EMIT restarted();
 }
 
@@ -59,17 +72,32 @@ void Simulation::togglePlay() {
 void Simulation::step() {
     if (!m_pipeline) return;
     m_atStart = false;
-    m_thread.post(StepCommand{});
+    m_thread.post(StepCommand{1});
+}
+
+void Simulation::stepBack() {
+    if (m_pipeline) m_thread.post(StepCommand{-1});
+}
+
+void Simulation::seek(std::int64_t frame) {
+    if (!m_pipeline) return;
+    m_atStart = m_atStart && frame == 0;
+    m_time = static_cast<double>(frame) * m_pipeline->settings().step;
+    m_thread.post(SeekCommand{frame});
 }
 
 void Simulation::reset() {
     if (!m_pipeline) return;
     m_atStart = true;
+    m_underWay = false;
+    m_time = 0;
     m_thread.post(ResetCommand{++m_run});
     Q_EMIT restarted();
 }
 
 void Simulation::setSpeed(std::optional<double> speed) { m_thread.post(SpeedCommand{speed}); }
+
+void Simulation::setMemoryBudget(std::size_t bytes) { m_thread.post(BudgetCommand{bytes}); }
 
 void Simulation::useBroadphase(const BroadphaseRow* row) { m_thread.post(BroadphaseCommand{row}); }
 
@@ -84,9 +112,22 @@ void Simulation::collect() {
     const std::optional<PublishedSnapshot> published = m_thread.snapshots().take();
     if (batch.frames.empty() && !published) m_timer.stop();
     if (batch.run == m_run && !batch.frames.empty()) Q_EMIT framesArrived(batch.frames);
-    if (!published || published->run != m_run) return;
-    if (m_structureWanted) Q_EMIT structureArrived(published->structure);
-    Q_EMIT snapshotArrived(published->snapshot);
+    if (published && published->run == m_run) show(*published);
+}
+
+void Simulation::show(const PublishedSnapshot& published) {
+    const Snapshot& snapshot = *published.snapshot;
+    m_time = snapshot.time;
+    if (snapshot.frame > 0)
+        m_atStart = false;
+    else if (!isRunning())
+        m_atStart = true;
+    if (std::exchange(m_underWay, false)) Q_EMIT landed();
+    const bool haunted = published.ghost.snapshot != nullptr;
+    if (haunted || m_haunted) Q_EMIT ghostArrived(published.ghost);
+    m_haunted = haunted;
+    if (m_structureWanted) Q_EMIT structureArrived(published.structure);
+    Q_EMIT snapshotArrived(published.snapshot);
 }
 
 } // namespace carom

@@ -27,10 +27,16 @@ class Simulation : public QObject {
 
     /// Puts a scene at frame 0, paused.
     void load(std::shared_ptr<const Pipeline> pipeline);
+    /// Simulates a scene up to the time that is on screen, and goes on from there as it did. The run before
+    /// stays on screen until landed().
+    void exchange(std::shared_ptr<const Pipeline> pipeline);
     void play();
     void pause();
     void togglePlay();
     void step();
+    void stepBack();
+    /// To a frame, where it has been or not; whether it plays or not does not change.
+    void seek(std::int64_t frame);
     void reset();
     /// Simulated seconds a second of wall time; nothing is as fast as possible.
     void setSpeed(std::optional<double> speed);
@@ -38,18 +44,30 @@ class Simulation : public QObject {
     void useBroadphase(const BroadphaseRow* row);
     /// From now on structureArrived() comes before each snapshot, or no longer does.
     void wantStructure(bool wanted);
+    /// Whether exchange() keeps the old run as a ghost.
+    void wantGhost(bool wanted) { m_thread.post(GhostCommand{wanted}); }
 
     const RunStatus& status() const { return m_status; }
     bool isRunning() const { return m_status.state == RunState::Running; }
-    /// Nobody has asked for a step since the scene was loaded or reset.
+    /// Frame 0 is on screen and nobody has asked for another one.
     bool isAtStart() const { return m_atStart; }
+    /// An exchanged scene is on its way to the time on screen.
+    bool isUnderWay() const { return m_underWay; }
+    /// What is on screen, or was asked for and is not there yet [s].
+    double time() const { return m_time; }
+    /// What checkpoints may take [bytes].
+    void setMemoryBudget(std::size_t bytes);
     /// Null until something was loaded.
     std::shared_ptr<const Pipeline> pipeline() const { return m_pipeline; }
 
   Q_SIGNALS:
     void stateChanged(const carom::RunStatus& status);
-    /// A new run begins at frame 0: after load and reset.
+    /// A new run begins: after load, exchange and reset.
     void restarted();
+    /// The exchanged scene has come to the time on screen: its first snapshot follows.
+    void landed();
+    /// The run before the exchange, at the time of the snapshot that comes next.
+    void ghostArrived(const carom::Ghost& ghost);
     /// The broad-phase's grid cells or tree nodes in the snapshot that comes next.
     void structureArrived(const std::vector<carom::Aabb>& boxes);
     void snapshotArrived(const std::shared_ptr<const carom::Snapshot>& snapshot);
@@ -57,11 +75,15 @@ class Simulation : public QObject {
 
   private:
     void collect();
+    void show(const PublishedSnapshot& published);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     RunStatus m_status;
     std::uint64_t m_run = 0;
     bool m_atStart = true;
+    double m_time = 0; ///< [s]
+    bool m_underWay = false;
+    bool m_haunted = false; ///< the snapshot before came with a ghost
     bool m_structureWanted = false;
     QTimer m_timer;
     SimulationThread m_thread; ///< last: it is gone before anything it posts to

@@ -2,6 +2,7 @@
 #include "ui/simulation/simulation_thread.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carom {
@@ -39,30 +40,50 @@ void SimulationThread::post(SimulationCommand command) {
 
 void SimulationThread::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        for (const SimulationCommand& command : nextCommands(stop))
-            std::visit([this](const auto& c) { execute(c); }, command);
+        const std::list<SimulationCommand> next = nextCommand(stop);
+        if (!next.empty()) {
+            std::visit([this](const auto& c) { execute(c); }, next.front());
+            continue;
+        }
         const bool due = !m_speed || Clock::now() >= m_due;
         if (m_state == RunState::Running && due && !stop.stop_requested()) advance();
     }
 }
 
-/// Waits for a command, or for the next frame's time while running.
-std::deque<SimulationCommand> SimulationThread::nextCommands(const std::stop_token& stop) {
+/// Waits for a command, or for the next frame's time while running. One command at a time: the others must be
+/// seen by superseded().
+std::list<SimulationCommand> SimulationThread::nextCommand(const std::stop_token& stop) {
     std::unique_lock lock(m_mutex);
     const auto somethingQueued = [this] { return !m_queue.empty(); };
     if (m_state != RunState::Running)
         m_wake.wait(lock, stop, somethingQueued);
     else if (m_speed)
         m_wake.wait_until(lock, stop, m_due, somethingQueued);
-    return std::exchange(m_queue, {});
+    std::list<SimulationCommand> next;
+    if (!m_queue.empty()) next.splice(next.begin(), m_queue, m_queue.begin());
+    return next;
 }
 
 void SimulationThread::execute(const LoadCommand& command) {
-    m_world = std::make_unique<World>(command.pipeline);
     m_run = command.run;
-    applyBroadphase();
+    if (command.frame > 0) {
+        if (m_world && m_shown && m_ghostWanted) m_ghost = {std::move(m_world), std::move(m_recording)};
+        begin(command.pipeline);
+        seek(command.frame, false);
+        return;
+    }
+    m_ghost.reset();
+    begin(command.pipeline);
     enter(RunState::Paused);
     publish(true);
+}
+
+void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
+    m_world = std::make_unique<World>(pipeline);
+    m_shown = false;
+    applyBroadphase();
+    m_recording = Recording(m_budget);
+    m_recording.restart(*m_world);
 }
 
 void SimulationThread::execute(const RunCommand&) {
@@ -77,17 +98,22 @@ void SimulationThread::execute(const PauseCommand&) {
     publish(true);
 }
 
-void SimulationThread::execute(const StepCommand&) {
-    if (!m_world || m_state == RunState::Stopped) return;
-    enter(RunState::Paused);
-    advance();
-    publish(true);
+void SimulationThread::execute(const StepCommand& command) {
+    if (!m_world || (m_state == RunState::Stopped && command.frames > 0)) return;
+    if (m_state == RunState::Running) enter(RunState::Paused);
+    seek(m_world->state().frame + command.frames, true);
+}
+
+void SimulationThread::execute(const SeekCommand& command) {
+    if (m_world) seek(command.frame, true);
 }
 
 void SimulationThread::execute(const ResetCommand& command) {
     if (!m_world) return;
     m_run = command.run;
+    m_ghost.reset();
     m_world->reset();
+    m_recording.restart(*m_world);
     enter(RunState::Paused);
     publish(true);
 }
@@ -108,6 +134,19 @@ void SimulationThread::execute(const StructureCommand& command) {
     if (m_world && m_structureWanted) publish(true);
 }
 
+void SimulationThread::execute(const BudgetCommand& command) {
+    m_budget = command.bytes;
+    m_recording.setBudget(m_budget);
+    if (m_ghost) m_ghost->recording.setBudget(m_budget);
+}
+
+void SimulationThread::execute(const GhostCommand& command) {
+    m_ghostWanted = command.wanted;
+    if (m_ghostWanted || !m_ghost) return;
+    m_ghost.reset();
+    publish(true);
+}
+
 void SimulationThread::applyBroadphase() {
     if (!m_world) return;
     const BroadphaseRow* wanted =
@@ -123,13 +162,41 @@ void SimulationThread::advance() {
         publish(true);
         return;
     }
-    m_samples.push(m_run, m_world->statistics());
+    if (m_recording.note(*m_world)) m_samples.push(m_run, m_world->statistics());
     const double time = m_world->state().time;
     const bool reachedEnd =
         settings.duration && time >= *settings.duration && time - settings.step < *settings.duration;
     if (reachedEnd && m_state == RunState::Running) enter(RunState::Paused);
     publish(m_state != RunState::Running);
     schedule();
+}
+
+/// The frames on the way are shown if `showing`. A wish that came meanwhile ends the search: the next command
+/// is the one that counts.
+void SimulationThread::seek(std::int64_t frame, bool showing) {
+    bool broken = false;
+    m_recording.seek(*m_world, std::max(frame, m_recording.first()), [&](bool isNew) {
+        if (isNew) m_samples.push(m_run, m_world->statistics());
+        if (showing) publish(false);
+        broken = superseded();
+        return !broken;
+    });
+    if (!m_world->health().finite)
+        enter(RunState::Stopped);
+    else if (m_state == RunState::Stopped)
+        enter(RunState::Paused);
+    m_due = Clock::now();
+    if (showing || !broken) publish(true);
+}
+
+/// Whether a command waits that makes the present search pointless.
+bool SimulationThread::superseded() {
+    if (m_thread.get_stop_token().stop_requested()) return true;
+    const std::lock_guard lock(m_mutex);
+    return std::any_of(m_queue.begin(), m_queue.end(), [](const SimulationCommand& command) {
+        return std::holds_alternative<LoadCommand>(command) || std::holds_alternative<SeekCommand>(command) ||
+               std::holds_alternative<ResetCommand>(command);
+    });
 }
 
 void SimulationThread::schedule() {
@@ -142,9 +209,21 @@ void SimulationThread::publish(bool always) {
     const Clock::time_point now = Clock::now();
     if (!always && now + publishSlack < m_nextPublish) return;
     m_nextPublish = std::max(m_nextPublish + publishInterval, now);
-    m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()),
+    m_shown = true;
+    m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()), ghost(),
                          m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>()});
     m_listener.published();
+}
+
+/// The old run where the new one is now; as far as it went.
+Ghost SimulationThread::ghost() {
+    if (!m_ghost) return {};
+    World& old = *m_ghost->world;
+    const std::int64_t frame = std::llround(m_world->state().time / old.pipeline().settings().step);
+    if (frame > m_ghost->recording.furthest()) return {};
+    const bool there = m_ghost->recording.seek(old, frame, [this](bool) { return !superseded(); });
+    if (!there) return {};
+    return {old.sharedPipeline(), std::make_shared<const Snapshot>(old.snapshot())};
 }
 
 void SimulationThread::enter(RunState state) {

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/simulation/ghost.h"
 #include "ui/simulation/latest.h"
 #include "ui/simulation/sample_queue.h"
 
 #include "core/broadphase/broadphase.h"
 #include "core/simulation/health.h"
 #include "core/simulation/pipeline.h"
+#include "core/simulation/recording.h"
 #include "core/simulation/snapshot.h"
 #include "core/simulation/world.h"
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,7 +28,7 @@
 // The thread that owns the World. Commands come down a queue; snapshots, samples and changes of state go up.
 // What crosses is immutable or a small value, and neither side waits for the other:
 //
-//     GUI ── Load Run Pause Step Reset Speed UseBroadphase ──▶ queue ──▶ World
+//     GUI ── Load Run Pause Step Seek Reset Speed … ─────────▶ queue ──▶ World, Recording
 //     GUI ◀── Latest<PublishedSnapshot>, SampleQueue, state ───────────── World
 
 namespace carom {
@@ -40,10 +43,28 @@ struct RunStatus {
 struct LoadCommand {
     std::shared_ptr<const Pipeline> pipeline;
     std::uint64_t run = 0; ///< tags everything this world sends up
+    /// Where the new run goes before it is shown. At 0 it waits, paused; further on it plays if the run
+    /// before did, which becomes its ghost.
+    std::int64_t frame = 0;
 };
 struct RunCommand {};
 struct PauseCommand {};
-struct StepCommand {};
+/// One frame on, or back, and pause there.
+struct StepCommand {
+    std::int64_t frames = 1;
+};
+/// To a frame, re-simulated where it is not at hand; goes on playing if it did.
+struct SeekCommand {
+    std::int64_t frame = 0;
+};
+/// What checkpoints may take [bytes].
+struct BudgetCommand {
+    std::size_t bytes = 0;
+};
+/// Whether the run that an exchanged scene replaces is kept as its ghost; it is simulated along.
+struct GhostCommand {
+    bool wanted = true;
+};
 struct ResetCommand {
     std::uint64_t run = 0;
 };
@@ -61,12 +82,14 @@ struct StructureCommand {
     bool wanted = false;
 };
 
-using SimulationCommand = std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, ResetCommand,
-                                       SpeedCommand, BroadphaseCommand, StructureCommand>;
+using SimulationCommand =
+    std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand, ResetCommand, SpeedCommand,
+                 BroadphaseCommand, StructureCommand, BudgetCommand, GhostCommand>;
 
 struct PublishedSnapshot {
     std::uint64_t run = 0;
     std::shared_ptr<const Snapshot> snapshot;
+    Ghost ghost;
     std::vector<Aabb> structure; ///< World::broadphaseStructure(), empty unless asked for
 };
 
@@ -83,6 +106,9 @@ class SimulationThread {
     SimulationThread(const SimulationThread&) = delete;
     SimulationThread& operator=(const SimulationThread&) = delete;
 
+    /// What checkpoints take at most until a BudgetCommand says otherwise [bytes].
+    static constexpr std::size_t usualBudget = std::size_t{512} << 20;
+
     void post(SimulationCommand command);
     Latest<PublishedSnapshot>& snapshots() { return m_snapshots; }
     SampleQueue& samples() { return m_samples; }
@@ -91,17 +117,24 @@ class SimulationThread {
     using Clock = std::chrono::steady_clock;
 
     void run(const std::stop_token& stop);
-    std::deque<SimulationCommand> nextCommands(const std::stop_token& stop);
+    std::list<SimulationCommand> nextCommand(const std::stop_token& stop);
     void execute(const LoadCommand& command);
     void execute(const RunCommand& command);
     void execute(const PauseCommand& command);
     void execute(const StepCommand& command);
+    void execute(const SeekCommand& command);
     void execute(const ResetCommand& command);
     void execute(const SpeedCommand& command);
     void execute(const BroadphaseCommand& command);
     void execute(const StructureCommand& command);
+    void execute(const BudgetCommand& command);
+    void execute(const GhostCommand& command);
 
+    void begin(const std::shared_ptr<const Pipeline>& pipeline);
+    Ghost ghost();
     void advance();
+    void seek(std::int64_t frame, bool showing);
+    bool superseded();
     void schedule();
     void applyBroadphase();
     void publish(bool always);
@@ -113,10 +146,19 @@ class SimulationThread {
 
     std::mutex m_mutex; ///< of the queue only
     std::condition_variable_any m_wake;
-    std::deque<SimulationCommand> m_queue;
+    std::list<SimulationCommand> m_queue;
 
     // Everything below belongs to the thread.
+    struct Past {
+        std::unique_ptr<World> world;
+        Recording recording;
+    };
     std::unique_ptr<World> m_world;
+    std::size_t m_budget = usualBudget;
+    Recording m_recording{usualBudget};
+    std::optional<Past> m_ghost;
+    bool m_ghostWanted = true;
+    bool m_shown = false; ///< the world has been on screen: worth being a ghost
     std::uint64_t m_run = 0;
     RunState m_state = RunState::Paused;
     std::optional<double> m_speed = 1.0;

@@ -1,64 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/overlays.h"
 
-#include "core/math/rotation.h"
+#include "ui/viewport/line_pen.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 
 namespace {
 
 constexpr double velocityTime = 0.1; ///< [s]: an arrow is the way of this time
-constexpr double headShare = 0.2;    ///< of an arrow's length
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
-    pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45);
+    pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
+    trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30);
 
-class Pen {
-  public:
-    explicit Pen(std::vector<LineVertex>& lines) : m_lines(lines) {}
+/// Two states of one body that differ less than this, relative to its size, are one picture.
+constexpr double sameWithin = 1e-6;
 
-    void line(const Vec3& from, const Vec3& to, const Vec3& colour) {
-        for (const Vec3* end : {&from, &to}) {
-            LineVertex vertex{};
-            for (int axis = 0; axis < 3; ++axis) {
-                vertex.position[axis] = static_cast<float>((*end)[axis]);
-                vertex.colour[axis] = static_cast<float>(colour[axis]);
-            }
-            m_lines.push_back(vertex);
-        }
+bool looksTheSame(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB) {
+    if (kindOf(a) != kindOf(b) || isWall(a)) return false;
+    const double size = boundingRadiusOf(a);
+    const Vec3 grown = boundsOf(a, {}).size() - boundsOf(b, {}).size();
+    return grown.norm() <= sameWithin * size &&
+           (poseA.position - poseB.position).norm() <= sameWithin * size &&
+           std::abs(poseA.orientation.dot(poseB.orientation)) >= 1 - sameWithin;
+}
+
+/// Mobile bodies of the old run as wire, but for those that are where they are in the new one.
+void drawGhost(LinePen& pen, const GhostState& ghost, const OverlayState& state) {
+    const std::vector<Body>& old = ghost.scene->bodies;
+    const bool sameBodies = old.size() == state.scene.bodies.size();
+    for (std::size_t i = 0; i < std::min(old.size(), ghost.poses.size()); ++i) {
+        if (isWall(old[i].shape) || !ghost.poses[i].position.allFinite()) continue;
+        if (sameBodies &&
+            looksTheSame(old[i].shape, ghost.poses[i], state.scene.bodies[i].shape, state.poses[i]))
+            continue;
+        pen.outline(old[i].shape, ghost.poses[i], ghostColour);
     }
+}
 
-    void arrow(const Vec3& from, const Vec3& along, const Vec3& colour) {
-        const double length = along.norm();
-        if (!(length > 0)) return;
-        const Vec3 tip = from + along;
-        line(from, tip, colour);
-        const Tangents across = tangentsOf(along / length);
-        const Vec3 back = tip - headShare * along;
-        for (const Vec3& side : {across.first, across.second})
-            for (const double sign : {-0.4, 0.4}) line(tip, back + sign * headShare * length * side, colour);
+/// The centre of mass of all mobile bodies, as a star as large as a body.
+void drawCentreOfMass(LinePen& pen, const OverlayState& state) {
+    Vec3 sum = Vec3::Zero();
+    double mass = 0, size = 0;
+    for (std::size_t i = 0; i < std::min(state.scene.bodies.size(), state.poses.size()); ++i) {
+        const Body& body = state.scene.bodies[i];
+        if (isWall(body.shape) || !body.mobile()) continue;
+        sum += body.mass * state.poses[i].position;
+        mass += body.mass;
+        size = std::max(size, boundingRadiusOf(body.shape));
     }
-
-    void box(const Aabb& box, const Vec3& colour) {
-        const auto corner = [&](int i) {
-            return Vec3(i & 1 ? box.upper.x() : box.lower.x(), i & 2 ? box.upper.y() : box.lower.y(),
-                        i & 4 ? box.upper.z() : box.lower.z());
-        };
-        for (int i = 0; i < 8; ++i)
-            for (const int axis : {1, 2, 4})
-                if (!(i & axis)) line(corner(i), corner(i | axis), colour);
-    }
-
-  private:
-    std::vector<LineVertex>& m_lines;
-};
+    if (!(mass > 0) || !sum.allFinite()) return;
+    pen.star(sum / mass, 1.5 * size, centreColour);
+}
 
 } // namespace
 
 std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& state) {
     std::vector<LineVertex> lines;
-    Pen pen(lines);
+    LinePen pen(lines);
     if (holds(overlays, Overlay::Axes))
         for (int axis = 0; axis < 3; ++axis) {
             // Lighter than the pure colours, of which blue would drown in the dark theme.
@@ -89,6 +90,11 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
             for (const BodyIndex i : {pair.a, pair.b})
                 pen.box(boundsOf(state.scene.bodies[i].shape, state.poses[i]), pairColour);
         }
+    if (holds(overlays, Overlay::Trails))
+        for (const std::vector<Vec3>& trail : state.trails)
+            for (std::size_t i = 1; i < trail.size(); ++i) pen.line(trail[i - 1], trail[i], trailColour);
+    if (holds(overlays, Overlay::CentreOfMass)) drawCentreOfMass(pen, state);
+    if (state.ghost.scene != nullptr) drawGhost(pen, state.ghost, state);
     if (holds(overlays, Overlay::Structure))
         for (const Aabb& box : state.structure) pen.box(box, structureColour);
     return lines;

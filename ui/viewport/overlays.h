@@ -3,6 +3,7 @@
 
 #include "core/scene/scene.h"
 #include "core/simulation/touching.h"
+#include "ui/viewport/line_pen.h"
 
 #include <cstdint>
 #include <span>
@@ -14,14 +15,16 @@
 
 namespace carom {
 
-enum class Overlay : std::uint8_t {
+enum class Overlay : std::uint16_t {
     Axes = 1,       ///< the world's, at its origin: x red, y green, z blue
     Boxes = 2,      ///< what the broad-phase sees of each body
     Velocities = 4, ///< where each body would be after a tenth of a second
     Contacts = 8,   ///< touching pairs: the points, and the normal as long as a ball is thick
     Labels = 16,
-    Pairs = 32,     ///< boxes that overlap, and a line from centre to centre of their bodies
-    Structure = 64, ///< the broad-phase's grid cells or tree nodes
+    Pairs = 32,         ///< boxes that overlap, and a line from centre to centre of their bodies
+    Structure = 64,     ///< the broad-phase's grid cells or tree nodes
+    Trails = 128,       ///< the way each body has come lately
+    CentreOfMass = 256, ///< of all mobile bodies
 };
 
 /// A set of Overlay values, added up.
@@ -29,21 +32,23 @@ using Overlays = unsigned;
 
 constexpr bool holds(Overlays overlays, Overlay one) { return (overlays & static_cast<unsigned>(one)) != 0; }
 
-/// Two in a row make a line.
-struct LineVertex {
-    float position[3]; ///< [m]
-    float colour[3];   ///< as displayed, 0..1
+/// Another run of much the same scene, to compare with.
+struct GhostState {
+    const Scene* scene = nullptr; ///< null: none
+    std::span<const Pose> poses;
 };
 
 /// A state as overlays see it.
 struct OverlayState {
     const Scene& scene;
     std::span<const Pose> poses;
-    std::span<const Vec3> velocities;       ///< [m/s]
-    std::span<const TouchingPair> touching; ///< needed for Contacts only
-    std::span<const BodyPair> overlapping;  ///< needed for Pairs only
-    std::span<const Aabb> structure;        ///< needed for Structure only
-    double size = 1;                        ///< of the scene [m]: axes are a quarter of it long
+    std::span<const Vec3> velocities;               ///< [m/s]
+    std::span<const TouchingPair> touching;         ///< needed for Contacts only
+    std::span<const BodyPair> overlapping;          ///< needed for Pairs only
+    std::span<const Aabb> structure;                ///< needed for Structure only
+    std::span<const std::vector<Vec3>> trails = {}; ///< needed for Trails only; positions, oldest first [m]
+    GhostState ghost = {};                          ///< drawn where there is one
+    double size = 1;                                ///< of the scene [m]: axes are a quarter of it long
 };
 
 std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& state);

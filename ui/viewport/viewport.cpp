@@ -76,7 +76,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const bool first = !m_pipeline;
     m_pipeline = std::move(pipeline);
     m_snapshot.reset();
-    m_structure.clear();
+    m_explanations.clear();
     m_startPoses.clear();
     m_sceneChanged = m_linesChanged = true;
     redraw();
@@ -104,12 +104,19 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
 void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
     m_snapshot = std::move(snapshot);
+    m_explanations.note(*m_pipeline, *m_snapshot);
     m_linesChanged = true;
     redraw();
 }
 
 void Viewport::showStructure(std::vector<Aabb> boxes) {
-    m_structure = std::move(boxes);
+    m_explanations.setStructure(std::move(boxes));
+    m_linesChanged = true;
+    redraw();
+}
+
+void Viewport::showGhost(const Ghost& ghost) {
+    m_explanations.setGhost(ghost);
     m_linesChanged = true;
     redraw();
 }
@@ -129,63 +136,14 @@ void Viewport::setDimmed(bool dimmed, const QString& badge) {
 }
 
 void Viewport::setOverlays(Overlays overlays) {
-    m_overlays = overlays;
+    m_explanations.setOverlays(overlays);
     m_linesChanged = true;
     redraw();
 }
 
 void Viewport::setOverlay(Overlay overlay, bool shown) {
     const Overlays one = static_cast<Overlays>(overlay);
-    setOverlays(shown ? m_overlays | one : m_overlays & ~one);
-}
-
-void Viewport::updateLines() {
-    std::vector<LineVertex> lines;
-    if (m_pipeline && m_overlays != 0) {
-        State state = m_pipeline->initialState();
-        if (m_snapshot) {
-            state.pose = m_snapshot->pose;
-            state.velocity = m_snapshot->velocity;
-            state.angularVelocity = m_snapshot->angularVelocity;
-        }
-        std::vector<TouchingPair> touching;
-        // Contacts of a snapshot are found anew: what the simulation knows of them stays on its own thread.
-        if (holds(m_overlays, Overlay::Contacts)) touching = touchingPairs(m_pipeline->bodies(), state);
-        std::vector<BodyPair> overlapping;
-        if (holds(m_overlays, Overlay::Pairs))
-            overlapping = overlappingPairs(m_pipeline->bodies(), state.pose);
-        lines = overlayLines(m_overlays, {.scene = m_pipeline->scene(),
-                                          .poses = state.pose,
-                                          .velocities = state.velocity,
-                                          .touching = touching,
-                                          .overlapping = overlapping,
-                                          .structure = m_structure,
-                                          .size = boundsOf(m_pipeline->scene(), m_startPoses).size().norm()});
-    }
-    m_renderer->showLines(lines);
-}
-
-void Viewport::paintLabels() {
-    if (!m_pipeline) return;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const QColor text = m_dark ? QColor(235, 238, 242) : QColor(20, 24, 28);
-    QColor ground = m_dark ? QColor(20, 22, 28) : QColor(255, 255, 255);
-    ground.setAlpha(170);
-    const Scene& scene = m_pipeline->scene();
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (scene.bodies[i].label.empty() || isWall(scene.bodies[i].shape)) continue;
-        const std::optional<Eigen::Vector2d> at = projected(m_camera, pictureSize(), poses()[i].position);
-        if (!at || !at->allFinite()) continue;
-        const QString words = QString::fromStdString(scene.bodies[i].label);
-        QRectF box(painter.fontMetrics().boundingRect(words).adjusted(-4, -1, 4, 1));
-        box.moveCenter({at->x(), at->y()});
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(ground);
-        painter.drawRoundedRect(box, 3, 3);
-        painter.setPen(text);
-        painter.drawText(box, Qt::AlignCenter, words);
-    }
+    setOverlays(shown ? overlays() | one : overlays() & ~one);
 }
 
 void Viewport::setDarkTheme(bool dark) {
@@ -275,7 +233,9 @@ void Viewport::paintGL() {
     static const Scene nothing;
     if (m_sceneChanged) m_renderer->show(m_pipeline ? m_pipeline->scene() : nothing, m_room);
     m_sceneChanged = false;
-    if (m_linesChanged) updateLines();
+    if (m_linesChanged)
+        m_renderer->showLines(m_pipeline ? m_explanations.lines(*m_pipeline, m_snapshot.get())
+                                         : std::vector<LineVertex>());
     m_linesChanged = false;
     const double scale = devicePixelRatioF();
     const PictureSize size = pictureSize();
@@ -285,7 +245,10 @@ void Viewport::paintGL() {
                                .selected = m_selected,
                                .dimmed = m_dimmed,
                                .smooth = m_atRest || !m_renderer->isSoftware()});
-    if (holds(m_overlays, Overlay::Labels)) paintLabels();
+    if (m_pipeline && holds(overlays(), Overlay::Labels)) {
+        QPainter painter(this);
+        paintLabels(painter, m_pipeline->scene(), poses(), m_camera, size, m_dark);
+    }
     // OpenGL only queues the work; the time that counts is the one until it is done.
     m_renderer->finish();
     m_lastRenderTime = watch.elapsed();

@@ -4,7 +4,7 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
 #include "ui/viewport/camera.h"
-#include "ui/viewport/overlays.h"
+#include "ui/viewport/explanations.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/room.h"
 
@@ -39,6 +39,8 @@ class Viewport : public QOpenGLWidget {
     void showSnapshot(std::shared_ptr<const Snapshot> snapshot);
     /// The cells or nodes that Overlay::Structure draws with the snapshot that comes next.
     void showStructure(std::vector<Aabb> boxes);
+    /// The run before an edit, drawn as wire with the snapshot that comes next; an empty one clears.
+    void showGhost(const Ghost& ghost);
     /// Outlines a body; noBody clears.
     void setSelectedBody(BodyIndex body);
     BodyIndex selectedBody() const { return m_selected; }
@@ -49,7 +51,7 @@ class Viewport : public QOpenGLWidget {
     /// Which explanations are drawn over the bodies.
     void setOverlays(Overlays overlays);
     void setOverlay(Overlay overlay, bool shown);
-    Overlays overlays() const { return m_overlays; }
+    Overlays overlays() const { return m_explanations.overlays(); }
 
     const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
@@ -92,15 +94,13 @@ class Viewport : public QOpenGLWidget {
     void lookFrom(double yaw, double pitch);
     void placeBadge();
     void dropRenderer();
-    void updateLines();
-    void paintLabels();
     void moveCamera();
     void redraw();
 
     std::unique_ptr<Renderer> m_renderer;
     std::shared_ptr<const Pipeline> m_pipeline;
     std::shared_ptr<const Snapshot> m_snapshot;
-    std::vector<Aabb> m_structure; ///< of the broad-phase, for its overlay
+    Explanations m_explanations;
     std::vector<Pose> m_startPoses;
     Room m_room;
     Camera m_camera;
@@ -109,7 +109,6 @@ class Viewport : public QOpenGLWidget {
     bool m_sceneChanged = true; ///< the renderer has not seen m_pipeline yet
     bool m_cameraMoved = false; ///< by the user: resizing no longer frames the scene anew
     bool m_dark = true;
-    Overlays m_overlays = 0;
     bool m_linesChanged = false;
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;

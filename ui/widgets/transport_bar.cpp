@@ -60,7 +60,7 @@ TransportBar::TransportBar(const Actions& actions, QWidget* parent)
     QHBoxLayout* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
     row->setSpacing(6);
-    for (const ActionId id : {ActionId::Play, ActionId::Step, ActionId::Reset})
+    for (const ActionId id : {ActionId::Reset, ActionId::StepBack, ActionId::Play, ActionId::Step})
         row->addWidget(button(actions[id], this));
     row->addSpacing(8);
     row->addWidget(m_status);

@@ -16,10 +16,24 @@ int errorCount(const SharedBuild& result) {
         all.begin(), all.end(), [](const Diagnostic& d) { return d.severity() == Severity::Error; }));
 }
 
+/// Whether two texts differ in comments and white space at most.
+bool sayTheSame(const Analysis& a, const Analysis& b) {
+    const auto isComment = [](const Token& token) { return token.kind == TokenKind::Comment; };
+    std::size_t i = 0, k = 0;
+    for (;; ++i, ++k) {
+        while (i < a.tokens.size() && isComment(a.tokens[i])) ++i;
+        while (k < b.tokens.size() && isComment(b.tokens[k])) ++k;
+        if (i == a.tokens.size() || k == b.tokens.size()) return i == a.tokens.size() && k == b.tokens.size();
+        if (textOf(a.text, a.tokens[i].range) != textOf(b.text, b.tokens[k].range)) return false;
+    }
+}
+
 } // namespace
 
 LivePreview::LivePreview(Simulation& simulation, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_simulation(simulation), m_viewport(viewport) {}
+    : QObject(parent), m_simulation(simulation), m_viewport(viewport) {
+    connect(&simulation, &Simulation::landed, this, &LivePreview::land);
+}
 
 void LivePreview::take(const SharedBuild& result) {
     const int errors = errorCount(result);
@@ -31,6 +45,11 @@ void LivePreview::take(const SharedBuild& result) {
         return;
     }
     m_viewport.setDimmed(false, {});
+    const SharedBuild& newest = m_coming ? m_coming : m_shown;
+    if (!result->fresh && newest && sayTheSame(newest->build.analysis, result->build.analysis)) {
+        if (!m_coming) Q_EMIT noticeChanged({});
+        return;
+    }
     if (result->fresh || m_simulation.isAtStart()) {
         show(result);
         Q_EMIT noticeChanged(errors == 0 ? QString()
@@ -39,25 +58,34 @@ void LivePreview::take(const SharedBuild& result) {
                                  : tr("%1 errors: the declarations they are in are left out").arg(errors));
         return;
     }
-    m_waiting = result;
-    Q_EMIT noticeChanged(tr("The text has changed: Reset (Shift+F5) shows it"));
+    m_coming = result;
+    Q_EMIT noticeChanged(tr("Simulating the changed scene to %1 s…").arg(m_simulation.time(), 0, 'f', 3));
+    m_simulation.exchange(result->build.pipeline);
 }
 
 void LivePreview::reset() {
-    if (!m_waiting) {
+    if (!m_coming) {
         m_simulation.reset();
         return;
     }
-    show(m_waiting);
+    show(m_coming);
     Q_EMIT noticeChanged({});
 }
 
 void LivePreview::show(SharedBuild result) {
     m_shown = std::move(result);
-    m_waiting.reset();
+    m_coming.reset();
     m_viewport.showPipeline(m_shown->build.pipeline);
     m_simulation.load(m_shown->build.pipeline);
     Q_EMIT shownChanged(m_shown);
+}
+
+void LivePreview::land() {
+    m_shown = std::move(m_coming);
+    m_coming.reset();
+    m_viewport.showPipeline(m_shown->build.pipeline);
+    Q_EMIT shownChanged(m_shown);
+    Q_EMIT noticeChanged({});
 }
 
 } // namespace carom

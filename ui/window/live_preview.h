@@ -10,9 +10,10 @@ namespace carom {
 class Simulation;
 class Viewport;
 
-/// Decides which build is on screen and in motion. While nothing has moved yet an edit shows its scene at
-/// once; once the run has left frame 0 the newest scene waits for the reset. While the text has errors the
-/// last scene without stays, dimmed; a file that is opened with errors shows what could be built.
+/// Decides which build is on screen and in motion. At frame 0 an edit shows its scene at once; later in a run
+/// the new scene is simulated to the time on screen and takes the place of the old one there, which stays as
+/// a ghost. While the text has errors the last scene without stays, dimmed; a file that is opened with errors
+/// shows what could be built. An edit that means the same, such as a comment, changes nothing.
 class LivePreview : public QObject {
     Q_OBJECT
   public:
@@ -32,11 +33,12 @@ class LivePreview : public QObject {
 
   private:
     void show(SharedBuild result);
+    void land();
 
     Simulation& m_simulation;
     Viewport& m_viewport;
     SharedBuild m_shown;
-    SharedBuild m_waiting; ///< for the reset
+    SharedBuild m_coming; ///< on its way to the time on screen
 };
 
 } // namespace carom

@@ -10,6 +10,7 @@
 #include "ui/editor/find_bar.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/actions.h"
 #include "ui/window/settings.h"
@@ -40,7 +41,7 @@ constexpr int textWidth = 580;        // [px] of the editor
 
 MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     : m_actions(new Actions(this)), m_editor(new SceneEditor(theme)), m_findBar(new FindBar(*m_editor)),
-      m_viewport(new Viewport), m_transport(new TransportBar(*m_actions)),
+      m_viewport(new Viewport), m_timeline(new Timeline), m_transport(new TransportBar(*m_actions)),
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
       m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)), m_output(new OutputDock),
       m_caret(new QLabel) {
@@ -90,6 +91,7 @@ void MainWindow::placeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_splitter, 1);
+    column->addWidget(m_timeline);
     column->addWidget(m_transport);
     setCentralWidget(centre);
 }
@@ -156,6 +158,7 @@ void MainWindow::setTheme(const Theme& theme) {
     m_actions->setTheme(theme);
     m_editor->setTheme(theme);
     m_viewport->setDarkTheme(theme.dark);
+    m_timeline->setTheme(theme);
     m_problems->setTheme(theme);
     m_outline->setTheme(theme);
     m_effects->setTheme(theme);

@@ -21,6 +21,7 @@ class OutputDock;
 class ProblemsDock;
 class SceneEditor;
 class Settings;
+class Timeline;
 class TimingDock;
 class TransportBar;
 class Viewport;
@@ -30,6 +31,7 @@ class Viewport;
 ///     menu bar, toolbar
 ///     editor            │ viewport
 ///     find bar          │                 outline | effects
+///     timeline ──────────────────────────
 ///     transport ─────────────────────────
 ///     problems | timing | broad-phase | output
 class MainWindow : public QMainWindow {
@@ -42,6 +44,7 @@ class MainWindow : public QMainWindow {
     SceneEditor& editor() const { return *m_editor; }
     FindBar& findBar() const { return *m_findBar; }
     Viewport& viewport() const { return *m_viewport; }
+    Timeline& timeline() const { return *m_timeline; }
     TransportBar& transport() const { return *m_transport; }
     ProblemsDock& problems() const { return *m_problems; }
     TimingDock& timing() const { return *m_timing; }
@@ -73,6 +76,7 @@ class MainWindow : public QMainWindow {
     SceneEditor* m_editor;
     FindBar* m_findBar;
     Viewport* m_viewport;
+    Timeline* m_timeline;
     TransportBar* m_transport;
     ProblemsDock* m_problems;
     TimingDock* m_timing;

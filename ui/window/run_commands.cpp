@@ -6,6 +6,7 @@
 #include "ui/simulation/frame_log.h"
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/actions.h"
 #include "ui/window/live_preview.h"
@@ -31,6 +32,7 @@ void RunCommands::connectActions() {
     const Actions& actions = m_window.actions();
     connect(&actions[ActionId::Play], &QAction::triggered, &m_simulation, &Simulation::togglePlay);
     connect(&actions[ActionId::Step], &QAction::triggered, &m_simulation, &Simulation::step);
+    connect(&actions[ActionId::StepBack], &QAction::triggered, &m_simulation, &Simulation::stepBack);
     connect(&actions[ActionId::Reset], &QAction::triggered, &m_preview, &LivePreview::reset);
     Viewport& viewport = m_window.viewport();
     connect(&actions[ActionId::FrameSelection], &QAction::triggered, &viewport, &Viewport::frameSelection);
@@ -44,6 +46,8 @@ void RunCommands::connectActions() {
         {ActionId::ShowVelocities, Overlay::Velocities},
         {ActionId::ShowContacts, Overlay::Contacts},
         {ActionId::ShowLabels, Overlay::Labels},
+        {ActionId::ShowTrails, Overlay::Trails},
+        {ActionId::ShowCentreOfMass, Overlay::CentreOfMass},
     };
     for (const auto& row : overlays) {
         actions[row.first].setCheckable(true);
@@ -51,12 +55,15 @@ void RunCommands::connectActions() {
                 [&viewport, overlay = row.second](bool shown) { viewport.setOverlay(overlay, shown); });
     }
     connect(&actions[ActionId::ShowStructure], &QAction::toggled, &m_simulation, &Simulation::wantStructure);
+    actions[ActionId::ShowGhost].setCheckable(true);
+    actions[ActionId::ShowGhost].setChecked(true);
+    connect(&actions[ActionId::ShowGhost], &QAction::toggled, &m_simulation, &Simulation::wantGhost);
 
     // Keys that mean something else in the text, so only the viewport has them.
     const std::pair<QKeySequence, ActionId> viewportKeys[] = {
-        {Qt::Key_Space, ActionId::Play},     {Qt::Key_Right, ActionId::Step},
-        {Qt::Key_Plus, ActionId::Faster},    {Qt::Key_Minus, ActionId::Slower},
-        {Qt::Key_Equal, ActionId::RealTime},
+        {Qt::Key_Space, ActionId::Play},    {Qt::Key_Right, ActionId::Step},
+        {Qt::Key_Left, ActionId::StepBack}, {Qt::Key_Plus, ActionId::Faster},
+        {Qt::Key_Minus, ActionId::Slower},  {Qt::Key_Equal, ActionId::RealTime},
     };
     for (const auto& [key, id] : viewportKeys) {
         QShortcut* shortcut = new QShortcut(key, &viewport, nullptr, nullptr, Qt::WidgetShortcut);
@@ -68,13 +75,22 @@ void RunCommands::connectActions() {
 
 void RunCommands::connectFrames() {
     Viewport& viewport = m_window.viewport();
+    Timeline& timeline = m_window.timeline();
+    connect(&timeline, &Timeline::seeked, &m_simulation, &Simulation::seek);
+    connect(&m_simulation, &Simulation::framesArrived, &timeline, &Timeline::addFrames);
+    connect(&m_simulation, &Simulation::restarted, this, [this, &timeline] {
+        const RunSettings& settings = m_simulation.pipeline()->settings();
+        timeline.restart(settings.step, settings.duration);
+    });
     connect(&m_simulation, &Simulation::structureArrived, &viewport, &Viewport::showStructure);
+    connect(&m_simulation, &Simulation::ghostArrived, &viewport, &Viewport::showGhost);
     connect(&m_simulation, &Simulation::framesArrived, &m_log, &FrameLog::addFrames);
     connect(&m_simulation, &Simulation::snapshotArrived, this,
             [this, &viewport](const std::shared_ptr<const Snapshot>& snapshot) {
                 m_log.noteShown(snapshot->frame);
                 viewport.showSnapshot(snapshot);
                 m_window.transport().showTime(snapshot->frame, snapshot->time);
+                m_window.timeline().showFrame(snapshot->frame);
             });
     connect(&viewport, &Viewport::frameRendered, &m_log, &FrameLog::noteRendered);
     connect(&m_simulation, &Simulation::restarted, &m_log, &FrameLog::clear);
@@ -90,6 +106,7 @@ void RunCommands::connectPanels() {
                 broadphase.addSamples(samples);
             });
     connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
+    connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);
     connect(&m_simulation, &Simulation::restarted, &broadphase, &BroadphaseDock::clear);
     connect(&broadphase, &BroadphaseDock::algorithmChosen, this, [this](const BroadphaseRow* row) {
         m_simulation.useBroadphase(row);
@@ -112,6 +129,7 @@ void RunCommands::showStatus(const RunStatus& status) {
     m_window.actions()[ActionId::Step].setEnabled(!stopped);
     m_window.transport().showStatus(status);
     if (!stopped) return;
+    m_window.timeline().markWarning(status.health.frame);
     const std::string name = m_simulation.pipeline()->scene().nameOf(status.health.body);
     const QString quantity = QString::fromUtf8(status.health.quantity.data(),
                                                static_cast<qsizetype>(status.health.quantity.size()));

@@ -36,7 +36,7 @@ std::shared_ptr<const Pipeline> pipelineOf(const Scene& scene, std::string_view 
     return std::make_shared<const Pipeline>(scene, options);
 }
 
-bool always() { return true; }
+bool always(bool) { return true; }
 
 /// A pile that comes to rest on a floor: impacts, contacts and rest.
 Scene pile() {
@@ -71,7 +71,7 @@ class RecordingTest : public QObject {
         const Build built = build(text.toStdString());
         const std::shared_ptr<const Pipeline> pipeline =
             pipelineOf(built.pipeline->scene(), method.toStdString());
-        const int half = pipeline->bodies().count() > 300 ? 20 : 90;
+        const int half = pipeline->bodies().count() > 100 ? 5 : 90;
         World whole(pipeline);
         test::run(whole, half);
         const Checkpoint middle = whole.checkpoint();
@@ -136,12 +136,18 @@ class RecordingTest : public QObject {
         Recording recording(plenty);
         recording.restart(world);
         int allowed = 25;
-        QVERIFY(!recording.seek(world, 100, [&allowed] { return allowed-- > 0; }));
+        QVERIFY(!recording.seek(world, 100, [&allowed](bool isNew) { return isNew && --allowed > 0; }));
         QCOMPARE(world.state().frame, std::int64_t{25});
         QCOMPARE(recording.furthest(), std::int64_t{25});
         QVERIFY(recording.seek(world, 100, always));
         QCOMPARE(recording.furthest(), std::int64_t{100});
+        int repeated = 0;
         QVERIFY(recording.seek(world, 3, always));
+        QVERIFY(recording.seek(world, 30, [&repeated](bool isNew) {
+            repeated += isNew ? 0 : 1;
+            return true;
+        }));
+        QCOMPARE(repeated, 27);
         QCOMPARE(recording.furthest(), std::int64_t{100});
     }
 

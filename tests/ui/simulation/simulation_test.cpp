@@ -87,6 +87,115 @@ class SimulationTest : public QObject {
         QVERIFY(simulation.isAtStart());
     }
 
+    void seekingShowsTheFrameOnceMoreToTheBitAndCountsItOnce() {
+        const std::shared_ptr<const Pipeline> pipeline = compiled(jostling());
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(pipeline);
+        simulation.seek(150); // where it has not been yet
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 150, patience);
+        simulation.seek(70);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 70, patience);
+        World alone(pipeline);
+        while (alone.state().frame < 70) alone.step();
+        for (std::size_t body = 0; body < alone.state().pose.size(); ++body)
+            QCOMPARE(witness.newest->pose[body].position, alone.state().pose[body].position);
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 71, patience);
+        simulation.stepBack();
+        simulation.stepBack();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 69, patience);
+        simulation.seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        simulation.stepBack(); // there is nothing before the start
+        simulation.seek(151);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 151, patience);
+        QCOMPARE(witness.frames.size(), std::size_t{151});
+        for (std::size_t i = 0; i < witness.frames.size(); ++i)
+            QCOMPARE(witness.frames[i], static_cast<std::int64_t>(i) + 1);
+    }
+
+    void seekingNeverChangesPlayOrPause() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        simulation.setSpeed(0.01); // a frame in 1.7 s: it plays, but moves by itself only after the checks
+        simulation.play();
+        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning(), patience);
+        simulation.seek(90);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frame() >= 90, patience);
+        QVERIFY(simulation.isRunning());
+        simulation.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        simulation.seek(10);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 10, patience);
+        QVERIFY(!simulation.isRunning());
+    }
+
+    void ofManyWishesOnlyTheLastIsFulfilled() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled(jostling()));
+        for (int frame = 1000; frame > 0; frame -= 10) simulation.seek(frame);
+        simulation.seek(5);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 5, patience);
+        simulation.step();
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 6, patience);
+        QVERIFY(witness.frames.size() < 1000); // the first wish was given up on the way
+    }
+
+    void anExchangedSceneLandsAtTheTimeOnScreenWithTheOldRunAsItsGhost() {
+        const std::shared_ptr<const Pipeline> before = compiled(jostling());
+        const std::shared_ptr<const Pipeline> after = compiled("gravity { accel 0,-5,0 }" + jostling());
+        Simulation simulation;
+        Witness witness(simulation);
+        Ghost ghost;
+        QObject::connect(&simulation, &Simulation::ghostArrived, [&ghost](const Ghost& g) { ghost = g; });
+        QSignalSpy landed(&simulation, &Simulation::landed);
+        simulation.load(before);
+        simulation.seek(40);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, patience);
+        QVERIFY(!ghost.snapshot);
+        witness.newest.reset();
+        simulation.exchange(after);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, patience);
+        QCOMPARE(landed.count(), 1);
+        QVERIFY(!simulation.isRunning());
+        const auto centreAt40 = [](const std::shared_ptr<const Pipeline>& pipeline) {
+            World alone(pipeline);
+            while (alone.state().frame < 40) alone.step();
+            return alone.state().pose[1].position;
+        };
+        QCOMPARE(witness.newest->pose[1].position, centreAt40(after));
+        QVERIFY(ghost.snapshot && ghost.pipeline == before);
+        QCOMPARE(ghost.snapshot->pose[1].position, centreAt40(before));
+        simulation.seek(20); // the ghost goes along
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, patience);
+        QCOMPARE(ghost.snapshot->frame, std::int64_t{20});
+        simulation.seek(41); // as far as it went
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 41, patience);
+        QVERIFY(!ghost.snapshot);
+        simulation.seek(30);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 30, patience);
+        QVERIFY(ghost.snapshot);
+        simulation.wantGhost(false);
+        QTRY_VERIFY_WITH_TIMEOUT(!ghost.snapshot, patience);
+    }
+
+    void aRunThatStoppedCanBeTakenBack() {
+        Simulation simulation;
+        Witness witness(simulation);
+        simulation.load(compiled("gravity { accel 0,-1e306,0 } simulation { step 1 }"
+                                 "sphere { radius 1 mass 1 centre 0,0,0 }"));
+        simulation.setSpeed(std::nullopt);
+        simulation.play();
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, patience);
+        simulation.seek(3);
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Paused, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 3, patience);
+        QVERIFY(witness.newest->health.finite);
+    }
+
     void nothingOfAnEarlierRunArrivesAfterLoading() {
         Simulation simulation;
         simulation.setSpeed(std::nullopt);

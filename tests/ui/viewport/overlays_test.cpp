@@ -46,6 +46,53 @@ class OverlaysTest : public QObject {
         QVERIFY(std::abs(total - 4 * (2 + 4 + 6)) < inFloats);
     }
 
+    void aGhostIsWireWhereABodyIsElsewhereThanInTheOldRun() {
+        const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0}), cuboid({2, 2, 2}, 1, {9, 0, 0})});
+        const State state = Pipeline(scene).initialState();
+        std::vector<Pose> old = state.pose;
+        const auto ghostOf = [&](const Scene& before) {
+            return overlayLines(0, {.scene = scene,
+                                    .poses = state.pose,
+                                    .velocities = {},
+                                    .touching = {},
+                                    .overlapping = {},
+                                    .structure = {},
+                                    .ghost = {&before, old}});
+        };
+        QVERIFY(ghostOf(scene).empty());
+        old[1].position.y() = 3;
+        const std::vector<LineVertex> edges = ghostOf(scene);
+        QCOMPARE(edges.size(), 24U); // the cuboid's, the sphere is where it was
+        for (const LineVertex& vertex : edges) QVERIFY(std::abs(at(vertex).y() - 3) - 1 < inFloats);
+        const Scene smaller = sceneOf({sphere(0.5, 1, {0, 0, 0}), cuboid({2, 2, 2}, 1, {9, 3, 0})});
+        old = Pipeline(smaller).initialState().pose;
+        old[1] = state.pose[1];
+        for (const LineVertex& vertex : ghostOf(smaller)) QVERIFY(at(vertex).norm() < 0.5 + inFloats);
+    }
+
+    void trailsJoinThePlacesPassedAndTheCentreOfMassIsMarked() {
+        const Scene scene = sceneOf({sphere(1, 3, {0, 0, 0}), sphere(1, 1, {8, 0, 0})});
+        const State state = Pipeline(scene).initialState();
+        const std::vector<std::vector<Vec3>> trails = {{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}}, {{8, 0, 0}}};
+        const auto drawn = [&](Overlay overlay) {
+            return overlayLines(static_cast<Overlays>(overlay), {.scene = scene,
+                                                                 .poses = state.pose,
+                                                                 .velocities = {},
+                                                                 .touching = {},
+                                                                 .overlapping = {},
+                                                                 .structure = {},
+                                                                 .trails = trails});
+        };
+        const std::vector<LineVertex> lines = drawn(Overlay::Trails);
+        QCOMPARE(lines.size(), 4U);
+        QVERIFY((at(lines[3]) - Vec3(1, 2, 0)).norm() < inFloats);
+        const std::vector<LineVertex> star = drawn(Overlay::CentreOfMass);
+        QCOMPARE(star.size(), 6U);
+        Vec3 middle = Vec3::Zero();
+        for (const LineVertex& vertex : star) middle += at(vertex) / 6;
+        QVERIFY((middle - Vec3(2, 0, 0)).norm() < inFloats);
+    }
+
     void aVelocityIsTheWayOfATenthOfASecond() {
         const Scene scene = sceneOf({sphere(1, 1, {1, 2, 3}, {10, 0, -5}), sphere(1, 1, {9, 9, 9})});
         const std::vector<LineVertex> lines = linesOf(Overlay::Velocities, scene);

@@ -103,18 +103,6 @@ class WorkbenchTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(3) != QPoint(-1, -1), patience);
     }
 
-    void anEditDuringARunWaitsForTheReset() {
-        Ide ide;
-        ide.trigger(ActionId::Step);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, patience);
-        typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 }");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
-        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
-        ide.trigger(ActionId::Reset);
-        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
-    }
-
     void errorsWhileTypingKeepTheLastGoodSceneDimmedWithABadge() {
         Ide ide;
         QLabel* badge = ide.viewport.findChild<QLabel*>(QStringLiteral("viewportBadge"));

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/timeline.h"
+
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace carom;
+
+namespace {
+
+constexpr double step = 0.01; // [s]
+
+/// `contacts` of the frames from 1 on.
+std::vector<FrameStatistics> framesWith(std::initializer_list<std::uint64_t> contacts) {
+    std::vector<FrameStatistics> frames;
+    for (const std::uint64_t count : contacts) {
+        FrameStatistics& frame = frames.emplace_back();
+        frame.frame = static_cast<std::int64_t>(frames.size());
+        frame.contacts = count;
+    }
+    return frames;
+}
+
+struct Shown {
+    Timeline timeline;
+    QSignalSpy seeks{&timeline, &Timeline::seeked};
+
+    explicit Shown(std::optional<double> duration = 1.0) {
+        timeline.setTheme(loadTheme(true));
+        timeline.resize(628, 34);
+        timeline.restart(step, duration);
+        timeline.show();
+        if (!QTest::qWaitForWindowExposed(&timeline)) qFatal("the timeline is not on screen");
+    }
+    QPoint at(std::int64_t frame) const { return {static_cast<int>(timeline.xOf(frame)), 19}; }
+    std::int64_t lastSeek() const { return seeks.isEmpty() ? -1 : seeks.last().first().toLongLong(); }
+    bool hasColour(const QColor& colour, const QRect& where) {
+        const QImage image = timeline.grab().toImage();
+        for (int y = where.top(); y <= where.bottom(); ++y)
+            for (int x = where.left(); x <= where.right(); ++x)
+                if (image.pixelColor(x, y) == colour) return true;
+        return false;
+    }
+};
+
+} // namespace
+
+class TimelineTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aClickSeeksTheFrameUnderTheMouseAndDraggingGoesOn() {
+        Shown shown;
+        QCOMPARE(shown.timeline.end(), std::int64_t{100});
+        QTest::mousePress(&shown.timeline, Qt::LeftButton, {}, shown.at(25));
+        QCOMPARE(shown.lastSeek(), std::int64_t{25});
+        QTest::mouseMove(&shown.timeline, shown.at(60));
+        QTRY_COMPARE(shown.lastSeek(), std::int64_t{60});
+        QTest::mouseRelease(&shown.timeline, Qt::LeftButton, {}, shown.at(60));
+        QCOMPARE(shown.timeline.frame(), std::int64_t{60});
+    }
+
+    void keysMoveByOneTenAndToBothEnds() {
+        Shown shown;
+        shown.timeline.addFrames(framesWith({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+        const auto press = [&](Qt::Key key) { QTest::keyClick(&shown.timeline, key); };
+        press(Qt::Key_Right);
+        QCOMPARE(shown.lastSeek(), std::int64_t{1});
+        press(Qt::Key_PageDown);
+        QCOMPARE(shown.lastSeek(), std::int64_t{11});
+        press(Qt::Key_Left);
+        QCOMPARE(shown.lastSeek(), std::int64_t{10});
+        press(Qt::Key_End);
+        QCOMPARE(shown.lastSeek(), std::int64_t{15});
+        press(Qt::Key_Home);
+        QCOMPARE(shown.lastSeek(), std::int64_t{0});
+        const int seeks = static_cast<int>(shown.seeks.count());
+        press(Qt::Key_Left); // there is nothing before the start
+        QCOMPARE(static_cast<int>(shown.seeks.count()), seeks);
+    }
+
+    void impactsAreFramesWithMoreContactsThanTheOneBefore() {
+        Shown shown;
+        const QColor colour = loadTheme(true).hint;
+        const auto above = [&](std::int64_t frame) { return QRect(shown.at(frame).x() - 1, 6, 3, 10); };
+        shown.timeline.addFrames(framesWith({0, 2, 2, 1, 4}));
+        QCOMPARE(shown.timeline.impactsIn(2), std::uint64_t{2});
+        QCOMPARE(shown.timeline.impactsIn(3), std::uint64_t{0});
+        QCOMPARE(shown.timeline.impactsIn(5), std::uint64_t{3});
+        QVERIFY(shown.hasColour(colour, above(5)));
+        QVERIFY(!shown.hasColour(colour, above(50)));
+        shown.timeline.restart(step, 1.0);
+        QVERIFY(!shown.hasColour(colour, above(5)));
+    }
+
+    void warningsAndHitsAreMarkedUnderTheLine() {
+        Shown shown;
+        const QRect below(shown.at(40).x() - 2, 24, 5, 5);
+        QVERIFY(!shown.hasColour(loadTheme(true).error, below));
+        shown.timeline.markWarning(40);
+        QVERIFY(shown.hasColour(loadTheme(true).error, below));
+        shown.timeline.markHit(80);
+        QVERIFY(shown.hasColour(loadTheme(true).warning, QRect(shown.at(80).x() - 2, 24, 5, 5)));
+    }
+
+    void aRunWithoutAnEndGetsARoundScaleThatGrowsWithIt() {
+        Shown shown(std::nullopt);
+        QCOMPARE(shown.timeline.end(), std::int64_t{200}); // two seconds
+        shown.timeline.showFrame(201);
+        QCOMPARE(shown.timeline.end(), std::int64_t{500});
+        shown.timeline.showFrame(501);
+        QCOMPARE(shown.timeline.end(), std::int64_t{1000});
+    }
+};
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    TimelineTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "timeline_test.moc"

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/whole_ide.h"
+
+#include "ui/docks/timing_dock.h"
+#include "ui/widgets/timeline.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/window/live_preview.h"
+
+#include <QSettings>
+#include <QSlider>
+
+// Moving through a run with the whole IDE: back and forth, by keys, on the timeline, and by editing in the
+// middle of it.
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr std::int64_t middle = 30; // frames: both balls are in flight or have just landed
+
+void goTo(Ide& ide, std::int64_t frame) {
+    Timeline& timeline = ide.bench.window().timeline();
+    const QPoint place(static_cast<int>(std::lround(timeline.xOf(frame))), 19);
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, place);
+    QTRY_COMPARE_WITH_TIMEOUT(ide.frame, timeline.frameAt(place.x()), patience);
+    while (ide.frame < frame) {
+        const std::int64_t before = ide.frame;
+        QTest::keyClick(&timeline, Qt::Key_Right);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before, patience);
+    }
+    while (ide.frame > frame) {
+        const std::int64_t before = ide.frame;
+        QTest::keyClick(&timeline, Qt::Key_Left);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame < before, patience);
+    }
+}
+
+/// Writes `now` over the first `before` of the text, by keyboard.
+void overwrite(SceneEditor& editor, const QByteArray& before, const char* now) {
+    const qsizetype at = editor.bytes().indexOf(before);
+    editor.send(QsciScintillaBase::SCI_SETSEL, static_cast<unsigned long>(at),
+                static_cast<long>(at + before.size()));
+    QTest::keyClicks(&editor, QString::fromLatin1(now));
+}
+
+/// Pixels that differ.
+int difference(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+class TimeTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void scrubbingBackShowsTheSamePictureAgain() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QImage start = ide.viewport.grabFramebuffer();
+        goTo(ide, middle);
+        const QImage there = ide.viewport.grabFramebuffer();
+        QVERIFY(difference(start, there) > 100);
+        goTo(ide, 0);
+        QCOMPARE(ide.viewport.grabFramebuffer(), start);
+        goTo(ide, middle);
+        QCOMPARE(ide.viewport.grabFramebuffer(), there);
+        QVERIFY(!ide.simulation.isRunning());
+    }
+
+    void stepBackIsOnItsKeyAndOnTheLeftArrowOfTheViewport() {
+        Ide ide;
+        goTo(ide, middle);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F10, Qt::ShiftModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, patience);
+        ide.viewport.setFocus();
+        QTest::keyClick(&ide.viewport, Qt::Key_Left);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 2, patience);
+        QTest::keyClick(&ide.viewport, Qt::Key_Right);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, patience);
+    }
+
+    void theTimelineMarksTheFramesInWhichBallsMeetTheFloor() {
+        Ide ide;
+        goTo(ide, 60);
+        const Timeline& timeline = ide.bench.window().timeline();
+        QVERIFY(timeline.furthest() >= 60);
+        std::uint64_t impacts = 0;
+        for (std::int64_t frame = 1; frame <= 60; ++frame) impacts += timeline.impactsIn(frame);
+        QVERIFY(impacts > 0);
+        QCOMPARE(timeline.impactsIn(1), std::uint64_t{0});
+    }
+
+    void anEditInTheMiddleOfARunLandsThereWithTheOldRunAsAGhost() {
+        Ide ide;
+        goTo(ide, middle);
+        const QImage before = ide.viewport.grabFramebuffer();
+        overwrite(ide.editor, "vel 0,3,0", "vel 0,5,0");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies[1].velocity == Vec3(0, 5, 0),
+                                 patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle, patience);
+        QVERIFY(!ide.simulation.isRunning());
+        World alone(ide.bench.preview().shown()->build.pipeline);
+        while (alone.state().frame < middle) alone.step();
+        const QPoint left = ide.placeOf(1);
+        QVERIFY(left != QPoint(-1, -1));
+        QVERIFY(ide.viewport.hitAt(left).body == 1);
+        const QImage after = ide.viewport.grabFramebuffer();
+        QVERIFY(difference(before, after) > 100);
+        ide.bench.window().actions()[ActionId::ShowGhost].trigger();
+        QTest::qWait(100);
+        const QImage alonePicture = ide.viewport.grabFramebuffer();
+        // The ghost is wire: some hundred pixels, far fewer than a ball.
+        QVERIFY2(difference(after, alonePicture) > 50,
+                 qPrintable(QString::number(difference(after, alonePicture))));
+    }
+
+    void aRunThatPlaysGoesOnPlayingAfterAnEdit() {
+        Ide ide;
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 5, patience);
+        overwrite(ide.editor, "vel 0,3,0", "vel 0,5,0");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies[1].velocity == Vec3(0, 5, 0),
+                                 patience);
+        QVERIFY(ide.simulation.isRunning());
+        const std::int64_t landed = ide.frame;
+        QVERIFY(landed > 5);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > landed + 5, patience);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+    }
+
+    void aCommentChangesNothingInTheMiddleOfARun() {
+        Ide ide;
+        goTo(ide, middle);
+        const SharedBuild before = ide.bench.preview().shown();
+        const std::int64_t simulated = ide.bench.window().timeline().furthest();
+        typeAtTheEnd(ide.editor, "// a comment");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QCOMPARE(ide.bench.preview().shown(), before);
+        QCOMPARE(ide.bench.window().timeline().furthest(), simulated);
+    }
+
+    void anEditWithErrorsKeepsTheRunWhereItIs() {
+        Ide ide;
+        goTo(ide, middle);
+        typeAtTheEnd(ide.editor, "spere");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QVERIFY(ide.viewport.findChild<QWidget*>(QStringLiteral("viewportBadge"))->isVisible());
+        QCOMPARE(ide.frame, middle);
+        ide.trigger(ActionId::Step);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle + 1, patience);
+    }
+
+    void resetShowsTheTextAsItIsNow() {
+        Ide ide;
+        goTo(ide, middle);
+        typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 }");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
+                                  patience);
+        ide.trigger(ActionId::Reset);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
+    }
+
+    void aFramePickedInTheTimingGraphIsTheOneOnScreen() {
+        Ide ide;
+        goTo(ide, middle);
+        TimingDock& timing = ide.bench.window().timing();
+        timing.show();
+        timing.raise();
+        TimingStrip& strip = const_cast<TimingStrip&>(timing.strip());
+        QTRY_VERIFY_WITH_TIMEOUT(strip.isVisible() && strip.samples().size() >= 29, patience);
+        int x = strip.width() - 1;
+        while (x > 0 && strip.frameAt(x) != 11) --x;
+        QCOMPARE(strip.frameAt(x), std::ptrdiff_t{11});
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(x, strip.height() / 2));
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, strip.samples()[11].statistics.frame, patience);
+    }
+
+    void theSpeedReachesFromAHundredthToAHundredTimes() {
+        Ide ide;
+        TransportBar& bar = ide.bench.window().transport();
+        ide.viewport.setFocus();
+        for (int i = 0; i < 12; ++i) QTest::keyClick(&ide.viewport, Qt::Key_Plus);
+        QCOMPARE(bar.speed(), std::optional<double>(100));
+        for (int i = 0; i < 20; ++i) QTest::keyClick(&ide.viewport, Qt::Key_Minus);
+        QCOMPARE(bar.speed(), std::optional<double>(0.01));
+        QTest::keyClick(&ide.viewport, Qt::Key_Equal);
+        QCOMPARE(bar.speed(), std::optional<double>(1));
+        ide.trigger(ActionId::Unlimited);
+        QVERIFY(!bar.speed());
+    }
+};
+
+CAROM_IDE_TEST_MAIN(TimeTest)
+#include "time_test.moc"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/pipeline.h"
+#include "core/simulation/snapshot.h"
+
+#include <memory>
+
+namespace carom {
+
+/// The run that an exchanged scene took the place of, at the time of the snapshot it comes with; both null
+/// where there is none, or where it never came so far.
+struct Ghost {
+    std::shared_ptr<const Pipeline> pipeline;
+    std::shared_ptr<const Snapshot> snapshot;
+};
+
+} // namespace carom

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/timeline.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double margin = 14;        // [px] left and right of the line
+constexpr double lineY = 19;         // [px] from the top
+constexpr double tallest = 12;       // [px] of the impacts above the line
+constexpr double leastTime = 2;      // [s] on the scale of a run that has only begun
+constexpr std::int64_t bigStep = 10; // frames that Page Up and Page Down move
+
+/// The next of 1, 2, 5, 10, 20, … that is at least `value`.
+double roundUp(double value) {
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= value) return factor * power;
+    return 10 * power;
+}
+
+} // namespace
+
+Timeline::Timeline(QWidget* parent) : QWidget(parent) {
+    setObjectName(QStringLiteral("timeline"));
+    setAccessibleName(tr("Timeline"));
+    setFocusPolicy(Qt::ClickFocus);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void Timeline::restart(double step, std::optional<double> duration) {
+    m_step = step;
+    m_duration = duration;
+    m_touching = 0;
+    m_impacts.clear();
+    m_warnings.clear();
+    m_hits.clear();
+    update();
+}
+
+void Timeline::addFrames(const std::vector<FrameStatistics>& frames) {
+    for (const FrameStatistics& frame : frames) {
+        const std::uint64_t more = frame.contacts > m_touching ? frame.contacts - m_touching : 0;
+        m_impacts.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(more, 0xffffffffU)));
+        m_touching = frame.contacts;
+    }
+    update();
+}
+
+void Timeline::showFrame(std::int64_t frame) {
+    m_frame = frame;
+    update();
+}
+
+void Timeline::markWarning(std::int64_t frame) {
+    m_warnings.push_back(frame);
+    update();
+}
+
+void Timeline::markHit(std::int64_t frame) {
+    m_hits.push_back(frame);
+    update();
+}
+
+void Timeline::setTheme(const Theme& theme) {
+    m_theme = theme;
+    update();
+}
+
+std::int64_t Timeline::end() const {
+    const std::int64_t reached = std::max(furthest(), m_frame);
+    const double scale = roundUp(std::max(leastTime, static_cast<double>(reached) * m_step));
+    const double time = m_duration ? std::max(*m_duration, static_cast<double>(reached) * m_step) : scale;
+    return std::max<std::int64_t>(1, std::llround(time / m_step));
+}
+
+std::uint64_t Timeline::impactsIn(std::int64_t frame) const {
+    return frame < 1 || frame > furthest() ? 0 : m_impacts[static_cast<std::size_t>(frame - 1)];
+}
+
+double Timeline::xOf(std::int64_t frame) const {
+    return margin + (width() - 2 * margin) * static_cast<double>(frame) / static_cast<double>(end());
+}
+
+std::int64_t Timeline::frameAt(double x) const {
+    const double share = (x - margin) / std::max(1.0, width() - 2 * margin);
+    return std::llround(std::clamp(share, 0.0, 1.0) * static_cast<double>(end()));
+}
+
+void Timeline::seekTo(std::int64_t frame) {
+    const std::int64_t wanted = std::clamp<std::int64_t>(frame, 0, end());
+    if (wanted == m_frame) return;
+    showFrame(wanted);
+    Q_EMIT seeked(wanted);
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) seekTo(frameAt(event->position().x()));
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+    if (event->buttons().testFlag(Qt::LeftButton)) seekTo(frameAt(event->position().x()));
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return seekTo(m_frame - 1);
+    case Qt::Key_Right:
+        return seekTo(m_frame + 1);
+    case Qt::Key_PageUp:
+        return seekTo(m_frame - bigStep);
+    case Qt::Key_PageDown:
+        return seekTo(m_frame + bigStep);
+    case Qt::Key_Home:
+        return seekTo(0);
+    case Qt::Key_End:
+        return seekTo(furthest());
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool Timeline::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const QHelpEvent* help = static_cast<QHelpEvent*>(event);
+    const std::int64_t frame = frameAt(help->pos().x());
+    QString text = tr("frame %1, %2 s").arg(frame).arg(static_cast<double>(frame) * m_step, 0, 'f', 3);
+    if (frame > furthest()) text += tr(" (not simulated yet)");
+    if (impactsIn(frame) > 0) text += tr("\n%1 new contacts").arg(impactsIn(frame));
+    if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0)
+        text += tr("\nthe run stopped here: a number was no longer finite");
+    if (std::count(m_hits.begin(), m_hits.end(), frame) > 0) text += tr("\na breakpoint held");
+    QToolTip::showText(help->globalPos(), text, this);
+    return true;
+}
+
+// One bar a column of pixels, as high as the most new contacts in the frames it stands for.
+void Timeline::paintImpacts(QPainter& painter) const {
+    std::vector<std::uint32_t> columns(static_cast<std::size_t>(std::max(1, width())), 0);
+    std::uint32_t most = 1;
+    for (std::int64_t frame = 1; frame <= furthest(); ++frame) {
+        const double x = std::clamp(xOf(frame), 0.0, static_cast<double>(width() - 1));
+        std::uint32_t& column = columns[static_cast<std::size_t>(x)];
+        column = std::max(column, m_impacts[static_cast<std::size_t>(frame - 1)]);
+        most = std::max(most, column);
+    }
+    painter.setPen(m_theme.hint);
+    for (std::size_t x = 0; x < columns.size(); ++x) {
+        if (columns[x] == 0) continue;
+        const double share = std::log1p(columns[x]) / std::log1p(most);
+        const QPointF foot(static_cast<double>(x) + 0.5, lineY - 3);
+        painter.drawLine(foot, foot - QPointF(0, 3 + (tallest - 3) * share));
+    }
+}
+
+void Timeline::paintMarks(QPainter& painter, const std::vector<std::int64_t>& frames,
+                          const QColor& colour) const {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    for (const std::int64_t frame : frames) {
+        const double x = xOf(frame);
+        const QPointF triangle[] = {{x, lineY + 3}, {x - 4.5, lineY + 11}, {x + 4.5, lineY + 11}};
+        painter.drawPolygon(triangle, 3);
+    }
+}
+
+void Timeline::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), m_theme.panel);
+    painter.fillRect(0, 0, width(), 1, m_theme.border);
+    paintImpacts(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto line = [&](std::int64_t from, std::int64_t to, const QColor& colour, double thickness) {
+        painter.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(QPointF(xOf(from), lineY), QPointF(xOf(to), lineY));
+    };
+    line(0, end(), m_theme.border, 3);
+    line(0, std::max(furthest(), m_frame), m_theme.mutedText, 3);
+    line(0, m_frame, m_theme.accent, 3);
+    paintMarks(painter, m_warnings, m_theme.error);
+    paintMarks(painter, m_hits, m_theme.warning);
+
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.8);
+    painter.setFont(small);
+    painter.setPen(m_theme.mutedText);
+    const QRectF below(margin - 4, lineY + 3, width() - 2 * margin + 8, height() - lineY - 3);
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, tr("0 s"));
+    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
+                     tr("%1 s").arg(static_cast<double>(end()) * m_step, 0, 'g', 4));
+
+    painter.setPen(QPen(m_theme.panel, 1.5));
+    painter.setBrush(hasFocus() ? m_theme.accent : m_theme.text);
+    painter.drawEllipse(QPointF(xOf(m_frame), lineY), 6, 6);
+}
+
+} // namespace carom
