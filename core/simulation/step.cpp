@@ -21,14 +21,15 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.axesSpared += report.axesSpared;
     frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
 
+    frame.broad.pairs = broad.pairs;
+    frame.broad.memoryBytes = broad.memoryBytes;
+    if (!report.searched) return;
     frame.broad.boxes += broad.boxes;
     frame.broad.tested += broad.tested;
     frame.broad.swaps += broad.swaps;
     frame.broad.added += broad.added;
     frame.broad.removed += broad.removed;
     frame.broad.cells += broad.cells;
-    frame.broad.pairs = broad.pairs;
-    frame.broad.memoryBytes = broad.memoryBytes;
 }
 
 } // namespace

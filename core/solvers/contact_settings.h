@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 // The figures by which the method `contacts` decides. All are relative to the scene's own sizes, gravity and
 // substep: none is a length or a speed.
 
@@ -22,6 +24,14 @@ inline constexpr double mostParting = 0.02;
 inline constexpr double restingClosing = 1e-2;
 /// The same for e = 1, which never rests: only what rounding and the tolerance leave is absorbed.
 inline constexpr double elasticClosing = 1e-9;
+
+/// Closing speeds up to this part of |g| h are no impact but rest. A series of bounces that would end within
+/// the substep is rest, too: T/(1 − e) with T = 2 e u/g.
+inline double leastImpactPart(double restitution) {
+    const double e = restitution;
+    if (!(e < 1)) return elasticClosing;
+    return std::max(restingClosing, 0.5 * (e > 0 ? std::min(1.0, (1 - e) / (2 * e)) : 1));
+}
 
 /// Contacts of an island up to which its impacts and stops are located within the substep, and how many of
 /// them one substep locates: so many, and so many for every contact.

@@ -2,8 +2,10 @@
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
+#include "core/solvers/flights.h"
 #include "core/solvers/island_motion.h"
 #include "core/solvers/islands.h"
+#include "core/solvers/neighbours.h"
 #include "core/solvers/solver.h"
 
 #include <algorithm>
@@ -11,10 +13,11 @@
 #include <vector>
 
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
-// A substep finds what can touch within it, sorts the bodies into islands, and moves each island by itself
-// (island_motion.h: parting, impacts, contact forces, location of events). Bodies that can touch nothing fly
-// freely. Contact forces are remembered from one substep to the next (dynamics/contact_memory.h): at rest
-// they already are the solution, nothing is solved and nothing moves.
+// A substep finds what can touch within it (neighbours.h). Spheres that meet others one at a time fly from
+// impact to impact (flights.h). The other bodies are sorted into islands, and each island is moved by itself
+// (island_motion.h: parting, impacts, contact forces, location of events). Contact forces are remembered from
+// one substep to the next (dynamics/contact_memory.h): at rest they already are the solution, nothing is
+// solved and nothing moves.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
 // their first body, contact points as the narrow phase gives them. Nothing depends on the broad-phase chosen.
@@ -22,24 +25,10 @@
 namespace carom {
 namespace {
 
-/// Contacts are looked for as far as bodies can come within the substep, times this: an impact may speed a
-/// body up on the way.
-constexpr double reachFactor = 2.2;
-/// And always this far, relative to the smaller body, so that forces are remembered through small hops.
-constexpr double leastMargin = 0.01;
-
-/// What the next substep starts from: the forces of this one, and who was near whom.
-struct LastSubstep {
-    ContactSet contacts;
-    std::vector<BodyPair> candidates;
-};
-
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
-        : m_settings(settings), m_boxes(bodies.bounded.size()), m_reach(bodies.count(), 0.0) {
-        m_mobile.reserve(bodies.bounded.size());
-        for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+        : m_settings(settings), m_neighbours(bodies), m_flights(bodies) {
         for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
     }
 
@@ -48,22 +37,26 @@ class Contacts final : public Solver {
     void recall(const SolverMemory& memory) override;
 
   private:
-    void measureReach(const SolverInput& input);
     void findCandidates(const SolverInput& input);
+    bool planFlights(const SolverInput& input);
+    bool shareReach(const Bodies& bodies, const State& state);
     void collideCandidates(const SolverInput& input);
     void moveIslands(const SolverInput& input, SolverReport& report);
-    void flyFreely(const SolverInput& input);
+    void fly(const SolverInput& input);
+    void coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration);
+    /// Impacts that are all solved for at once have no order to be lived through in.
+    bool flies(BodyIndex body) const { return !m_settings.simultaneous && m_flights.flies(body); }
     double marginOf(const Bodies& bodies, BodyPair pair) const;
 
     SolverSettings m_settings;
-    std::vector<Aabb> m_boxes;          // of bodies.bounded, grown by the reach
-    std::vector<std::uint8_t> m_mobile; // of bodies.bounded
-    std::vector<double> m_reach;        // by body: how far its surface can come in the substep [m]
-    std::vector<double> m_shared;       // the same with the neighbours' reach
-    std::vector<BodyPair> m_wallPairs, m_candidates;
-    std::vector<BodyIndex> m_free;
-    std::vector<BodyPair> m_links; // the ends of springs
-    ContactSet m_contacts;         // from the last substep
+    Neighbours m_neighbours;
+    Flights m_flights;
+    std::vector<double> m_reach; // by body: how far it can come, sped up by what may hit it [m]
+    std::vector<BodyPair> m_candidates;
+    std::vector<BodyIndex> m_members; // mobile bodies that do not fly
+    std::vector<BodyIndex> m_free;    // members that touch nothing
+    std::vector<BodyPair> m_links;    // the ends of springs
+    ContactSet m_contacts;            // from the last substep
     ContactSet m_found, m_kept;
     std::vector<std::uint32_t> m_order;
     Islands m_islands;
@@ -73,85 +66,87 @@ class Contacts final : public Solver {
 SolverReport Contacts::advance(const SolverInput& input) {
     SolverReport report;
     Stopwatch watch;
-    measureReach(input);
+    const std::uint64_t searches = m_neighbours.searches();
+    m_neighbours.update(input.bodies, input.state, input.gravity, input.substep, input.broadphase);
     findCandidates(input);
+    report.searched = m_neighbours.searches() != searches;
     report.broadphase = watch.lap();
 
     collideCandidates(input);
     report.narrowphase = watch.lap();
-    report.contacts = m_found.pairs.size();
+    report.contacts = m_found.pairs.size() + m_flights.impacts();
 
-    m_islands.find(input.bodies, m_found.pairs, m_links);
+    m_islands.find(input.bodies, m_members, m_found.pairs, m_links);
     moveIslands(input, report);
     report.respond = watch.lap();
-    flyFreely(input);
+    fly(input);
     report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
     return report;
 }
 
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
-    const std::size_t bytes = m_contacts.pairs.size() * sizeof(ContactPair) +
-                              m_contacts.points.size() * sizeof(ContactConstraint) +
-                              m_candidates.size() * sizeof(BodyPair);
-    return std::make_unique<Remembered<LastSubstep>>(LastSubstep{m_contacts, m_candidates}, bytes);
+    const std::size_t bytes =
+        m_contacts.pairs.size() * sizeof(ContactPair) + m_contacts.points.size() * sizeof(ContactConstraint);
+    return std::make_unique<Remembered<ContactSet>>(m_contacts, bytes);
 }
 
 void Contacts::recall(const SolverMemory& memory) {
-    const LastSubstep& last = dynamic_cast<const Remembered<LastSubstep>&>(memory).value();
-    m_contacts = last.contacts;
-    m_candidates = last.candidates;
+    m_contacts = dynamic_cast<const Remembered<ContactSet>&>(memory).value();
 }
 
-void Contacts::measureReach(const SolverInput& input) {
-    const Bodies& bodies = input.bodies;
-    const double h = input.substep;
-    const double fall = 0.5 * input.gravity.norm() * h * h;
-    for (const BodyIndex i : bodies.mobileBodies) {
-        const double rim = input.state.angularVelocity[i].norm() * bodies.boundingRadius[i];
-        m_reach[i] = reachFactor * ((input.state.velocity[i].norm() + rim) * h + fall);
-    }
-    // A body about to be hit may leave as fast as what hits it comes: neighbours share their reach.
-    m_shared = m_reach;
-    for (const BodyPair pair : m_candidates) {
-        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) continue;
-        m_shared[pair.a] = std::max(m_shared[pair.a], m_reach[pair.b]);
-        m_shared[pair.b] = std::max(m_shared[pair.b], m_reach[pair.a]);
-    }
-    std::swap(m_reach, m_shared);
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
-        const BodyIndex i = bodies.bounded[k];
-        const double margin = m_reach[i] + leastMargin * bodies.boundingRadius[i];
-        m_boxes[k] = grown(boundsOf(bodies.shape[i], input.state.pose[i]), margin);
-    }
-}
-
-// Pairs that may come within reach, ascending: the broad-phase's, and those of bodies with walls.
+// Pairs within reach of bodies that do not fly, ascending.
 void Contacts::findCandidates(const SolverInput& input) {
     const Bodies& bodies = input.bodies;
-    input.broadphase.update({m_boxes, bodies.bounded, m_mobile});
-    m_wallPairs.clear();
-    for (const BodyIndex w : bodies.walls) {
-        const Wall& wall = std::get<Wall>(bodies.shape[w]);
-        for (const BodyIndex i : bodies.mobileBodies) {
-            const double size = bodies.boundingRadius[i];
-            const double near = size + m_reach[i] + leastMargin * size;
-            if (distanceTo(wall, input.state.pose[i].position) <= near)
-                m_wallPairs.push_back({std::min(w, i), std::max(w, i)});
-        }
-    }
-    std::sort(m_wallPairs.begin(), m_wallPairs.end());
+    while (!planFlights(input) || !shareReach(bodies, input.state))
+        m_neighbours.search(bodies, input.state, input.broadphase);
+    m_members.clear();
+    for (const BodyIndex i : bodies.mobileBodies)
+        if (!flies(i)) m_members.push_back(i);
     m_candidates.clear();
-    const std::span<const BodyPair> pairs = input.broadphase.pairs();
-    std::merge(pairs.begin(), pairs.end(), m_wallPairs.begin(), m_wallPairs.end(),
-               std::back_inserter(m_candidates));
+    for (const BodyPair pair : m_neighbours.pairs())
+        if (!flies(pair.a) && !flies(pair.b) &&
+            boundingGap(bodies, input.state, pair) <= marginOf(bodies, pair))
+            m_candidates.push_back(pair);
+}
+
+bool Contacts::planFlights(const SolverInput& input) {
+    if (m_settings.simultaneous) return true;
+    const double scale = input.gravity.norm() * input.substep;
+    return m_flights.plan({.bodies = input.bodies,
+                           .state = input.state,
+                           .gravity = input.gravity,
+                           .substep = input.substep,
+                           .resting = 10 * m_settings.tolerance * scale,
+                           .neighbours = m_neighbours});
+}
+
+// A body about to be hit may leave as fast as what hits it comes: neighbours share their reach. False if that
+// takes them beyond what was searched.
+bool Contacts::shareReach(const Bodies& bodies, const State& state) {
+    m_reach.resize(bodies.count());
+    for (BodyIndex i = 0; i < bodies.count(); ++i) m_reach[i] = m_neighbours.reach(i);
+    bool covered = true;
+    for (const BodyPair pair : m_neighbours.pairs()) {
+        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) continue;
+        if (flies(pair.a) || flies(pair.b)) continue;
+        const double reachA = m_neighbours.reach(pair.a), reachB = m_neighbours.reach(pair.b);
+        if (!(boundingGap(bodies, state, pair) <= reachA + reachB)) continue;
+        const BodyIndex slower = reachA < reachB ? pair.a : pair.b;
+        const double reach = std::max(reachA, reachB);
+        if (!(m_reach[slower] < reach)) continue;
+        m_reach[slower] = reach;
+        const double room = reach + Neighbours::leastMargin * bodies.boundingRadius[slower];
+        covered = m_neighbours.covers(slower, room) && covered;
+    }
+    return covered;
 }
 
 double Contacts::marginOf(const Bodies& bodies, BodyPair pair) const {
     double size = std::max(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
     if (!isWall(bodies.shape[pair.a]) && !isWall(bodies.shape[pair.b]))
         size = std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
-    return std::max(leastMargin * size, m_reach[pair.a] + m_reach[pair.b]);
+    return std::max(Neighbours::leastMargin * size, m_reach[pair.a] + m_reach[pair.b]);
 }
 
 void Contacts::collideCandidates(const SolverInput& input) {
@@ -192,9 +187,16 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
         m_contacts.append(m_kept.pairs[i], m_kept.pointsOf(m_kept.pairs[i]));
 }
 
-void Contacts::flyFreely(const SolverInput& input) {
-    input.motion.move(m_free, input.gravity, input.substep, input.state);
-    for (const BodyIndex i : m_free) {
+void Contacts::fly(const SolverInput& input) {
+    coast(input, m_free, input.gravity);
+    if (m_settings.simultaneous) return;
+    for (const Course& course : m_flights.courses()) coast(input, course.bodies, course.acceleration);
+    m_flights.land(input.substep, input.state);
+}
+
+void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration) {
+    input.motion.move(bodies, acceleration, input.substep, input.state);
+    for (const BodyIndex i : bodies) {
         const Vec3 spin = input.state.angularVelocity[i];
         rotateBetween(input.bodies, i, spin, spin, input.substep, input.state);
     }

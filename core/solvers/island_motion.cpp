@@ -176,11 +176,8 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     bool any = false;
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
         const ContactPair& pair = m_contacts.pairs[p];
-        // A series of bounces that would end within the substep is rest: T/(1 − e) with T = 2 e u/g.
         const double e = pair.restitution;
-        const double series = e < 1 && e > 0 ? std::min(1.0, (1 - e) / (2 * e)) : 1;
-        const double threshold =
-            std::max((e < 1 ? std::max(restingClosing, 0.5 * series) : elasticClosing) * m_scale, rounding);
+        const double threshold = std::max(leastImpactPart(e) * m_scale, rounding);
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(pair, point);
             const double closing = -relativeVelocity(m_problem, row).x();

@@ -24,8 +24,8 @@ void Islands::join(const Bodies& bodies, BodyIndex a, BodyIndex b) {
     m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
 }
 
-void Islands::find(const Bodies& bodies, std::span<const ContactPair> pairs,
-                   std::span<const BodyPair> links) {
+void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
+                   std::span<const ContactPair> pairs, std::span<const BodyPair> links) {
     m_parent.resize(bodies.count());
     std::iota(m_parent.begin(), m_parent.end(), 0u);
     for (const ContactPair& pair : pairs) join(bodies, pair.a, pair.b);
@@ -34,7 +34,7 @@ void Islands::find(const Bodies& bodies, std::span<const ContactPair> pairs,
     // Counting sort by island: sizes, starts, places.
     m_island.assign(bodies.count(), none);
     m_first.assign(1, {});
-    for (const BodyIndex body : bodies.mobileBodies) {
+    for (const BodyIndex body : members) {
         std::uint32_t& island = m_island[rootOf(body)];
         if (island == none) {
             island = static_cast<std::uint32_t>(m_first.size() - 1);
@@ -59,11 +59,11 @@ void Islands::find(const Bodies& bodies, std::span<const ContactPair> pairs,
         m_first[i].pair += m_first[i - 1].pair;
         m_first[i].link += m_first[i - 1].link;
     }
-    m_bodies.resize(bodies.mobileBodies.size());
+    m_bodies.resize(members.size());
     m_pairs.resize(pairs.size());
     m_links.resize(live);
     m_next.assign(m_first.begin(), m_first.end() - 1);
-    for (const BodyIndex body : bodies.mobileBodies) m_bodies[m_next[m_island[rootOf(body)]].body++] = body;
+    for (const BodyIndex body : members) m_bodies[m_next[m_island[rootOf(body)]].body++] = body;
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
         m_pairs[m_next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
     for (std::uint32_t i = 0; i < links.size(); ++i)

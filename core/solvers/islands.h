@@ -20,9 +20,11 @@ struct Island {
 
 class Islands {
   public:
-    /// Islands of all mobile bodies, in the order of their first body. `links` couples further pairs of
-    /// bodies; an end that is noBody or immobile joins nothing.
-    void find(const Bodies& bodies, std::span<const ContactPair> pairs, std::span<const BodyPair> links);
+    /// Islands of `members`, which are mobile and ascend, in the order of their first body. `pairs` couples
+    /// members among each other and to what is immobile; `links` couples further pairs of bodies; an end that
+    /// is noBody or immobile joins nothing.
+    void find(const Bodies& bodies, std::span<const BodyIndex> members, std::span<const ContactPair> pairs,
+              std::span<const BodyPair> links);
 
     std::size_t count() const { return m_first.empty() ? 0 : m_first.size() - 1; }
     Island operator[](std::size_t island) const;

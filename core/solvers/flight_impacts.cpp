@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/flights.h"
+
+#include "core/math/rotation.h"
+#include "core/solvers/contact_settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Meetings of flying spheres: when they happen and what they do. Newton's law along the normal, Coulomb's
+// across it: the impulse that would stop the slip, or μ times the normal one against it. Spheres couple
+// neither to the other: a normal impulse does not turn them, and a tangential one does not part them.
+
+namespace carom {
+namespace {
+
+/// Impacts of one sphere in a substep. A ball that bounces ever lower passes this; a lone one on a wall has a
+/// closed form for the whole series (bounce_train.h), and the islands will do.
+constexpr int mostImpacts = 64;
+
+} // namespace
+
+Flights::Law Flights::lawOf(const FlightInput& input, BodyIndex a, BodyIndex b) const {
+    const Bodies& bodies = input.bodies;
+    const double restitution = std::min(bodies.elastic[a], bodies.elastic[b]);
+    const double scale = input.gravity.norm() * input.substep;
+    return {.restitution = restitution,
+            .friction = std::sqrt(bodies.friction[a] * bodies.friction[b]),
+            .leastImpact = std::max(leastImpactPart(restitution) * scale, input.resting),
+            .rolls = std::max(bodies.rolling[a], bodies.rolling[b]) > 0};
+}
+
+void Flights::foresee(const FlightInput& input, BodyIndex a, BodyIndex b) {
+    if (!flies(a) && !flies(b)) return;
+    const std::uint32_t logA = m_log[a], logB = m_log[b];
+    const bool justMet = logA != noLog && logB != noLog && m_logs[logA].last == b && m_logs[logB].last == a;
+    double time = never;
+    if (m_support[a] == m_support[b]) {
+        // Fresh from their impact, under one acceleration: they part for ever, whatever rounding says.
+        if (!justMet) time = pairTime(m_stamps[a], m_stamps[b], accelerationOf(a));
+    } else {
+        time = pairTime(m_stamps[a], accelerationOf(a), m_stamps[b], accelerationOf(b));
+    }
+    if (!(time < input.substep)) return;
+    m_meetings.push_back({time, a, b, impactsOf(a) + impactsOf(b)});
+    std::push_heap(m_meetings.begin(), m_meetings.end(),
+                   [](const Meeting& x, const Meeting& y) { return x.time > y.time; });
+}
+
+void Flights::foreseeWall(const FlightInput& input, BodyIndex ball, const BoundedWall& wall) {
+    const Stamp& stamp = m_stamps[ball];
+    const bool touching = m_log[ball] != noLog && m_logs[m_log[ball]].last == wall.body;
+    const double gap = touching ? 0 : std::max(0.0, gapTo(wall, stamp.position, stamp.radius));
+    const double time =
+        stamp.time + timeToPlane(gap, wall.normal.dot(stamp.velocity), wall.normal.dot(accelerationOf(ball)));
+    if (!(time < input.substep)) return;
+    m_meetings.push_back({time, ball, wall.body, impactsOf(ball)});
+    std::push_heap(m_meetings.begin(), m_meetings.end(),
+                   [](const Meeting& x, const Meeting& y) { return x.time > y.time; });
+}
+
+void Flights::foreseeAround(const FlightInput& input, BodyIndex body) {
+    for (const BodyIndex other : input.neighbours.around(body)) {
+        if (!isWallBody(other)) {
+            if (m_simple[other] != 0) foresee(input, std::min(body, other), std::max(body, other));
+        } else if (m_support[body] != m_wallAt[other] + 1) {
+            foreseeWall(input, body, m_walls[m_wallAt[other]]);
+        }
+    }
+}
+
+void Flights::meet(const FlightInput& input, const Meeting& meeting) {
+    const BodyIndex a = meeting.a, b = meeting.b;
+    const bool wall = isWallBody(b);
+    if (impactsOf(a) + (wall ? 0 : impactsOf(b)) != meeting.impacts) return;
+    if (!flies(a) || (!wall && !flies(b))) {
+        m_grounded[a] = 1;
+        if (!wall) m_grounded[b] = 1;
+        return;
+    }
+    const Law law = lawOf(input, a, b);
+    const bool tooMany = impactsOf(a) >= mostImpacts || (!wall && impactsOf(b) >= mostImpacts);
+    const bool sticks = !wall && law.restitution == 0; // plastic impacts are solved for together
+    const bool crowd =
+        closesOnOthers(input, a, b, meeting.time) || (!wall && closesOnOthers(input, b, a, meeting.time));
+    if (tooMany || sticks || law.rolls || crowd) {
+        m_grounded[a] = 1;
+        if (!wall) m_grounded[b] = 1;
+        return;
+    }
+    moveTo(input, a, meeting.time);
+    if (wall) {
+        strikeWall(input, a, m_wallAt[b]);
+    } else {
+        moveTo(input, b, meeting.time);
+        strike(input, a, b);
+        foreseeAround(input, b);
+    }
+    if (flies(a)) foreseeAround(input, a);
+}
+
+// Whether a body touches and closes on a third one at the moment of an impact: then impacts have no order.
+bool Flights::closesOnOthers(const FlightInput& input, BodyIndex body, BodyIndex except, double time) const {
+    const Stamp& ball = m_stamps[body];
+    const Vec3& acceleration = accelerationOf(body);
+    const Vec3 position = positionAt(ball, acceleration, time);
+    const Vec3 velocity = velocityAt(ball, acceleration, time);
+    for (const BodyIndex i : input.neighbours.around(body)) {
+        if (i == except) continue;
+        const double touching = touchingGap * ball.radius;
+        if (isWallBody(i)) {
+            const BoundedWall& wall = m_walls[m_wallAt[i]];
+            if (gapTo(wall, position, ball.radius) <= touching &&
+                -wall.normal.dot(velocity) > lawOf(input, body, i).leastImpact)
+                return true;
+        } else if (m_simple[i] != 0) {
+            const Stamp& other = m_stamps[i];
+            const Vec3 between = positionAt(other, accelerationOf(i), time) - position;
+            const double reach = ball.radius + other.radius + touching;
+            if (between.squaredNorm() > reach * reach) continue;
+            const double closing =
+                -between.normalized().dot(velocityAt(other, accelerationOf(i), time) - velocity);
+            if (closing > lawOf(input, body, i).leastImpact) return true;
+        }
+    }
+    return false;
+}
+
+void Flights::strike(const FlightInput& input, BodyIndex a, BodyIndex b) {
+    const Bodies& bodies = input.bodies;
+    const Law law = lawOf(input, a, b);
+    Stamp& ballA = m_stamps[a];
+    Stamp& ballB = m_stamps[b];
+    const double massA = bodies.mass[a], massB = bodies.mass[b];
+    const double partA = massB / (massA + massB), partB = massA / (massA + massB);
+    const Vec3 normal = (ballB.position - ballA.position).normalized();
+    const Vec3 relative = ballB.velocity - ballA.velocity;
+    const double closing = -normal.dot(relative);
+    const std::uint32_t logA = m_log[a], logB = m_log[b];
+    ++m_logs[logA].impacts;
+    ++m_logs[logB].impacts;
+    m_logs[logA].last = b;
+    m_logs[logB].last = a;
+    const std::uint32_t groupA = groupOf(logA), groupB = groupOf(logB);
+    m_logs[std::max(groupA, groupB)].group = std::min(groupA, groupB);
+    if (!(closing > 0)) return;
+    // Written with shares of the mass: equal masses exchange their speeds to the bit.
+    const double change = (1 + law.restitution) * closing;
+    ballA.velocity -= (partA * change) * normal;
+    ballB.velocity += (partB * change) * normal;
+    if (law.friction > 0) {
+        const Vec3 rims = m_logs[logA].spin * ballA.radius + m_logs[logB].spin * ballB.radius;
+        Vec3 slip = relative + closing * normal - rims.cross(normal);
+        const double inertiaA = bodies.inertia[a].x(), inertiaB = bodies.inertia[b].x();
+        const double across = 1 / massA + 1 / massB + ballA.radius * ballA.radius / inertiaA +
+                              ballB.radius * ballB.radius / inertiaB;
+        const double most = law.friction * change * massA * partA, stop = slip.norm() / across;
+        if (stop > 0) {
+            const Vec3 impulse = -(std::min(most, stop) / (stop * across)) * slip; // on B
+            ballA.velocity -= impulse / massA;
+            ballB.velocity += impulse / massB;
+            setSpin(a, m_logs[logA].spin - (ballA.radius / inertiaA) * normal.cross(impulse));
+            setSpin(b, m_logs[logB].spin - (ballB.radius / inertiaB) * normal.cross(impulse));
+        }
+    }
+    keepSupport(input, a);
+    keepSupport(input, b);
+}
+
+void Flights::strikeWall(const FlightInput& input, BodyIndex ball, std::uint32_t wall) {
+    const BoundedWall& plane = m_walls[wall];
+    const Law law = lawOf(input, ball, plane.body);
+    Stamp& stamp = m_stamps[ball];
+    Log& log = m_logs[m_log[ball]];
+    ++log.impacts;
+    log.last = plane.body;
+    const double closing = -plane.normal.dot(stamp.velocity);
+    const bool pulled = plane.normal.dot(input.gravity) < 0;
+    const bool comesToRest = pulled && (law.restitution == 0 || closing <= law.leastImpact);
+    if (comesToRest && (law.friction > 0 || m_support[ball] != 0)) {
+        m_grounded[ball] = 1;
+        return;
+    }
+    if (comesToRest) {
+        m_support[ball] = wall + 1;
+        stamp.velocity += closing * plane.normal;
+        stamp.velocity -= plane.normal.dot(stamp.velocity) * plane.normal;
+        return;
+    }
+    const double change = (1 + law.restitution) * std::max(0.0, closing);
+    stamp.velocity += change * plane.normal;
+    if (law.friction > 0) {
+        const double mass = input.bodies.mass[ball], inertia = input.bodies.inertia[ball].x();
+        const Vec3 normal = plane.normal;
+        Vec3 slip = stamp.velocity - normal.dot(stamp.velocity) * normal;
+        slip -= stamp.radius * log.spin.cross(normal);
+        const double across = 1 / mass + stamp.radius * stamp.radius / inertia;
+        const double most = law.friction * change * mass, stop = slip.norm() / across;
+        if (stop > 0) {
+            const Vec3 impulse = -(std::min(most, stop) / (stop * across)) * slip;
+            stamp.velocity += impulse / mass;
+            setSpin(ball, log.spin - (stamp.radius / inertia) * normal.cross(impulse));
+        }
+    }
+    keepSupport(input, ball);
+}
+
+// A ball that slid on a wall before an impact with something else: it goes on, lifts off, or strikes the
+// wall.
+void Flights::keepSupport(const FlightInput& input, BodyIndex ball) {
+    if (m_support[ball] == 0) return;
+    const BoundedWall& wall = m_walls[m_support[ball] - 1];
+    Stamp& stamp = m_stamps[ball];
+    const double speed = wall.normal.dot(stamp.velocity);
+    const Law law = lawOf(input, ball, wall.body);
+    if (speed > input.resting || (speed < -law.leastImpact && law.restitution > 0)) {
+        m_support[ball] = 0;
+        if (speed < 0) stamp.velocity -= (1 + law.restitution) * speed * wall.normal;
+    } else {
+        stamp.velocity -= speed * wall.normal;
+    }
+}
+
+void Flights::moveTo(const FlightInput& input, BodyIndex body, double time) {
+    Log& log = logOf(input, body);
+    Stamp& stamp = m_stamps[body];
+    const Vec3& acceleration = accelerationOf(body);
+    const double passed = time - stamp.time;
+    log.path += passed * (stamp.velocity.norm() + 0.5 * passed * input.gravity.norm());
+    stamp.position = positionAt(stamp, acceleration, time);
+    stamp.velocity = velocityAt(stamp, acceleration, time);
+    stamp.time = time;
+}
+
+void Flights::setSpin(BodyIndex body, const Vec3& spin) {
+    Log& log = m_logs[m_log[body]];
+    const double time = m_stamps[body].time;
+    log.orientation = (fromRotationVector((time - log.turned) * log.spin) * log.orientation).normalized();
+    log.turned = time;
+    log.spin = spin;
+}
+
+Flights::Log& Flights::logOf(const FlightInput& input, BodyIndex body) {
+    if (m_log[body] == noLog) {
+        m_log[body] = static_cast<std::uint32_t>(m_logs.size());
+        m_logs.push_back({.body = body,
+                          .group = m_log[body],
+                          .spin = input.state.angularVelocity[body],
+                          .orientation = input.state.pose[body].orientation});
+    }
+    return m_logs[m_log[body]];
+}
+
+} // namespace carom

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/broadphase/broadphase.h"
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+
+#include <span>
+#include <vector>
+
+// The pairs that can meet in the next few substeps. A search costs more than anything else in a thin scene,
+// so each body gets a skin, the broad-phase finds the pairs whose skins overlap, and they serve until some
+// body has used its skin up (L. Verlet, "Computer experiments on classical fluids", 1967):
+//
+//        ______________
+//       /  ____   skin \         serves while   moved + reach <= skin   for every body
+//      |  /body\___>    |        where reach is how far the body can come in the substep at hand
+//      |  \____/  moved |
+//       \______________/
+//
+// Whoever uses the list tests its pairs for what they are now: what happens depends neither on the skins nor
+// on when they were renewed, only the time it takes does.
+
+namespace carom {
+
+/// How far the ball about a body is from the one about another, or from a wall [m]; the bodies are no nearer.
+double boundingGap(const Bodies& bodies, const State& state, BodyPair pair);
+
+class Neighbours {
+  public:
+    explicit Neighbours(const Bodies& bodies);
+
+    /// Takes note of where the bodies are and how far each can come within the substep: `reachFactor` times
+    /// its path under its velocity and gravity. Searches if the list could miss a pair, and says so.
+    bool update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
+                Broadphase& broadphase);
+    /// Searches with a skin of at least `room` [m] round the bodies for which ask() was called.
+    void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
+
+    /// Makes sure of `room` [m] round a body; false if the list does not cover it, and search() must be
+    /// called.
+    bool covers(BodyIndex body, double room);
+
+    /// How often it has searched.
+    std::uint64_t searches() const { return m_searches; }
+
+    /// How far a body's surface can come in the substep [m].
+    double reach(BodyIndex body) const { return m_reach[body]; }
+
+    /// All pairs, walls among them, a < b, ascending.
+    std::span<const BodyPair> pairs() const { return m_pairs; }
+    /// The others in pairs with `body`, ascending.
+    std::span<const BodyIndex> around(BodyIndex body) const {
+        return std::span(m_others).subspan(m_first[body], m_first[body + 1] - m_first[body]);
+    }
+
+    /// A body may come this many times as far as it would without impacts: an impact may speed it up on the
+    /// way.
+    static constexpr double reachFactor = 2.2;
+    /// And always this far, relative to its size, so that forces are remembered through small hops.
+    static constexpr double leastMargin = 0.01;
+
+  private:
+    void findWallPairs(const Bodies& bodies, const State& state);
+    void listAround(std::size_t count);
+
+    std::vector<std::uint8_t> m_mobile; // of bodies.bounded
+    std::vector<Aabb> m_boxes;          // of bodies.bounded
+    std::vector<double> m_reach;        // by body [m]
+    std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
+    std::vector<double> m_skin;         // by body [m]
+    std::vector<Pose> m_origin;         // by body: where the list found it
+    double m_typical = 0;               // root mean square of what bodies need [m]
+    std::uint64_t m_searches = 0;
+    std::vector<BodyPair> m_wallPairs, m_pairs;
+    std::vector<std::uint32_t> m_first; // by body, into m_others, one more at the end
+    std::vector<std::uint32_t> m_next;
+    std::vector<BodyIndex> m_others;
+};
+
+} // namespace carom
