@@ -29,7 +29,7 @@ struct SolverReport {
     double broadphase = 0;  ///< [ms]
     double narrowphase = 0; ///< [ms]
     double respond = 0;     ///< [ms]
-    bool searched = true; ///< whether the broad-phase was asked; its counters are those of the last search
+    bool searched = true;   ///< whether the broad-phase was asked; its counters are those of the last search
     std::uint64_t contacts = 0;
     std::uint64_t events = 0;     ///< of any kind; 0 for methods that step
     std::uint64_t axesTried = 0;  ///< pairs that were apart before, with the direction that parted them
