@@ -7,6 +7,7 @@
 #include "app/progress.h"
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
+#include "core/scene/schema.h"
 #include "core/study/benchmark_report.h"
 
 #include <algorithm>
@@ -67,6 +68,8 @@ BenchmarkPlan planFrom(const Arguments& arguments) {
         for (const std::string& name : wordsOf(*list))
             plan.algorithms.push_back(rowNamed(name, broadphases(), "broad-phase"));
     }
+    if (const auto method = arguments.word("method", methodWords())) plan.options.method = method;
+    plan.options.boxes = arguments.word("boxes", boxesWords());
     plan.frames = arguments.wholeNumber("frames", 2, 1'000'000).value_or(plan.frames);
 
     // The trace is the reference's: 500 spheres on the pyramid. A smaller benchmark has a smaller one.
@@ -120,6 +123,8 @@ CommandRow benchCommand() {
                  "pool_breaks,brownian,pyramid)"},
                 {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 100 to 20000)"},
                 {"broadphase", 0, "LIST", "algorithms, separated by commas (default all)"},
+                {"method", 0, "M", "method of motion (default microcollisions, the reference's)"},
+                {"boxes", 0, "B", "boxes the algorithms work on: tight (default) or cube, the reference's"},
                 {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
                 {"output", 'o', "DIR",
                  "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there"},

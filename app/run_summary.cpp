@@ -106,7 +106,8 @@ std::string RunSummary::asText() const {
              .append(settings.integrator->name)
              .append(", ")
              .append(settings.broadphase->name)
-             .append(settings.broadphaseReason.empty() ? "" : " (" + settings.broadphaseReason + ")"));
+             .append(settings.broadphaseReason.empty() ? "" : " (" + settings.broadphaseReason + ")")
+             .append(settings.boxes == BoxKind::Cube ? " on cubes" : ""));
     line("frames", std::to_string(m_milliseconds.size()) + " of " + shortest(settings.step) + " s in " +
                        std::to_string(settings.substeps) +
                        " substeps; threads: " + std::to_string(settings.threads));
@@ -146,6 +147,7 @@ std::string RunSummary::asJson() const {
     json.key("method").value(settings.method->name);
     json.key("integrator").value(settings.integrator->name);
     json.key("broadphase").value(settings.broadphase->name);
+    json.key("boxes").value(settings.boxes == BoxKind::Cube ? "cube" : "tight");
     json.key("step").value(settings.step);
     json.key("substeps").value(settings.substeps);
     json.key("threads").value(settings.threads);

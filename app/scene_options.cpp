@@ -36,6 +36,7 @@ std::vector<OptionRow> simulationOptions() {
         {"method", 0, "M", "method of motion: " + words(methodWords())},
         {"integrator", 0, "I", "scheme for smooth motion: " + words(integratorWords())},
         {"broadphase", 0, "B", "search for pairs: " + words(broadphaseWords())},
+        {"boxes", 0, "B", "boxes that the search works on: " + words(boxesWords())},
         {"iterations", 0, "N", "iterations of the contact solver a substep"},
         {"tolerance", 0, "E", "relative contact residual to reach"},
         {"impacts", 0, "I", "how impacts at one time are treated: " + words(impactsWords())},
@@ -52,6 +53,7 @@ SimulationSettings simulationSettings(const Arguments& arguments) {
     settings.method = arguments.word("method", methodWords());
     settings.integrator = arguments.word("integrator", integratorWords());
     settings.broadphase = arguments.word("broadphase", broadphaseWords());
+    settings.boxes = arguments.word("boxes", boxesWords());
     settings.iterations = asInt(arguments.wholeNumber("iterations", 1, mostIterations));
     settings.tolerance = arguments.positiveNumber("tolerance");
     settings.impacts = arguments.word("impacts", impactsWords());

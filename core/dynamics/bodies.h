@@ -36,8 +36,11 @@ struct Bodies {
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move
+    BoxKind boxes = BoxKind::Tight;   ///< that the broad-phase works on
 
     std::size_t count() const { return shape.size(); }
+    /// Of a bounded body.
+    Aabb boxAt(BodyIndex body, const Pose& pose) const { return boxOf(shape[body], pose, boxes); }
 };
 
 Bodies bodiesOf(const Scene& scene);

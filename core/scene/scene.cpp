@@ -16,6 +16,7 @@ SimulationSettings overridden(const SimulationSettings& base, const SimulationSe
     take(result.method, over.method);
     take(result.integrator, over.integrator);
     take(result.broadphase, over.broadphase);
+    take(result.boxes, over.boxes);
     take(result.iterations, over.iterations);
     take(result.tolerance, over.tolerance);
     take(result.impacts, over.impacts);

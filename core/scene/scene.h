@@ -72,6 +72,7 @@ struct SimulationSettings {
     std::optional<std::string> method; ///< names of catalogue rows
     std::optional<std::string> integrator;
     std::optional<std::string> broadphase;
+    std::optional<std::string> boxes; ///< that the broad-phase works on
     std::optional<int> iterations;
     std::optional<double> tolerance; ///< relative contact residual
     std::optional<std::string> impacts;

@@ -98,6 +98,7 @@ std::span<const NamedColour> namedColours();
 std::span<const std::string_view> methodWords();
 std::span<const std::string_view> integratorWords();
 std::span<const std::string_view> broadphaseWords();
+std::span<const std::string_view> boxesWords();
 std::span<const std::string_view> impactsWords();
 std::span<const std::string_view> presetWords();
 

@@ -12,6 +12,7 @@ constexpr std::array<std::string_view, 3> methods = {"contacts", "microcollision
 constexpr std::array<std::string_view, 4> integratorNames = {"euler", "symplectic", "verlet", "rk4"};
 constexpr std::array<std::string_view, 6> broadphaseNames = {
     "auto", "all_pairs", "sweep_and_sort", "single_axis_sweep", "uniform_grid", "bounding_tree"};
+constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};
 constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
 constexpr std::array<std::string_view, 3> presets = {"fast", "default", "accurate"};
 
@@ -20,6 +21,7 @@ constexpr std::array<std::string_view, 3> presets = {"fast", "default", "accurat
 std::span<const std::string_view> methodWords() { return methods; }
 std::span<const std::string_view> integratorWords() { return integratorNames; }
 std::span<const std::string_view> broadphaseWords() { return broadphaseNames; }
+std::span<const std::string_view> boxesWords() { return boxesNames; }
 std::span<const std::string_view> impactsWords() { return impactsNames; }
 std::span<const std::string_view> presetWords() { return presets; }
 

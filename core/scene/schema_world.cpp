@@ -150,6 +150,10 @@ DeclarationRow simulationDeclaration() {
         simulationWord(
             "broadphase", broadphaseWords(), "How pairs that may touch are found.",
             [](D& into, const V& value) { simulation(into).broadphase = std::string(value.word); }),
+        simulationWord("boxes", boxesWords(),
+                       "Whether the search for pairs works on boxes that fit each body as it turns, or on "
+                       "cubes that hold it however it lies, as the reference's did.",
+                       [](D& into, const V& value) { simulation(into).boxes = std::string(value.word); }),
         simulationCount(
             "iterations", "Rounds of the contact solver in a substep.",
             [](D& into, const V& value) { simulation(into).iterations = static_cast<int>(value.number); }),
@@ -175,6 +179,7 @@ DeclarationRow simulationDeclaration() {
     amend("method", "contacts", "contacts");
     amend("tolerance", "what the preset says", "1e-6");
     amend("broadphase", "auto", "auto");
+    amend("boxes", "tight", "cube");
     amend("preset", "default", "accurate");
     amend("duration", "no end", "10");
     return {.name = "simulation",

@@ -28,6 +28,11 @@ Aabb boundsOf(const Shape& shape, const Pose& worldFromBody) {
     return visitBounded(shape, [&](const auto& s) { return boundsOf(s, worldFromBody); });
 }
 
+Aabb boxOf(const Shape& shape, const Pose& worldFromBody, BoxKind kind) {
+    if (kind == BoxKind::Cube) return boundsOf(Sphere{boundingRadiusOf(shape)}, worldFromBody);
+    return boundsOf(shape, worldFromBody);
+}
+
 Vec3 inertiaOf(const Shape& shape, double mass) {
     return visitBounded(shape, [&](const auto& s) { return inertiaOf(s, mass); });
 }

@@ -33,8 +33,15 @@ constexpr std::string_view nameOf(ShapeKind kind) {
 
 inline bool isWall(const Shape& shape) { return std::holds_alternative<Wall>(shape); }
 
+/// The boxes a broad-phase is given.
+enum class BoxKind : std::uint8_t {
+    Tight, ///< the smallest of the body as it lies
+    Cube,  ///< the reference's (its section 3.7.1): of the ball that holds the body however it lies
+};
+
 /// The functions below treat every bounded shape; asking them of a Wall is a programmer's mistake.
 Aabb boundsOf(const Shape& shape, const Pose& worldFromBody);
+Aabb boxOf(const Shape& shape, const Pose& worldFromBody, BoxKind kind);
 Vec3 inertiaOf(const Shape& shape, double mass);
 Vec3 supportOf(const Shape& shape, const Vec3& direction);
 double halfThicknessOf(const Shape& shape);

@@ -30,6 +30,7 @@ void warnOfUnmet(const EffectRow& row, const EffectDecision& decision, std::vect
 Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
     : m_scene(scene), m_settings(settledSettings(scene, options, m_warnings)), m_bodies(bodiesOf(scene)),
       m_initialState(initialStateOf(scene)) {
+    m_bodies.boxes = m_settings.boxes;
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     for (const EffectRow& row : carom::effects()) {
         m_effects.push_back(row.decide(m_scene, m_settings.method->abilities));

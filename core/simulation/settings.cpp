@@ -105,6 +105,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
         std::max(1, wanted.substeps.value_or(iterates ? preset->contactSubsteps : preset->substeps));
     settings.threads = std::max(1, wanted.threads.value_or(1));
     settings.duration = wanted.duration;
+    settings.boxes = wanted.boxes == "cube" ? BoxKind::Cube : BoxKind::Tight;
     settings.simultaneousImpacts = wanted.impacts == "simultaneous";
     if (iterates) {
         settings.iterations = std::max(1, wanted.iterations.value_or(sweeps));
@@ -134,7 +135,7 @@ void settleBroadphase(const Scene& scene, const SimulationSettings& options, con
     boxes.reserve(bodies.bounded.size());
     mobile.reserve(bodies.bounded.size());
     for (const BodyIndex i : bodies.bounded) {
-        boxes.push_back(boundsOf(bodies.shape[i], scene.bodies[i].pose));
+        boxes.push_back(bodies.boxAt(i, scene.bodies[i].pose));
         mobile.push_back(bodies.mobile[i]);
     }
     const BroadphaseChoice choice = chooseBroadphase({boxes, bodies.bounded, mobile});

@@ -26,8 +26,9 @@ struct RunSettings {
     const IntegratorRow* integrator = nullptr;
     const BroadphaseRow* broadphase = nullptr;
     std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for
-    int iterations = 0;           ///< 0: the method does not iterate
-    double tolerance = 0;         ///< 0: the method does not iterate
+    BoxKind boxes = BoxKind::Tight;
+    int iterations = 0;   ///< 0: the method does not iterate
+    double tolerance = 0; ///< 0: the method does not iterate
     bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]

@@ -16,7 +16,7 @@ struct PlacedBoxes {
 
     PlacedBoxes(const Bodies& bodies, const std::vector<Pose>& poses) {
         for (const BodyIndex i : bodies.bounded) {
-            boxes.push_back(boundsOf(bodies.shape[i], poses[i]));
+            boxes.push_back(bodies.boxAt(i, poses[i]));
             mobile.push_back(bodies.mobile[i]);
         }
     }

@@ -153,7 +153,7 @@ void Microcollisions::updateBoxes(const SolverInput& input) {
             const BodyIndex i = bodies.bounded[k];
             const Pose& pose = input.state.pose[i];
             const Sphere* sphere = std::get_if<Sphere>(&bodies.shape[i]); // most are: spare them the dispatch
-            m_boxes[k] = sphere != nullptr ? boundsOf(*sphere, pose) : boundsOf(bodies.shape[i], pose);
+            m_boxes[k] = sphere != nullptr ? boundsOf(*sphere, pose) : bodies.boxAt(i, pose);
         }
     });
 }

@@ -77,7 +77,7 @@ void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& br
     for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
         const BodyIndex i = bodies.bounded[k];
         const double margin = bodies.mobile[i] != 0 ? m_skin[i] : leastMargin * bodies.boundingRadius[i];
-        m_boxes[k] = grown(boundsOf(bodies.shape[i], state.pose[i]), margin);
+        m_boxes[k] = grown(bodies.boxAt(i, state.pose[i]), margin);
     }
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
     findWallPairs(bodies, state);

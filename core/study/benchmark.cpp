@@ -44,10 +44,8 @@ Contest prepare(std::shared_ptr<const Pipeline> pipeline,
     return contest;
 }
 
-Contest prepare(const GeneratorRow& scene, std::int64_t n,
+Contest prepare(const GeneratorRow& scene, std::int64_t n, const SimulationSettings& options,
                 const std::vector<const BroadphaseRow*>& algorithms) {
-    SimulationSettings options;
-    options.method = "microcollisions"; // as in the reference's own measurements
     Contest contest = prepare(build(generate(scene, requestFor(scene, n)), options).pipeline, algorithms);
     contest.scene = &scene;
     contest.n = n;
@@ -146,7 +144,7 @@ class Runner {
         if (!plan.traceScene) return true;
         std::vector<Contest> repeats;
         for (int repeat = 0; repeat < plan.traceRepeats; ++repeat) {
-            repeats.push_back(prepare(*plan.traceScene, plan.traceCount, plan.algorithms));
+            repeats.push_back(prepare(*plan.traceScene, plan.traceCount, plan.options, plan.algorithms));
             if (!advance(repeats.back(), plan.traceFrames, m_heard)) return false;
         }
         Contest& contest = repeats.front();
@@ -166,7 +164,7 @@ class Runner {
         for (const GeneratorRow* scene : m_result.plan.scenes) {
             std::vector<const BroadphaseRow*> algorithms = m_result.plan.algorithms;
             for (const std::int64_t n : m_result.plan.counts) {
-                Contest contest = prepare(*scene, n, algorithms);
+                Contest contest = prepare(*scene, n, m_result.plan.options, algorithms);
                 if (!advance(contest, m_result.plan.frames, m_heard)) return false;
                 record(contest);
                 dropTheSlow(algorithms, n);
@@ -226,6 +224,7 @@ BenchmarkPlan standardBenchmark() {
         plan.scenes.push_back(findGenerator(name));
     plan.counts = {100, 200, 500, 1000, 2000, 5000, 10000, 20000};
     for (const BroadphaseRow& row : broadphases()) plan.algorithms.push_back(&row);
+    plan.options.method = "microcollisions";
     plan.traceScene = findGenerator("pyramid");
     return plan;
 }

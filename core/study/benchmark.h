@@ -26,6 +26,8 @@ struct BenchmarkPlan {
     std::vector<const GeneratorRow*> scenes;
     std::vector<std::int64_t> counts; ///< ascending
     std::vector<const BroadphaseRow*> algorithms;
+    /// Of every world; the broad-phase is the algorithm's, and the standard method the reference's.
+    SimulationSettings options;
     std::int64_t frames = 120; ///< of each world; at least 2
 
     const GeneratorRow* traceScene = nullptr; ///< null: no traces

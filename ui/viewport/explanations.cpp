@@ -70,6 +70,7 @@ std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snap
                          .structure = m_structure,
                          .trails = passed,
                          .ghost = ghost,
+                         .boxes = pipeline.bodies().boxes,
                          .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm()});
 }
 

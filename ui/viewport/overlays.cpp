@@ -69,7 +69,8 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
     for (std::size_t i = 0; i < std::min(state.scene.bodies.size(), state.poses.size()); ++i) {
         const Body& body = state.scene.bodies[i];
         if (isWall(body.shape) || !state.poses[i].position.allFinite()) continue;
-        if (holds(overlays, Overlay::Boxes)) pen.box(boundsOf(body.shape, state.poses[i]), boxColour);
+        if (holds(overlays, Overlay::Boxes))
+            pen.box(boxOf(body.shape, state.poses[i], state.boxes), boxColour);
         if (holds(overlays, Overlay::Velocities) && i < state.velocities.size())
             pen.arrow(state.poses[i].position, velocityTime * state.velocities[i], velocityColour);
     }
@@ -88,7 +89,7 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
         for (const BodyPair& pair : state.overlapping) {
             pen.line(state.poses[pair.a].position, state.poses[pair.b].position, pairColour);
             for (const BodyIndex i : {pair.a, pair.b})
-                pen.box(boundsOf(state.scene.bodies[i].shape, state.poses[i]), pairColour);
+                pen.box(boxOf(state.scene.bodies[i].shape, state.poses[i], state.boxes), pairColour);
         }
     if (holds(overlays, Overlay::Trails))
         for (const std::vector<Vec3>& trail : state.trails)

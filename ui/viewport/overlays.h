@@ -48,6 +48,7 @@ struct OverlayState {
     std::span<const Aabb> structure;                ///< needed for Structure only
     std::span<const std::vector<Vec3>> trails = {}; ///< needed for Trails only; positions, oldest first [m]
     GhostState ghost = {};                          ///< drawn where there is one
+    BoxKind boxes = BoxKind::Tight;                 ///< that the broad-phase works on
     double size = 1;                                ///< of the scene [m]: axes are a quarter of it long
 };
 

@@ -6,12 +6,14 @@
 #include "core/integrators/integrator.h"
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 #include "core/solvers/solver.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 // How the scene's words, the command line's and the preset become the settings of a run.
 
@@ -97,6 +99,32 @@ class SettingsTest : public QObject {
         QCOMPARE(settings.threads, 3);
         QCOMPARE(settings.substeps, 8); // the preset's
         QCOMPARE(build(ball + "simulation { substeps 2 }", options).pipeline->settings().substeps, 2);
+    }
+
+    // The reference's cubes hold the body however it lies, so they are never smaller and meet more often;
+    // what touches is the same.
+    void cubesAreTheBoxesOfTheBallAroundABody() {
+        const std::string lying = "cylinder { radius 0.1 height 2 mass 1 centre 0, 0, 0 axis 1, 0, 0 }\n"
+                                  "sphere { radius 0.1 mass 1 centre 0, 0.9, 0 }\n";
+        for (const auto& [words, kind, pairs] :
+             {std::tuple{"tight", BoxKind::Tight, 0u}, std::tuple{"cube", BoxKind::Cube, 1u}}) {
+            SimulationSettings options;
+            options.boxes = words;
+            const Build built = build(lying, options);
+            QVERIFY(built.pipeline->settings().boxes == kind);
+            const Build declared = build(lying + "simulation { boxes " + words + " }");
+            QVERIFY(declared.pipeline->settings().boxes == kind);
+            QVERIFY(declared.diagnostics.empty());
+            const Bodies& bodies = built.pipeline->bodies();
+            const Vec3 size = bodies.boxAt(0, built.pipeline->initialState().pose[0]).size();
+            const double diagonal = 2 * std::hypot(0.1, 1.0);
+            const Vec3 right = kind == BoxKind::Cube ? Vec3::Constant(diagonal).eval() : Vec3(2, 0.2, 0.2);
+            QVERIFY2((size - right).norm() <= 4e-16 * diagonal, words);
+            World world(built.pipeline);
+            world.step();
+            QCOMPARE(world.broadphase().pairs().size(), pairs);
+            QCOMPARE(world.statistics().contacts, 0u);
+        }
     }
 
     void theCommandLineMayAskForAutoAgain() {
