@@ -5,9 +5,11 @@
 #include "app/files.h"
 #include "app/version.h"
 #include "core/base/catalogue.h"
+#include "core/base/text.h"
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <limits>
@@ -32,6 +34,9 @@ std::span<const OptionRow> ideOptions() {
         {"frames", 'n', "FRAMES", "leave after FRAMES rendered frames and print the timing statistics"},
         {"play", 0, "", "start playing at once"},
         {"screenshot", 0, "FILE", "save the window as a PNG before leaving (with -n)"},
+        {"picture", 0, "FILE", "save the picture of SCENE as a PNG and leave; no window is opened"},
+        {"at", 0, "FRAME", "the frame of --picture; the first unless said"},
+        {"size", 0, "WxH", "the size of --picture in pixels; 960x600 unless said"},
         {"version", 0, "", "print the version"},
     };
     return rows;
@@ -91,6 +96,36 @@ void rejectSlip(const std::vector<std::string>& operands) {
                          (near ? "; did you mean `" + std::string(*near) + "`?" : ""));
 }
 
+/// "480x300" into the request's size.
+void readSize(const std::string& text, PictureRequest& picture) {
+    constexpr long long least = 16, most = 16384; // [px]
+    const std::size_t x = std::min(text.find('x'), text.size());
+    const std::string_view behind = std::string_view(text).substr(std::min(x + 1, text.size()));
+    const long long width = wholeNumberIn(std::string_view(text).substr(0, x)).value_or(0);
+    const long long height = wholeNumberIn(behind).value_or(0);
+    if (width < least || width > most || height < least || height > most)
+        throw UsageError("`--size` is `" + text +
+                         "`; it must be two whole numbers from 16 to 16384 such as `960x600`");
+    picture.width = static_cast<int>(width);
+    picture.height = static_cast<int>(height);
+}
+
+std::optional<PictureRequest> readPicture(const Arguments& arguments) {
+    const std::optional<std::string> file = arguments.text("picture");
+    if (!file) {
+        for (const char* option : {"at", "size"})
+            if (arguments.has(option))
+                throw UsageError("`--" + std::string(option) +
+                                 "` belongs to `--picture`, which is not there");
+        return std::nullopt;
+    }
+    if (arguments.operands.empty()) throw UsageError("`--picture` needs a scene");
+    PictureRequest picture{*file};
+    picture.frame = arguments.wholeNumber("at", 0, std::numeric_limits<std::int64_t>::max()).value_or(0);
+    if (const std::optional<std::string> size = arguments.text("size")) readSize(*size, picture);
+    return picture;
+}
+
 int openIde(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
     const Arguments arguments = readArguments(words, ideOptions());
     if (arguments.has("help")) {
@@ -110,6 +145,7 @@ int openIde(const std::string& program, std::span<const std::string> words, IdeE
     request.frames = arguments.wholeNumber("frames", 1, std::numeric_limits<std::int64_t>::max());
     request.play = arguments.has("play");
     request.screenshot = arguments.text("screenshot");
+    request.picture = readPicture(arguments);
     if (!ide) throw UsageError("this build has no IDE; `carom run SCENE` simulates without it");
     if (!hasDisplay())
         throw UsageError("there is no display to open the IDE on; `carom run SCENE` simulates without one");

@@ -3,11 +3,14 @@
 
 #include "app/errors.h"
 #include "app/files.h"
+#include "app/picture.h"
 #include "app/timed_session.h"
 #include "app/version.h"
 #include "ui/simulation/simulation.h"
+#include "ui/window/help_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/settings.h"
+#include "ui/window/translation.h"
 #include "ui/window/workbench.h"
 
 #include <QApplication>
@@ -59,6 +62,8 @@ int runIde(const IdeRequest& request) {
     int argumentCount = 1;
     QApplication application(argumentCount, arguments);
     describeApplication();
+    installTranslation(application, Settings().language());
+    if (request.picture) return savePicture(*request.scene, *request.picture);
 
     Workbench workbench;
     if (request.scene) {
@@ -66,16 +71,16 @@ int runIde(const IdeRequest& request) {
             printError("carom: " + problem->toStdString() + "\n");
             return exitcode::fileError;
         }
-    } else {
-        workbench.openLastOrWelcome();
     }
+    const bool goesOn = request.scene || workbench.openLastOrFirst();
     std::optional<TimedSession> session;
     if (request.frames) session.emplace(workbench, *request.frames, request.screenshot);
     workbench.window().show();
     const bool somebodyIsThere = !request.frames && !request.screenshot;
     if (somebodyIsThere) {
         workbench.keepUnsavedText();
-        workbench.offerRecovery();
+        if (!workbench.offerRecovery() && !goesOn && Settings().welcomeAtStart())
+            workbench.help().showWelcome();
     }
     if (request.play || request.frames) workbench.simulation().play();
     if (request.screenshot && !request.frames)

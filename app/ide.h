@@ -7,6 +7,14 @@
 
 namespace carom {
 
+/// What `--picture FILE [--at FRAME] [--size WxH]` asks for.
+struct PictureRequest {
+    std::string file;
+    std::int64_t frame = 0;
+    int width = 960;  ///< [px]
+    int height = 600; ///< [px]
+};
+
 /// What `carom [SCENE] [-n FRAMES] [--play] [--screenshot FILE]` asks of the IDE.
 struct IdeRequest {
     std::string program = "carom";         ///< the program's own name, argv[0]
@@ -14,6 +22,7 @@ struct IdeRequest {
     std::optional<std::int64_t> frames;    ///< leave after this many rendered frames, print the timing
     bool play = false;                     ///< start playing at once
     std::optional<std::string> screenshot; ///< save the window here before leaving (PNG)
+    std::optional<PictureRequest> picture; ///< save the scene's picture and leave; no window is opened
 };
 
 /// Opens the IDE; returns the program's exit code. In app/ide.cpp, the only file here that knows Qt.

@@ -145,6 +145,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     sideBySide->addWidget(m_comparison, 1);
 
     QScrollArea* scroll = new QScrollArea;
+    scroll->setAccessibleName(tr("Broad-phase"));
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     setWidget(scroll);

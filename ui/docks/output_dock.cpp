@@ -15,6 +15,7 @@ OutputDock::OutputDock(QWidget* parent)
     : QDockWidget(tr("Output"), parent), m_text(new QPlainTextEdit(this)) {
     setObjectName(QStringLiteral("output"));
     m_text->setReadOnly(true);
+    m_text->setAccessibleName(tr("Output"));
     m_text->setMaximumBlockCount(keptLines);
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_text->setPlaceholderText(tr("What is opened, built, run and saved is noted here, with times."));

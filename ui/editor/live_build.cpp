@@ -11,12 +11,14 @@ namespace {
 constexpr int idleTime = 150;                 // [ms] without a keystroke
 constexpr qsizetype builtAtOnce = 256 * 1024; // [bytes]; at 30 MB/s this takes less than 10 ms
 
-SharedBuild buildRevision(const QByteArray& text, std::int64_t revision, bool fresh) {
+SharedBuild buildRevision(const QByteArray& text, std::int64_t revision, bool fresh, int threads) {
     const Stopwatch watch;
     std::shared_ptr<BuildResult> result = std::make_shared<BuildResult>();
     result->revision = revision;
     result->fresh = fresh;
-    result->build = build(text.toStdString());
+    SimulationSettings settings;
+    if (threads > 0) settings.threads = threads;
+    result->build = build(text.toStdString(), settings);
     result->milliseconds = watch.elapsed();
     return result;
 }
@@ -53,11 +55,11 @@ void LiveBuild::start() {
     const std::int64_t revision = m_revision;
     const bool fresh = m_fresh;
     if (text.size() <= builtAtOnce) {
-        deliver(buildRevision(text, revision, fresh));
+        deliver(buildRevision(text, revision, fresh, m_threads));
         return;
     }
-    m_worker.start([this, text, revision, fresh] {
-        SharedBuild result = buildRevision(text, revision, fresh);
+    m_worker.start([this, text, revision, fresh, threads = m_threads] {
+        SharedBuild result = buildRevision(text, revision, fresh, threads);
         QMetaObject::invokeMethod(
             this, [this, result] { deliver(result); }, Qt::QueuedConnection);
     });

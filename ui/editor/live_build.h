@@ -37,6 +37,8 @@ class LiveBuild : public QObject {
 
     /// The text is at this revision now; it will be built when it has rested for 150 ms.
     void textEdited(std::int64_t revision);
+    /// For simulating what is built from now on; 0: as the scene or the machine says.
+    void setThreads(int count) { m_threads = count; }
     /// What was typed last is built without waiting for rest: a number is being turned and the picture
     /// follows.
     void hurry();
@@ -57,6 +59,7 @@ class LiveBuild : public QObject {
     std::function<QByteArray()> m_text;
     std::int64_t m_revision = 0;
     bool m_fresh = false;
+    int m_threads = 0;
     SharedBuild m_latest;
     QTimer m_idle;
     QThreadPool m_worker;

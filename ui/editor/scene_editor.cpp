@@ -20,9 +20,10 @@ constexpr int columnsOfIndent = 4; // [columns]
 constexpr int hoverDelay = 350;    // [ms]
 constexpr int editorFontSize = 11; // [pt]
 
-QFont editorFont() {
+QFont editorFont(const QString& family = {}, int points = editorFontSize) {
     QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    font.setPointSize(editorFontSize);
+    if (!family.isEmpty()) font.setFamily(family);
+    font.setPointSize(points);
     return font;
 }
 
@@ -150,6 +151,18 @@ void SceneEditor::reveal(SourceRange range) {
     send(SCI_SETSEL, range.end(), range.offset); // the caret at the beginning
     send(SCI_VERTICALCENTRECARET);
     send(SCI_SCROLLCARET);
+}
+
+void SceneEditor::goTo(std::int64_t offset, std::int64_t firstLine) {
+    send(SCI_GOTOPOS, std::min<std::int64_t>(offset, send(SCI_GETLENGTH)));
+    send(SCI_SETFIRSTVISIBLELINE, firstLine);
+}
+
+void SceneEditor::setTextFont(const QString& family, int points) {
+    const QFont font = editorFont(family, points);
+    m_lexer->setTextFont(font);
+    setMarginsFont(font);
+    fitNumberMargin();
 }
 
 void SceneEditor::markDeclaration(SourceRange range) {

@@ -33,6 +33,10 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     std::uint32_t caret() const;
     /// Puts the caret at the range's beginning, selects it, unfolds and scrolls to it.
     void reveal(SourceRange range);
+    /// Puts the caret at a place, as far as there is one, and a line at the top.
+    void goTo(std::int64_t offset, std::int64_t firstLine);
+    /// The font of text and margins; an empty family is the system's fixed one.
+    void setTextFont(const QString& family, int points);
     /// Tints the lines of a declaration; an empty range clears.
     void markDeclaration(SourceRange range);
     void toggleComment();

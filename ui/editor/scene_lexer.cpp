@@ -67,6 +67,12 @@ SceneLexer::Style styleOf(const Token& token, std::string_view text, SceneLexer:
 
 SceneLexer::SceneLexer(const Theme& theme, const QFont& font, QObject* parent) : QsciLexerCustom(nullptr) {
     setParent(parent);
+    setTextFont(font);
+    setAutoIndentStyle(0);
+    setTheme(theme);
+}
+
+void SceneLexer::setTextFont(const QFont& font) {
     setDefaultFont(font);
     for (int style = 0; style < StyleCount; ++style) setFont(font, style);
     QFont emphasis = font;
@@ -75,8 +81,6 @@ SceneLexer::SceneLexer(const Theme& theme, const QFont& font, QObject* parent) :
     QFont slanted = font;
     slanted.setItalic(true);
     setFont(slanted, Comment);
-    setAutoIndentStyle(0);
-    setTheme(theme);
 }
 
 void SceneLexer::setTheme(const Theme& theme) {

@@ -17,6 +17,7 @@ class SceneLexer : public QsciLexerCustom {
 
     SceneLexer(const Theme& theme, const QFont& font, QObject* parent);
 
+    void setTextFont(const QFont& font);
     void setTheme(const Theme& theme);
 
     const char* language() const override { return "SDL"; }

@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "ui/viewport/instances.h"
+#include "ui/viewport/navigation.h"
 #include "ui/viewport/renderer.h"
 
 #include <QKeyEvent>
@@ -23,6 +24,7 @@ namespace {
 
 constexpr double orbitPerPixel = 0.008; ///< [rad]
 constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel is 120 units
+constexpr double pixelsPerNotch = 30;   ///< [px] of a drag that zooms
 constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
 constexpr int restAfter = 250;          ///< [ms] without a change
 constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
@@ -35,7 +37,8 @@ bool declared(const CameraSettings& camera) { return camera.position || camera.t
 
 } // namespace
 
-Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), m_badge(new QLabel(this)) {
+Viewport::Viewport(QWidget* parent)
+    : QOpenGLWidget(parent), m_badge(new QLabel(this)), m_navigation(&navigationPresets().front()) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -266,12 +269,19 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     if (!m_dragging && (event->position() - m_pressedAt).manhattanLength() < dragStarts) return;
     m_dragging = true;
     m_lastAt = event->position();
-    const bool panning = event->buttons().testAnyFlags(Qt::RightButton | Qt::MiddleButton) ||
-                         event->modifiers().testFlag(Qt::ShiftModifier);
-    if (panning)
-        pan(m_camera, pictureSize(), {moved.x(), moved.y()});
-    else if (event->buttons().testFlag(Qt::LeftButton))
+    switch (m_navigation->gesture(event->buttons(), event->modifiers())) {
+    case Gesture::Orbit:
         orbit(m_camera, -orbitPerPixel * moved.x(), orbitPerPixel * moved.y());
+        break;
+    case Gesture::Pan:
+        pan(m_camera, pictureSize(), {moved.x(), moved.y()});
+        break;
+    case Gesture::Zoom:
+        zoomAt(m_camera, m_camera.target, std::pow(zoomPerNotch, -moved.y() / pixelsPerNotch));
+        break;
+    case Gesture::None:
+        return;
+    }
     moveCamera();
 }
 

@@ -21,6 +21,7 @@ class QLabel;
 namespace carom {
 
 class Renderer;
+struct NavigationRow;
 
 /// Shows one scene in its newest state. Left drag orbits, right or middle drag pans, the wheel zooms at the
 /// cursor, a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the
@@ -48,6 +49,8 @@ class Viewport : public QOpenGLWidget {
     void setDimmed(bool dimmed, const QString& badge);
     void setDarkTheme(bool dark);
 
+    /// Which buttons turn, move and zoom.
+    void setNavigation(const NavigationRow& preset) { m_navigation = &preset; }
     /// Which explanations are drawn over the bodies.
     void setOverlays(Overlays overlays);
     void setOverlay(Overlay overlay, bool shown);
@@ -117,6 +120,7 @@ class Viewport : public QOpenGLWidget {
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
     bool m_dragging = false;
+    const NavigationRow* m_navigation; ///< never null
     std::int64_t m_framesRendered = 0;
     double m_lastRenderTime = 0;
 };

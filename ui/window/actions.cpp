@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/actions.h"
 
+#include "ui/window/settings.h"
 #include "ui/window/theme.h"
 
 #include <QMenu>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr std::array rows = {
 #define CAROM_ACTION(id, menu, text, shortcuts, icon, tip)                                                   \
-    ActionRow{ActionId::id, MenuId::menu, text, shortcuts, icon, tip},
-#define CAROM_SEPARATOR(menu) ActionRow{{}, MenuId::menu, nullptr, nullptr, nullptr, nullptr},
+    ActionRow{ActionId::id, #id, MenuId::menu, text, shortcuts, icon, tip},
+#define CAROM_SEPARATOR(menu) ActionRow{{}, nullptr, MenuId::menu, nullptr, nullptr, nullptr, nullptr},
 #include "ui/window/actions.def"
 #undef CAROM_ACTION
 #undef CAROM_SEPARATOR
@@ -58,11 +59,28 @@ Actions::Actions(QObject* parent) : QObject(parent) {
         if (row.text == nullptr) continue;
         QAction* action = new QAction(tr(row.text), this);
         action->setObjectName(QString::fromUtf8(row.text).remove(u'&'));
-        action->setShortcuts(parsed(row.shortcuts));
         action->setStatusTip(tr(row.tip));
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? tr(row.tip) : tr("%1 (%2)").arg(tr(row.tip), keys));
         m_actions[row.id] = action;
+        setKeys(*action, parsed(row.shortcuts));
+    }
+}
+
+void Actions::setKeys(QAction& action, const QList<QKeySequence>& keys) {
+    action.setShortcuts(keys);
+    const QString shown = action.shortcut().toString(QKeySequence::NativeText);
+    action.setToolTip(shown.isEmpty() ? action.statusTip() : tr("%1 (%2)").arg(action.statusTip(), shown));
+}
+
+void Actions::takeKeys(const Settings& settings) {
+    for (const ActionRow& row : rows) {
+        if (row.text == nullptr) continue;
+        const std::optional<QString> chosen = settings.keysOf(QString::fromLatin1(row.name));
+        if (!chosen)
+            setKeys(*m_actions[row.id], parsed(row.shortcuts));
+        else if (chosen->isEmpty())
+            setKeys(*m_actions[row.id], {});
+        else
+            setKeys(*m_actions[row.id], {QKeySequence(*chosen, QKeySequence::PortableText)});
     }
 }
 

@@ -16,6 +16,7 @@ class QToolBar;
 
 namespace carom {
 
+class Settings;
 struct Theme;
 
 enum class ActionId : std::uint8_t {
@@ -30,6 +31,7 @@ enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Help };
 
 struct ActionRow {
     ActionId id{};
+    const char* name = nullptr; ///< of the id, for the settings
     MenuId menu{};
     const char* text = nullptr; ///< null for a separator
     const char* shortcuts = nullptr;
@@ -52,12 +54,17 @@ class Actions : public QObject {
     /// Of all actions.
     QList<QKeySequence> shortcuts() const;
 
+    /// The keys the user chose; the usual ones where none were.
+    void takeKeys(const Settings& settings);
+
     void fill(QMenuBar& bar);
     void fill(QToolBar& bar) const;
     /// Icons in the theme's colours.
     void setTheme(const Theme& theme);
 
   private:
+    void setKeys(QAction& action, const QList<QKeySequence>& keys);
+
     QHash<ActionId, QAction*> m_actions;
     QHash<MenuId, QMenu*> m_menus;
 };

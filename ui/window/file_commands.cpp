@@ -4,6 +4,7 @@
 #include "ui/editor/scene_editor.h"
 #include "ui/window/actions.h"
 #include "ui/window/main_window.h"
+#include "ui/window/new_scene_dialog.h"
 #include "ui/window/settings.h"
 
 #include <QDir>
@@ -26,6 +27,7 @@ FileCommands::FileCommands(Document& document, MainWindow& window, Settings& set
         connect(&actions[id], &QAction::triggered, this, method);
     };
     on(ActionId::New, &FileCommands::startNew);
+    on(ActionId::NewFrom, &FileCommands::startFromGenerator);
     on(ActionId::Open, &FileCommands::askAndOpen);
     on(ActionId::Save, &FileCommands::save);
     on(ActionId::SaveAs, &FileCommands::saveAs);
@@ -73,6 +75,14 @@ void FileCommands::startNew() {
     Q_EMIT reported(tr("new scene"));
 }
 
+void FileCommands::startFromGenerator() {
+    if (!mayDiscard()) return;
+    NewSceneDialog dialog(m_settings.darkTheme(), &m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    m_document.startNew(dialog.text());
+    Q_EMIT reported(tr("new scene: %1").arg(dialog.name()));
+}
+
 void FileCommands::askAndOpen() {
     const QString folder = QFileInfo(m_document.path()).absolutePath();
     const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open a scene"), folder, sceneFilter);
@@ -99,12 +109,23 @@ bool FileCommands::saveAs() {
 
 void FileCommands::reload() {
     if (m_document.path().isEmpty() || !mayDiscard()) return;
-    finish(m_document.reload(), tr("reloaded %1").arg(m_document.path()));
+    reloadInPlace(tr("reloaded %1").arg(m_document.path()));
+}
+
+/// The caret and what is in view stay where they were.
+bool FileCommands::reloadInPlace(const QString& done) {
+    using Sci = QsciScintillaBase;
+    SceneEditor& editor = m_window.editor();
+    const std::uint32_t caret = editor.caret();
+    const long top = editor.send(Sci::SCI_GETFIRSTVISIBLELINE);
+    const bool reloaded = finish(m_document.reload(), done);
+    if (reloaded) editor.goTo(caret, top);
+    return reloaded;
 }
 
 void FileCommands::reactToOutsideChange() {
     if (!m_document.isModified()) {
-        finish(m_document.reload(), tr("reloaded %1, which was changed outside").arg(m_document.path()));
+        reloadInPlace(tr("reloaded %1, which was changed outside").arg(m_document.path()));
         return;
     }
     const QMessageBox::StandardButton answer = QMessageBox::question(
@@ -113,7 +134,7 @@ void FileCommands::reactToOutsideChange() {
            "give up the changes made here?")
             .arg(m_document.name()),
         QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-    if (answer == QMessageBox::Yes) finish(m_document.reload(), tr("reloaded %1").arg(m_document.path()));
+    if (answer == QMessageBox::Yes) reloadInPlace(tr("reloaded %1").arg(m_document.path()));
 }
 
 void FileCommands::savePicture() {

@@ -26,10 +26,12 @@ class FileCommands : public QObject {
 
   private:
     void startNew();
+    void startFromGenerator();
     void askAndOpen();
     bool save();
     bool saveAs();
     void reload();
+    bool reloadInPlace(const QString& done);
     void reactToOutsideChange();
     void savePicture();
     void updateTitle();

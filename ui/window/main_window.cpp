@@ -14,6 +14,7 @@
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/actions.h"
 #include "ui/window/settings.h"
+#include "ui/window/workspaces.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -57,15 +58,16 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     toolbar->setMovable(false);
     m_actions->fill(*toolbar);
     addDockToggles();
+    addWorkspaceButtons(*toolbar);
     m_caret->setProperty("role", QStringLiteral("muted"));
     statusBar()->addPermanentWidget(m_caret);
-    m_editor->releaseKeys(m_actions->shortcuts());
+    releaseKeys();
     setTheme(theme);
 
     resize(firstSize);
     restoreGeometry(settings.windowGeometry());
-    restoreState(settings.windowState());
-    m_splitter->restoreState(settings.splitterState());
+    m_workspaces = new Workspaces(*this, *m_splitter, *m_actions);
+    m_workspaces->restore(settings);
 }
 
 MainWindow::~MainWindow() = default;
@@ -154,6 +156,16 @@ void MainWindow::addDockToggles() {
     }
 }
 
+/// At the right end of the toolbar: one button a workspace, the current one pressed.
+void MainWindow::addWorkspaceButtons(QToolBar& toolbar) {
+    QWidget* gap = new QWidget;
+    gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    toolbar.addWidget(gap);
+    for (const ActionId id : {ActionId::WorkspaceWrite, ActionId::WorkspaceWatch, ActionId::WorkspaceMeasure,
+                              ActionId::WorkspaceStudy})
+        toolbar.addAction(&(*m_actions)[id]);
+}
+
 void MainWindow::setTheme(const Theme& theme) {
     m_actions->setTheme(theme);
     m_editor->setTheme(theme);
@@ -167,12 +179,15 @@ void MainWindow::setTheme(const Theme& theme) {
             action->setIcon(theme.icon(action->property("icon").toString()));
 }
 
+void MainWindow::releaseKeys() { m_editor->releaseKeys(m_actions->shortcuts()); }
+
 void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {
     m_caret->setText(tr("line %1, column %2").arg(line).arg(column));
 }
 
 void MainWindow::saveLayout(Settings& settings) const {
-    settings.setWindow(saveGeometry(), saveState(), m_splitter->saveState());
+    settings.setWindowGeometry(saveGeometry());
+    m_workspaces->save(settings);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QSplitter;
+class QToolBar;
 
 namespace carom {
 
@@ -25,6 +26,7 @@ class Timeline;
 class TimingDock;
 class TransportBar;
 class Viewport;
+class Workspaces;
 
 /// The window: owns the widgets and places them, and nothing else. What they show and do is the Workbench's.
 ///
@@ -54,6 +56,8 @@ class MainWindow : public QMainWindow {
     OutputDock& output() const { return *m_output; }
 
     void setTheme(const Theme& theme);
+    /// Takes up the actions' keys anew: the editor gives up its own use of them.
+    void releaseKeys();
     void showCaret(std::uint32_t line, std::uint32_t column);
     void saveLayout(Settings& settings) const;
     /// Asked before the window closes; false keeps it open.
@@ -71,6 +75,7 @@ class MainWindow : public QMainWindow {
     void placeCentre();
     void placeDocks();
     void addDockToggles();
+    void addWorkspaceButtons(QToolBar& toolbar);
 
     Actions* m_actions;
     SceneEditor* m_editor;
@@ -85,6 +90,7 @@ class MainWindow : public QMainWindow {
     EffectsDock* m_effects;
     OutputDock* m_output;
     QSplitter* m_splitter = nullptr;
+    Workspaces* m_workspaces = nullptr;
     QLabel* m_caret;
     std::function<bool()> m_mayClose;
 };

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 #include <QSettings>
+#include <QVariantList>
 
 namespace carom {
 namespace {
@@ -13,8 +14,21 @@ const QString darkThemeKey = QStringLiteral("look/dark");
 const QString inlineMessagesKey = QStringLiteral("editor/inlineMessages");
 const QString editorZoomKey = QStringLiteral("editor/zoom");
 const QString geometryKey = QStringLiteral("window/geometry");
-const QString stateKey = QStringLiteral("window/state");
-const QString splitterKey = QStringLiteral("window/splitter");
+const QString workspaceKey = QStringLiteral("workspace/current");
+const QString stateKey = QStringLiteral("workspace/%1/state");
+const QString splitterKey = QStringLiteral("workspace/%1/splitter");
+const QString placeKey = QStringLiteral("files/place");
+const QString fontFamilyKey = QStringLiteral("editor/font");
+const QString fontSizeKey = QStringLiteral("editor/fontSize");
+const QString languageKey = QStringLiteral("look/language");
+const QString navigationKey = QStringLiteral("viewport/navigation");
+const QString memoryKey = QStringLiteral("simulation/memory");
+const QString threadsKey = QStringLiteral("simulation/threads");
+const QString welcomeKey = QStringLiteral("window/welcome");
+const QString keysKey = QStringLiteral("keys/%1");
+
+constexpr int usualFontSize = 11; // [pt]
+constexpr int usualMemory = 512;  // [MiB]
 const QString recentKey = QStringLiteral("files/recent");
 
 } // namespace
@@ -27,14 +41,64 @@ int Settings::editorZoom() const { return QSettings().value(editorZoomKey, 0).to
 void Settings::setEditorZoom(int zoom) { QSettings().setValue(editorZoomKey, zoom); }
 
 QByteArray Settings::windowGeometry() const { return QSettings().value(geometryKey).toByteArray(); }
-QByteArray Settings::windowState() const { return QSettings().value(stateKey).toByteArray(); }
-QByteArray Settings::splitterState() const { return QSettings().value(splitterKey).toByteArray(); }
+void Settings::setWindowGeometry(const QByteArray& geometry) { QSettings().setValue(geometryKey, geometry); }
 
-void Settings::setWindow(const QByteArray& geometry, const QByteArray& state, const QByteArray& splitter) {
+QString Settings::workspace() const { return QSettings().value(workspaceKey).toString(); }
+QByteArray Settings::workspaceState(const QString& name) const {
+    return QSettings().value(stateKey.arg(name)).toByteArray();
+}
+QByteArray Settings::workspaceSplitter(const QString& name) const {
+    return QSettings().value(splitterKey.arg(name)).toByteArray();
+}
+void Settings::setWorkspace(const QString& name, const QByteArray& state, const QByteArray& splitter) {
     QSettings settings;
-    settings.setValue(geometryKey, geometry);
-    settings.setValue(stateKey, state);
-    settings.setValue(splitterKey, splitter);
+    settings.setValue(workspaceKey, name);
+    settings.setValue(stateKey.arg(name), state);
+    settings.setValue(splitterKey.arg(name), splitter);
+}
+void Settings::forgetWorkspace(const QString& name) {
+    QSettings settings;
+    settings.remove(stateKey.arg(name));
+    settings.remove(splitterKey.arg(name));
+}
+
+SessionPlace Settings::lastPlace() const {
+    const QVariantList place = QSettings().value(placeKey).toList();
+    if (place.size() != 3) return {};
+    return {place[0].toString(), place[1].toLongLong(), place[2].toLongLong()};
+}
+void Settings::setLastPlace(const SessionPlace& place) {
+    QSettings().setValue(placeKey, QVariantList{place.path, place.caret, place.firstLine});
+}
+
+QString Settings::fontFamily() const { return QSettings().value(fontFamilyKey).toString(); }
+int Settings::fontSize() const { return QSettings().value(fontSizeKey, usualFontSize).toInt(); }
+void Settings::setFont(const QString& family, int size) {
+    QSettings settings;
+    settings.setValue(fontFamilyKey, family);
+    settings.setValue(fontSizeKey, size);
+}
+QString Settings::language() const { return QSettings().value(languageKey).toString(); }
+void Settings::setLanguage(const QString& code) { QSettings().setValue(languageKey, code); }
+QString Settings::navigation() const { return QSettings().value(navigationKey).toString(); }
+void Settings::setNavigation(const QString& name) { QSettings().setValue(navigationKey, name); }
+int Settings::memoryBudget() const { return QSettings().value(memoryKey, usualMemory).toInt(); }
+void Settings::setMemoryBudget(int mebibytes) { QSettings().setValue(memoryKey, mebibytes); }
+int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt(); }
+void Settings::setThreads(int count) { QSettings().setValue(threadsKey, count); }
+bool Settings::welcomeAtStart() const { return QSettings().value(welcomeKey, true).toBool(); }
+void Settings::setWelcomeAtStart(bool shown) { QSettings().setValue(welcomeKey, shown); }
+
+std::optional<QString> Settings::keysOf(const QString& action) const {
+    const QVariant keys = QSettings().value(keysKey.arg(action));
+    return keys.isValid() ? std::optional(keys.toString()) : std::nullopt;
+}
+void Settings::setKeysOf(const QString& action, const std::optional<QString>& keys) {
+    QSettings settings;
+    if (keys)
+        settings.setValue(keysKey.arg(action), *keys);
+    else
+        settings.remove(keysKey.arg(action));
 }
 
 QStringList Settings::recentFiles() const {

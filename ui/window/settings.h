@@ -5,7 +5,15 @@
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace carom {
+
+struct SessionPlace {
+    QString path;
+    qint64 caret = 0;     ///< [bytes]
+    qint64 firstLine = 0; ///< at the top of the editor
+};
 
 /// What is remembered between sessions, in the user's configuration directory. Every value has a default that
 /// makes a first start look right.
@@ -19,13 +27,40 @@ class Settings {
     void setEditorZoom(int zoom);
 
     QByteArray windowGeometry() const;
-    QByteArray windowState() const;
-    QByteArray splitterState() const;
-    void setWindow(const QByteArray& geometry, const QByteArray& state, const QByteArray& splitter);
+    void setWindowGeometry(const QByteArray& geometry);
+    /// The workspace used last; the others are kept under their names.
+    QString workspace() const;
+    QByteArray workspaceState(const QString& name) const;
+    QByteArray workspaceSplitter(const QString& name) const;
+    void setWorkspace(const QString& name, const QByteArray& state, const QByteArray& splitter);
+    void forgetWorkspace(const QString& name);
 
     /// Newest first; files that are gone are left out.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
+    /// Where one was in the file edited last.
+    SessionPlace lastPlace() const;
+    void setLastPlace(const SessionPlace& place);
+
+    /// Family and size [pt] of the editor's font; empty family: the system's fixed one.
+    QString fontFamily() const;
+    int fontSize() const;
+    void setFont(const QString& family, int size);
+    /// "en", "de", ...; empty: the system's.
+    QString language() const;
+    void setLanguage(const QString& code);
+    /// Name of the navigation preset of the viewport.
+    QString navigation() const;
+    void setNavigation(const QString& name);
+    int memoryBudget() const; ///< [MiB] for the checkpoints of a run
+    void setMemoryBudget(int mebibytes);
+    int threads() const; ///< for simulating; 0: as many as the machine has
+    void setThreads(int count);
+    bool welcomeAtStart() const;
+    void setWelcomeAtStart(bool shown);
+    /// Keys the user gave an action, by the action's name in the table; nothing where it has its own.
+    std::optional<QString> keysOf(const QString& action) const;
+    void setKeysOf(const QString& action, const std::optional<QString>& keys);
 };
 
 } // namespace carom

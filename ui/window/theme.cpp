@@ -60,9 +60,9 @@ QTabBar::tab { background: transparent; color: @mutedText; padding: 6px 12px; bo
 QTabBar::tab:selected { color: @text; border-top: 2px solid @accent; background: @panel; }
 QTabBar::tab:hover:!selected { color: @text; background: @hover; }
 QAbstractScrollArea { border: none; }
-QTreeView, QTableView, QPlainTextEdit { background: @panel; }
-QTreeView::item { padding: 3px 4px; }
-QTreeView::item:selected, QTableView::item:selected { background: @selection; color: @text; }
+QTreeView, QTableView, QListView, QPlainTextEdit, QTextBrowser { background: @panel; }
+QTreeView::item, QListView::item { padding: 3px 4px; }
+QTreeView::item:selected, QTableView::item:selected, QListView::item:selected { background: @selection; color: @text; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none; padding: 0 6px; }
 QHeaderView::section:horizontal { border-bottom: 1px solid @border; padding: 5px 6px; }

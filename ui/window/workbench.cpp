@@ -10,22 +10,24 @@
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/simulation/frame_log.h"
 #include "ui/simulation/simulation.h"
+#include "ui/viewport/navigation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/resources.h"
 #include "ui/window/actions.h"
 #include "ui/window/edit_commands.h"
 #include "ui/window/file_commands.h"
+#include "ui/window/help_commands.h"
 #include "ui/window/language_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
+#include "ui/window/preferences.h"
 #include "ui/window/recovery.h"
+#include "ui/window/recovery_dialog.h"
 #include "ui/window/run_commands.h"
 #include "ui/window/selection.h"
 #include "ui/window/theme.h"
 
 #include <QApplication>
-#include <QLocale>
-#include <QMessageBox>
 #include <QShortcut>
 #include <QStatusBar>
 
@@ -44,46 +46,53 @@ Workbench::Workbench()
       m_language(new LanguageCommands(*m_window, *m_builds)),
       m_preview(new LivePreview(*m_simulation, m_window->viewport(), this)),
       m_files(new FileCommands(*m_document, *m_window, m_settings)),
+      m_help(new HelpCommands(*m_window, *m_document, *m_files, m_settings)),
       m_runs(new RunCommands(*m_window, *m_simulation, *m_frames, *m_preview)),
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
     connectText();
     connectReports();
     connectTheme();
+    connectPreferences();
     m_window->editor().setFocus();
 }
 
 Workbench::~Workbench() {
     m_window->saveLayout(m_settings);
+    const SceneEditor& editor = m_window->editor();
+    m_settings.setLastPlace(
+        {m_document->path(), editor.caret(), editor.send(QsciScintillaBase::SCI_GETFIRSTVISIBLELINE)});
     // The simulation ends first; then the widgets, before the document and the builds their signals go to.
     m_simulation->disconnect();
     m_window->editor().disconnect();
 }
 
-void Workbench::openLastOrWelcome() {
+bool Workbench::openLastOrFirst() {
     const QStringList recent = m_settings.recentFiles();
     const bool opened = !recent.isEmpty() && !m_document->open(recent.first());
-    if (!opened) m_document->startNew(resource(QStringLiteral("help/welcome.sdl")));
+    if (!opened) {
+        m_document->startNew(resource(QStringLiteral("help/welcome.sdl")));
+        return false;
+    }
+    const SessionPlace place = m_settings.lastPlace();
+    if (place.path == m_document->path()) m_window->editor().goTo(place.caret, place.firstLine);
+    return true;
 }
 
 bool Workbench::offerRecovery() {
-    const std::vector<LostText> lost = Recovery::lostTexts(Recovery::standardFolder());
+    std::vector<LostText> lost = Recovery::lostTexts(Recovery::standardFolder());
     if (lost.empty()) return false;
-    const LostText& newest = lost.front();
-    const QString name = newest.path.isEmpty() ? tr("a scene without a file") : newest.path;
-    const QMessageBox::StandardButton answer = QMessageBox::question(
-        m_window.get(), tr("Unsaved text found"),
-        tr("Carom ended unexpectedly with unsaved changes in %1, typed until %2. Take them up again?")
-            .arg(name, QLocale().toString(newest.written, QLocale::ShortFormat)),
-        QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Yes);
-    if (answer == QMessageBox::Cancel) return false; // asked again next time
-    if (answer == QMessageBox::Yes) {
-        m_document->recover(newest.path, newest.text);
+    RecoveryDialog dialog(std::move(lost), loadTheme(m_settings.darkTheme()), m_window.get());
+    const int answer = dialog.exec();
+    if (answer == RecoveryDialog::Later) return false; // asked again next time
+    const LostText& chosen = dialog.chosen();
+    if (answer == RecoveryDialog::TakeUp) {
+        m_document->recover(chosen.path, chosen.text);
         m_recovery->keep(); // in this session's own file, before the old one goes
-        m_window->output().add(tr("recovered the unsaved text of %1").arg(name));
+        m_window->output().add(tr("recovered the unsaved text of %1").arg(m_document->name()));
     }
-    Recovery::discard(newest);
-    return answer == QMessageBox::Yes;
+    Recovery::discard(chosen);
+    return answer == RecoveryDialog::TakeUp;
 }
 
 void Workbench::keepUnsavedText() {
@@ -146,15 +155,33 @@ void Workbench::connectReports() {
         else
             m_window->statusBar()->showMessage(tr("selected: %1").arg(name));
     });
-    connect(&m_window->actions()[ActionId::About], &QAction::triggered, this, [this] {
-        QMessageBox::about(
-            m_window.get(), tr("About Carom"),
-            tr("<h3>Carom %1</h3><p>Scenes of rigid bodies: written, watched, measured.</p>"
-               "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-                .arg(QApplication::applicationVersion()));
-    });
     QShortcut* toEditor = new QShortcut(Qt::Key_Escape, m_window.get());
     connect(toEditor, &QShortcut::activated, this, [this] { m_window->editor().setFocus(); });
+}
+
+void Workbench::connectPreferences() {
+    m_window->actions().takeKeys(m_settings);
+    m_window->releaseKeys();
+    m_window->editor().setTextFont(m_settings.fontFamily(), m_settings.fontSize());
+    m_window->viewport().setNavigation(navigationPreset(m_settings.navigation()));
+    m_builds->setThreads(m_settings.threads());
+    connect(&m_window->actions()[ActionId::Preferences], &QAction::triggered, this,
+            &Workbench::showPreferences);
+}
+
+void Workbench::showPreferences() {
+    Preferences* dialog = new Preferences(m_settings, m_window->actions(), m_window.get());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &Preferences::darkThemeChosen, this,
+            [this](bool dark) { m_window->actions()[ActionId::DarkTheme].setChecked(dark); });
+    connect(dialog, &Preferences::fontChosen, this,
+            [this] { m_window->editor().setTextFont(m_settings.fontFamily(), m_settings.fontSize()); });
+    connect(dialog, &Preferences::navigationChosen, this,
+            [this] { m_window->viewport().setNavigation(navigationPreset(m_settings.navigation())); });
+    connect(dialog, &Preferences::threadsChosen, this,
+            [this] { m_builds->setThreads(m_settings.threads()); });
+    connect(dialog, &Preferences::keysChanged, m_window.get(), &MainWindow::releaseKeys);
+    dialog->open();
 }
 
 void Workbench::connectTheme() {

@@ -14,6 +14,7 @@ namespace carom {
 class DiagnosticMarks;
 class FileCommands;
 class FrameLog;
+class HelpCommands;
 class LanguageCommands;
 class LivePreview;
 class MainWindow;
@@ -38,8 +39,11 @@ class Workbench : public QObject {
     FileCommands& files() const { return *m_files; }
     const LivePreview& preview() const { return *m_preview; }
 
-    /// What a session without a scene begins with: the file opened last, else a first scene to play with.
-    void openLastOrWelcome();
+    HelpCommands& help() const { return *m_help; }
+
+    /// What a session without a scene begins with: the file opened last, at the place one was at; else, and
+    /// then it returns false, a first scene to play with.
+    bool openLastOrFirst();
     /// Asks about the text of a session that crashed, if there is one, and takes it up; true if it did.
     bool offerRecovery();
     /// Keeps unsaved text in a swap file from now on.
@@ -49,6 +53,8 @@ class Workbench : public QObject {
     void connectText();
     void connectReports();
     void showBuild(const SharedBuild& result);
+    void connectPreferences();
+    void showPreferences();
     void connectTheme();
     void setDark(bool dark);
 
@@ -64,6 +70,7 @@ class Workbench : public QObject {
     LanguageCommands* m_language;
     LivePreview* m_preview;
     FileCommands* m_files;
+    HelpCommands* m_help;
     RunCommands* m_runs;
     Selection* m_selection;
 };

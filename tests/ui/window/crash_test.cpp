@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include "ui/window/recovery.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QTest>
+
+#include <memory>
+
+using namespace carom;
+using namespace carom::test;
+
+// The built program under a real X server, typed into by synthetic keys, and killed (SIGKILL) in the middle
+// of it. Whatever was typed longer ago than the swap file may be behind must be found again.
+
+namespace {
+
+constexpr int starting = 60000;            // [ms] the program may take to show its window on a busy machine
+constexpr quint32 seed = 4711;             // of the moments of the kills
+constexpr int behind = Recovery::interval; // [ms] the swap file may be
+const QByteArray original = "// a scene\n";
+
+QByteArray xdotool(const QStringList& arguments) {
+    QProcess process;
+    process.start(QStringLiteral("xdotool"), arguments);
+    if (!process.waitForFinished(30000)) return {};
+    return process.readAllStandardOutput().trimmed();
+}
+
+/// A running program with a home of its own.
+class Session {
+  public:
+    Session(const QString& home, const QString& scene) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home);
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), home);
+        environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), home);
+        m_process.setProcessEnvironment(environment);
+        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        m_process.start(QStringLiteral(CAROM_PROGRAM), scene.isEmpty() ? QStringList() : QStringList{scene});
+    }
+    ~Session() { kill(); }
+
+    /// Waits for a window with that title and gives it the keyboard.
+    bool focus(const QString& title) {
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < starting && m_process.state() != QProcess::NotRunning) {
+            m_process.waitForFinished(100); // lets time pass, and sees an early end
+            const QByteArray id = xdotool({QStringLiteral("search"), QStringLiteral("--onlyvisible"),
+                                           QStringLiteral("--name"), title})
+                                      .split('\n')
+                                      .value(0);
+            if (id.isEmpty()) continue;
+            xdotool({QStringLiteral("windowfocus"), QStringLiteral("--sync"), QString::fromLatin1(id)});
+            return true;
+        }
+        return false;
+    }
+    void type(const QByteArray& text) {
+        xdotool({QStringLiteral("type"), QStringLiteral("--delay"), QStringLiteral("8"),
+                 QString::fromLatin1(text)});
+    }
+    void press(const char* key) { xdotool({QStringLiteral("key"), QString::fromLatin1(key)}); }
+    void kill() {
+        if (m_process.state() == QProcess::NotRunning) return;
+        m_process.kill(); // SIGKILL: no handler runs, nothing is written any more
+        m_process.waitForFinished(starting);
+    }
+
+  private:
+    QProcess m_process;
+};
+
+struct Desk {
+    QTemporaryDir home;
+    QString scene = home.filePath(QStringLiteral("scene.sdl"));
+    QString swaps = home.filePath(QStringLiteral("carom/carom/recovery"));
+
+    Desk() { writeFile(scene, original); }
+    QByteArray lost() const {
+        const std::vector<LostText> texts = Recovery::lostTexts(swaps);
+        return texts.empty() ? QByteArray() : texts.front().text;
+    }
+};
+
+} // namespace
+
+class CrashTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void whatWasTypedBeforeAKillIsOfferedAtTheNextStart() {
+        Desk desk;
+        const QByteArray typed = "// typed and never saved";
+        {
+            Session session(desk.home.path(), desk.scene);
+            QVERIFY(session.focus(QStringLiteral("scene.sdl")));
+            session.press("ctrl+End");
+            session.type(typed);
+            QTRY_VERIFY_WITH_TIMEOUT(QDir(desk.swaps).entryList({QStringLiteral("*.swap")}).size() == 1,
+                                     starting);
+            QTest::qWait(behind + 500);
+            session.kill();
+        }
+        QCOMPARE(contentOf(desk.scene), original);
+        QCOMPARE(desk.lost(), original + typed);
+
+        Session next(desk.home.path(), desk.scene);
+        QVERIFY(next.focus(QStringLiteral("Unsaved text found")));
+        next.press("Return"); // takes it up
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(desk.swaps).entryList({QStringLiteral("*.swap")}).size() == 1,
+                                 starting);
+        QVERIFY(next.focus(QStringLiteral("scene.sdl")));
+        next.press("ctrl+s");
+        QTRY_COMPARE_WITH_TIMEOUT(contentOf(desk.scene), original + typed, starting);
+    }
+
+    void aKillWhileSavingLeavesAWholeFileAndNothingTypedIsLost() {
+        QRandomGenerator random(seed);
+        Desk desk;
+        for (int turn = 0; turn < 4; ++turn) {
+            const QByteArray before = contentOf(desk.scene);
+            QByteArray typed;
+            qsizetype oldEnough = 0; // of `typed`: longer ago than the swap file may be behind
+            {
+                Session session(desk.home.path(), desk.scene);
+                QVERIFY(session.focus(QStringLiteral("scene.sdl")));
+                session.press("ctrl+End");
+                QElapsedTimer clock;
+                clock.start();
+                const qint64 end = behind + 500 + random.bounded(2500);
+                std::vector<std::pair<qint64, qsizetype>> history;
+                while (clock.elapsed() < end) {
+                    const QByteArray word = QByteArray::number(random.bounded(1000000));
+                    session.type("# " + word);
+                    typed += "# " + word;
+                    session.press("ctrl+s");
+                    history.emplace_back(clock.elapsed(), typed.size());
+                }
+                // A save under way: keys are sent, and the kill follows before they can have been served.
+                session.press("ctrl+s");
+                const qint64 killed = clock.elapsed();
+                session.kill();
+                for (const auto& [time, size] : history)
+                    if (killed - time > behind) oldEnough = size;
+            }
+            const QByteArray onDisk = contentOf(desk.scene);
+            QVERIFY2(onDisk.startsWith(before) && (before + typed).startsWith(onDisk),
+                     onDisk.constData()); // a whole version, never half of one
+            const QByteArray best =
+                std::max(onDisk, desk.lost(),
+                         [](const QByteArray& a, const QByteArray& b) { return a.size() < b.size(); });
+            QVERIFY2(best.startsWith(before + typed.left(oldEnough)), best.constData());
+            for (const LostText& lost : Recovery::lostTexts(desk.swaps)) Recovery::discard(lost);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(CrashTest)
+#include "crash_test.moc"

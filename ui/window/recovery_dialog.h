@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/recovery.h"
+#include "ui/window/theme.h"
+
+#include <QDialog>
+
+class QListWidget;
+class QPlainTextEdit;
+
+namespace carom {
+
+/// What crashed sessions left, each with what it changes in its file: one takes a text up, throws it away, or
+/// decides later.
+class RecoveryDialog : public QDialog {
+    Q_OBJECT
+  public:
+    enum Answer { Later = QDialog::Rejected, TakeUp = QDialog::Accepted, ThrowAway };
+
+    RecoveryDialog(std::vector<LostText> lost, const Theme& theme, QWidget* parent);
+
+    const LostText& chosen() const;
+
+  private:
+    void showChosen();
+    void showDifference(const QByteArray& before, const QByteArray& after);
+
+    std::vector<LostText> m_lost;
+    Theme m_theme;
+    QListWidget* m_list;
+    QPlainTextEdit* m_difference;
+};
+
+} // namespace carom
