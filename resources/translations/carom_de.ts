@@ -5,608 +5,640 @@
     <name>ComparisonCharts</name>
     <message>
         <source>Broad-phase in each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobphase in jedem Bild</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Whole step in each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzer Schritt in jedem Bild</translation>
     </message>
     <message>
         <source>Pairs tested in each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüfte Paare in jedem Bild</translation>
     </message>
     <message>
         <source>pairs tested</source>
-        <translation type="unfinished"></translation>
+        <translation>geprüfte Paare</translation>
     </message>
 </context>
 <context>
     <name>FrameParts</name>
     <message>
         <source>integrate</source>
-        <translation type="unfinished"></translation>
+        <translation>bewegen</translation>
     </message>
     <message>
         <source>broad-phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobphase</translation>
     </message>
     <message>
         <source>narrow-phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Feinphase</translation>
     </message>
     <message>
         <source>respond</source>
-        <translation type="unfinished"></translation>
+        <translation>antworten</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>Übriges</translation>
     </message>
     <message>
         <source>render</source>
-        <translation type="unfinished"></translation>
+        <translation>zeichnen</translation>
     </message>
 </context>
 <context>
     <name>carom::Actions</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Text</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Text</translation>
     </message>
     <message>
         <source>&amp;Simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Simulation</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>Begin an empty scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine leere Szene beginnen</translation>
     </message>
     <message>
         <source>New from a &amp;template or generator…</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aus &amp;Vorlage oder Generator …</translation>
     </message>
     <message>
         <source>Begin with a template, or with a scene made by a generator</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Vorlage oder einer erzeugten Szene beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Open a scene file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Szenendatei öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Open one of the scenes opened last</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine der zuletzt geöffneten Szenen öffnen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Write the scene to its file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene in ihre Datei schreiben</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Write the scene to another file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene in eine andere Datei schreiben</translation>
     </message>
     <message>
         <source>Re&amp;load</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu &amp;laden</translation>
     </message>
     <message>
         <source>Read the file again and give up what was changed here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei noch einmal lesen und die Änderungen hier aufgeben</translation>
     </message>
     <message>
         <source>Save &amp;picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild speichern …</translation>
     </message>
     <message>
         <source>Save the window as a PNG file</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster als PNG-Datei speichern</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Leave the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm verlassen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>Take the last change back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Änderung zurücknehmen</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Make the change again that was taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zurückgenommene Änderung wieder vornehmen</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ausschneiden</translation>
     </message>
     <message>
         <source>Move the selection to the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Auswahl in die Zwischenablage verschieben</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <source>Copy the selection to the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Auswahl in die Zwischenablage kopieren</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
         <source>Insert what the clipboard holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Inhalt der Zwischenablage einfügen</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;lles auswählen</translation>
     </message>
     <message>
         <source>Select the whole text</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ganzen Text auswählen</translation>
     </message>
     <message>
         <source>&amp;Find and replace…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Suchen und ersetzen …</translation>
     </message>
     <message>
         <source>Search the text, also with regular expressions</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Text durchsuchen, auch mit regulären Ausdrücken</translation>
     </message>
     <message>
         <source>Find ne&amp;xt</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächste Fundstelle</translation>
     </message>
     <message>
         <source>Go to the next place that matches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur nächsten passenden Stelle gehen</translation>
     </message>
     <message>
         <source>Find pre&amp;vious</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorige Fundstelle</translation>
     </message>
     <message>
         <source>Go to the place before that matches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur vorigen passenden Stelle gehen</translation>
     </message>
     <message>
         <source>&amp;Go to line…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gehe zu Zeile …</translation>
     </message>
     <message>
         <source>Put the caret on a line by its number</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schreibmarke auf eine Zeile setzen</translation>
     </message>
     <message>
         <source>Pr&amp;eferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;instellungen …</translation>
     </message>
     <message>
         <source>Theme, font, keys, navigation, memory and threads</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben, Schrift, Tasten, Maus, Speicher und Threads</translation>
     </message>
     <message>
         <source>C&amp;omplete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vervollständigen</translation>
     </message>
     <message>
         <source>List what may stand at the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was an der Schreibmarke stehen darf</translation>
     </message>
     <message>
         <source>&amp;What goes here</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Was gehört hierher</translation>
     </message>
     <message>
         <source>Show the parameters of the declaration one is writing</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Parameter der Deklaration zeigen, die man schreibt</translation>
     </message>
     <message>
         <source>&amp;Insert a declaration</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklaration &amp;einfügen</translation>
     </message>
     <message>
         <source>Insert a whole declaration; Tab goes from value to value</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine ganze Deklaration einfügen; Tab geht von Wert zu Wert</translation>
     </message>
     <message>
         <source>Go to the &amp;definition</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur &amp;Definition</translation>
     </message>
     <message>
         <source>Go to the body whose label is at the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Körper gehen, dessen Name an der Schreibmarke steht</translation>
     </message>
     <message>
         <source>&amp;Rename the label…</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen &amp;ändern …</translation>
     </message>
     <message>
         <source>Give the label at the caret another name wherever it stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Namen an der Schreibmarke überall einen anderen geben</translation>
     </message>
     <message>
         <source>Turn the number &amp;up</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl e&amp;rhöhen</translation>
     </message>
     <message>
         <source>Raise the number at the caret by one of its last decimal (Alt+wheel and Alt+drag, too)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl an der Schreibmarke um eins der letzten Stelle erhöhen (auch Alt+Mausrad und Alt+Ziehen)</translation>
     </message>
     <message>
         <source>Turn the number do&amp;wn</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl ver&amp;ringern</translation>
     </message>
     <message>
         <source>Lower the number at the caret by one of its last decimal (Alt+wheel and Alt+drag, too)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl an der Schreibmarke um eins der letzten Stelle verringern (auch Alt+Mausrad und Alt+Ziehen)</translation>
     </message>
     <message>
         <source>Toggle co&amp;mment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kommentar umschalten</translation>
     </message>
     <message>
         <source>Comment the selected lines out, or in again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Zeilen aus- oder wieder einkommentieren</translation>
     </message>
     <message>
         <source>&amp;Format the text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text &amp;ordnen</translation>
     </message>
     <message>
         <source>Lay the whole text out in the usual way; only white space changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Den ganzen Text wie üblich anordnen; nur Leerraum ändert sich</translation>
     </message>
     <message>
         <source>Apply the f&amp;ix</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler &amp;beheben</translation>
     </message>
     <message>
         <source>Mend the problem at the caret the obvious way</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Problem an der Schreibmarke auf die naheliegende Weise beheben</translation>
     </message>
     <message>
         <source>&amp;Next problem</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächstes Problem</translation>
     </message>
     <message>
         <source>Go to the next problem in the text</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum nächsten Problem im Text gehen</translation>
     </message>
     <message>
         <source>P&amp;revious problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Vori&amp;ges Problem</translation>
     </message>
     <message>
         <source>Go to the problem before the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Problem vor der Schreibmarke gehen</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Run the simulation, or pause it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation laufen lassen oder anhalten</translation>
     </message>
     <message>
         <source>&amp;Step</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schritt</translation>
     </message>
     <message>
         <source>Simulate one frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild simulieren</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Z&amp;urücksetzen</translation>
     </message>
     <message>
         <source>Go back to the beginning, with the text as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Anfang zurück, mit dem Text, wie er jetzt ist</translation>
     </message>
     <message>
         <source>&amp;Faster</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chneller</translation>
     </message>
     <message>
         <source>Double the speed of the presentation</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Geschwindigkeit der Darstellung verdoppeln</translation>
     </message>
     <message>
         <source>S&amp;lower</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Langsamer</translation>
     </message>
     <message>
         <source>Halve the speed of the presentation</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Geschwindigkeit der Darstellung halbieren</translation>
     </message>
     <message>
         <source>Real &amp;time</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Echtzeit</translation>
     </message>
     <message>
         <source>One second of the scene in one second</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sekunde der Szene in einer Sekunde</translation>
     </message>
     <message>
         <source>As fast as &amp;possible</source>
-        <translation type="unfinished"></translation>
+        <translation>So schnell wie &amp;möglich</translation>
     </message>
     <message>
         <source>Simulate without waiting for the clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulieren, ohne auf die Uhr zu warten</translation>
     </message>
     <message>
         <source>&amp;Frame the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Auswahl einrahmen</translation>
     </message>
     <message>
         <source>Bring the selected body into view (F in the viewport)</source>
-        <translation type="unfinished"></translation>
+        <translation>Den gewählten Körper ins Bild bringen (F im Bild)</translation>
     </message>
     <message>
         <source>Frame &amp;everything</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;lles einrahmen</translation>
     </message>
     <message>
         <source>Bring the whole scene into view (Home in the viewport)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Szene ins Bild bringen (Pos1 im Bild)</translation>
     </message>
     <message>
         <source>World &amp;axes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weltachsen</translation>
     </message>
     <message>
         <source>Draw the world&apos;s axes: x red, y green, z blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achsen der Welt zeichnen: x rot, y grün, z blau</translation>
     </message>
     <message>
         <source>&amp;Boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quader</translation>
     </message>
     <message>
         <source>Draw the box that the broad-phase sees of each body</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Quader zeichnen, den die Grobphase von jedem Körper sieht</translation>
     </message>
     <message>
         <source>Overlapping &amp;pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappende &amp;Paare</translation>
     </message>
     <message>
         <source>Draw the boxes that overlap and a line between their bodies</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappende Quader zeichnen und eine Linie zwischen ihren Körpern</translation>
     </message>
     <message>
         <source>&amp;Grid cells or tree nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gitterzellen oder Baumknoten</translation>
     </message>
     <message>
         <source>Draw the cells of the grid or the nodes of the tree that the broad-phase uses</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zellen des Gitters oder die Knoten des Baums zeichnen, die die Grobphase benutzt</translation>
     </message>
     <message>
         <source>&amp;Velocities</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Geschwindigkeiten</translation>
     </message>
     <message>
         <source>Draw the way of each body in a tenth of a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Weg jedes Körpers in einer Zehntelsekunde zeichnen</translation>
     </message>
     <message>
         <source>&amp;Contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kontakte</translation>
     </message>
     <message>
         <source>Draw points and normals where bodies touch</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Normalen zeichnen, wo Körper sich berühren</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Namen</translation>
     </message>
     <message>
         <source>Write the labels of bodies over them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Namen der Körper über sie schreiben</translation>
     </message>
     <message>
         <source>&amp;Write</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schreiben</translation>
     </message>
     <message>
         <source>Arrange the panels for writing a scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder zum Schreiben einer Szene anordnen</translation>
     </message>
     <message>
         <source>Wat&amp;ch</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zusehen</translation>
     </message>
     <message>
         <source>Arrange the panels for watching: a large picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder zum Zusehen anordnen: ein großes Bild</translation>
     </message>
     <message>
         <source>M&amp;easure</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Messen</translation>
     </message>
     <message>
         <source>Arrange the panels for measuring times and quantities</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder zum Messen von Zeiten und Größen anordnen</translation>
     </message>
     <message>
         <source>Stud&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Untersuchen</translation>
     </message>
     <message>
         <source>Arrange the panels for studies of accuracy and cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder für Untersuchungen von Genauigkeit und Aufwand anordnen</translation>
     </message>
     <message>
         <source>Put the workspace bac&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsbereich zu&amp;rücksetzen</translation>
     </message>
     <message>
         <source>Arrange this workspace&apos;s panels as they came</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder dieses Arbeitsbereichs wie am Anfang anordnen</translation>
     </message>
     <message>
         <source>Larger te&amp;xt</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Größerer Text</translation>
     </message>
     <message>
         <source>Make the editor&apos;s text larger</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Text größer machen</translation>
     </message>
     <message>
         <source>S&amp;maller text</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleinerer Text</translation>
     </message>
     <message>
         <source>Make the editor&apos;s text smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Text kleiner machen</translation>
     </message>
     <message>
         <source>&amp;Normal text</source>
-        <translation type="unfinished"></translation>
+        <translation>N&amp;ormaler Text</translation>
     </message>
     <message>
         <source>Give the editor&apos;s text its usual size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Text seine übliche Größe geben</translation>
     </message>
     <message>
         <source>Messages in the te&amp;xt</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen im Te&amp;xt</translation>
     </message>
     <message>
         <source>Show each problem&apos;s message under its line</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Meldung jedes Problems unter seiner Zeile zeigen</translation>
     </message>
     <message>
         <source>&amp;Dark theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkle Farben</translation>
     </message>
     <message>
         <source>Switch between the dark and the light theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen dunklen und hellen Farben wechseln</translation>
     </message>
     <message>
         <source>Go to the e&amp;ditor</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum &amp;Text gehen</translation>
     </message>
     <message>
         <source>Put the keyboard into the text</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tastatur in den Text setzen</translation>
     </message>
     <message>
         <source>Go to the vie&amp;wport</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum &amp;Bild gehen</translation>
     </message>
     <message>
         <source>Put the keyboard into the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tastatur ins Bild setzen</translation>
     </message>
     <message>
         <source>&amp;Manual: the word at the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Handbuch: das Wort an der Schreibmarke</translation>
     </message>
     <message>
         <source>Open the manual at what the word at the caret means</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch beim Wort an der Schreibmarke öffnen</translation>
     </message>
     <message>
         <source>&amp;Tutorial</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einführung</translation>
     </message>
     <message>
         <source>From an empty scene to a measured answer in ten minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>In zehn Minuten von der leeren Szene zur gemessenen Antwort</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>All keys and what they do</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten und was sie tun</translation>
     </message>
     <message>
         <source>&amp;Welcome…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Willkommen …</translation>
     </message>
     <message>
         <source>Show the gallery of scenes and the files opened last</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Galerie der Szenen und die zuletzt geöffneten Dateien zeigen</translation>
     </message>
     <message>
         <source>&amp;Find a command…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Befehl suchen …</translation>
     </message>
     <message>
         <source>Do anything the menus can do, by a few letters of its name</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles tun, was die Menüs können, mit wenigen Buchstaben seines Namens</translation>
     </message>
     <message>
         <source>&amp;About Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber Carom</translation>
     </message>
     <message>
         <source>Version and licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Version und Lizenz</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Schritt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Go back one frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw the way each body has come in the last states shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre of &amp;mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark the centre of mass of everything that moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>G&amp;host of the run before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After an edit in the middle of a run, draw where the bodies were before it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -614,39 +646,39 @@
     <name>carom::BroadphaseComparison</name>
     <message>
         <source>`%1` cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
         <source>What to compare on</source>
-        <translation type="unfinished"></translation>
+        <translation>Worauf verglichen wird</translation>
     </message>
     <message>
         <source>on this scene</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dieser Szene</translation>
     </message>
     <message>
         <source>Its first %1 frames with every algorithm</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre ersten %1 Bilder mit jedem Verfahren</translation>
     </message>
     <message>
         <source>against N: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>über N: %1</translation>
     </message>
     <message>
         <source>%1 frames of the generated scene at growing numbers of bodies; takes minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bilder der erzeugten Szene mit wachsender Zahl von Körpern; dauert Minuten</translation>
     </message>
     <message>
         <source>Chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Write the chart or the figures to a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Diagramm oder die Zahlen in eine Datei schreiben</translation>
     </message>
     <message>
         <source>Compare all runs the first %1 frames of the scene with every algorithm and shows what each took.
@@ -655,47 +687,47 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 …</translation>
     </message>
     <message>
         <source>Export the chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm ausgeben</translation>
     </message>
     <message>
         <source>CSV, a row an algorithm…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV, eine Zeile je Verfahren …</translation>
     </message>
     <message>
         <source>Export the figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen ausgeben</translation>
     </message>
     <message>
         <source>CSV, a row a frame…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV, eine Zeile je Bild …</translation>
     </message>
     <message>
         <source>Export every frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Bild ausgeben</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Compare all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle vergleichen</translation>
     </message>
     <message>
         <source>Show what was computed so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, was bisher gerechnet wurde</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1, about %2 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, noch etwa %2 s</translation>
     </message>
     <message>
         <source>broad-phases compared in %1 s: %2</source>
@@ -755,18 +787,18 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 geschrieben</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
     <name>carom::BroadphaseDock</name>
     <message>
         <source>Boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader</translation>
     </message>
     <message>
         <source>Boxes looked at in the frame</source>
@@ -774,7 +806,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Overlapping pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Überlappende Paare</translation>
     </message>
     <message>
         <source>Pairs whose boxes overlap: what the narrow phase gets</source>
@@ -782,7 +814,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Pairs tested</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüfte Paare</translation>
     </message>
     <message>
         <source>Pairs of boxes compared to find them</source>
@@ -790,15 +822,15 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Tested / overlapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüft / überlappend</translation>
     </message>
     <message>
         <source>1 would be perfect</source>
-        <translation type="unfinished"></translation>
+        <translation>1 wäre vollkommen</translation>
     </message>
     <message>
         <source>Contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakte</translation>
     </message>
     <message>
         <source>Pairs found touching or overlapping</source>
@@ -806,7 +838,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Swaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertauschungen</translation>
     </message>
     <message>
         <source>Exchanges of neighbouring end points (sweep and sort)</source>
@@ -830,7 +862,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher</translation>
     </message>
     <message>
         <source>Held by the algorithm</source>
@@ -854,7 +886,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Wall time of the broad-phase in the frame</source>
@@ -862,249 +894,250 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Broad-phase</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobphase</translation>
     </message>
     <message>
         <source>Algorithm</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>As the scene asks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Szene verlangt</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keins</translation>
     </message>
     <message>
         <source>As the scene asks (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Szene verlangt (%1)</translation>
     </message>
     <message>
         <source>The scene names it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene nennt es.</translation>
     </message>
     <message>
         <source>Chosen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählt: %1</translation>
     </message>
 </context>
 <context>
     <name>carom::CommandFinder</name>
     <message>
         <source>What do you want to do?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was möchten Sie tun?</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle</translation>
     </message>
     <message>
         <source> (on)</source>
-        <translation type="unfinished"></translation>
+        <translation> (an)</translation>
     </message>
     <message>
         <source>Nothing is called that.</source>
-        <translation type="unfinished"></translation>
+        <translation>So heißt nichts.</translation>
     </message>
 </context>
 <context>
     <name>carom::DiagnosticMarks</name>
     <message>
         <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>Ctrl+. — %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+. – %1</translation>
     </message>
 </context>
 <context>
     <name>carom::Document</name>
     <message>
         <source>“%1” is a folder; choose a scene file in it</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist ein Ordner; wählen Sie eine Szenendatei darin</translation>
     </message>
     <message>
         <source>“%1” cannot be read: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
         <source>“%1” has %2 MiB; a scene&apos;s text may have 64 MiB</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat %2 MiB; der Text einer Szene darf 64 MiB haben</translation>
     </message>
     <message>
         <source>the text has no file yet; choose a name for it</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text hat noch keine Datei; wählen Sie einen Namen</translation>
     </message>
     <message>
         <source>“%1” cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
     </message>
 </context>
 <context>
     <name>carom::EditCommands</name>
     <message>
         <source>Nothing at the caret has an obvious mend</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Schreibmarke lässt sich nichts auf naheliegende Weise beheben</translation>
     </message>
     <message>
         <source>Go to line</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehe zu Zeile</translation>
     </message>
     <message>
         <source>Line, 1 to %1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile, 1 bis %1:</translation>
     </message>
 </context>
 <context>
     <name>carom::EffectsDock</name>
     <message>
         <source>Effects</source>
-        <translation type="unfinished"></translation>
+        <translation>Effekte</translation>
     </message>
     <message>
         <source>The scene is empty.
 Once there are bodies in it, this says which effects they call for, and why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene ist leer.
+Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1</translation>
     </message>
 </context>
 <context>
     <name>carom::FileCommands</name>
     <message>
         <source>opened %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geöffnet</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
         <source>new scene</source>
-        <translation type="unfinished"></translation>
+        <translation>neue Szene</translation>
     </message>
     <message>
         <source>new scene: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>neue Szene: %1</translation>
     </message>
     <message>
         <source>Open a scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene öffnen</translation>
     </message>
     <message>
         <source>saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>Save the scene as</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene speichern unter</translation>
     </message>
     <message>
         <source>reloaded %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 neu geladen</translation>
     </message>
     <message>
         <source>reloaded %1, which was changed outside</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 neu geladen; die Datei wurde außerhalb geändert</translation>
     </message>
     <message>
         <source>Changed outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Außerhalb geändert</translation>
     </message>
     <message>
         <source>“%1” was changed by another program, and here, too. Take the file&apos;s text and give up the changes made here?</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde von einem anderen Programm geändert und auch hier. Den Text der Datei nehmen und die Änderungen hier aufgeben?</translation>
     </message>
     <message>
         <source>Save the window as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster als Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (*.png)</translation>
     </message>
     <message>
         <source>“%1” cannot be written</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>%1[*] – Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Carom</translation>
     </message>
     <message>
         <source>%1[*] (%2) – Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] (%2) – Carom</translation>
     </message>
     <message>
         <source>Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>Carom</translation>
     </message>
 </context>
 <context>
     <name>carom::FindBar</name>
     <message>
         <source>Find</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Replace by</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen durch</translation>
     </message>
     <message>
         <source>Regular e&amp;xpression</source>
-        <translation type="unfinished"></translation>
+        <translation>Regulärer Aus&amp;druck</translation>
     </message>
     <message>
         <source>Match &amp;case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Groß/klein</translation>
     </message>
     <message>
         <source>&amp;Previous</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weiter</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ersetzen</translation>
     </message>
     <message>
         <source>Replace &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle ersetzen</translation>
     </message>
     <message>
         <source>not found</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gefunden</translation>
     </message>
     <message>
         <source>1 match</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Fundstelle</translation>
     </message>
     <message>
         <source>%1 matches</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Fundstellen</translation>
     </message>
     <message>
         <source>%1; went on from the top</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; oben weitergesucht</translation>
     </message>
     <message>
         <source>%1; went on from the end</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; unten weitergesucht</translation>
     </message>
     <message numerus="yes">
         <source>%n replaced</source>
@@ -1118,35 +1151,35 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     <name>carom::Frames</name>
     <message>
         <source>Timing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeiten</translation>
     </message>
     <message>
         <source>total</source>
-        <translation type="unfinished"></translation>
+        <translation>gesamt</translation>
     </message>
     <message>
         <source>now [ms]</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt [ms]</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>median</source>
-        <translation type="unfinished"></translation>
+        <translation>Median</translation>
     </message>
     <message>
         <source>p95</source>
-        <translation type="unfinished"></translation>
+        <translation>p95</translation>
     </message>
     <message>
         <source>p99</source>
-        <translation type="unfinished"></translation>
+        <translation>p99</translation>
     </message>
     <message>
         <source>max</source>
-        <translation type="unfinished"></translation>
+        <translation>max</translation>
     </message>
     <message>
         <source>Statistics of frame times</source>
@@ -1154,7 +1187,7 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fill the height with the frames shown, instead of always showing the lines of 1/60 and 1/30 s</source>
@@ -1162,7 +1195,7 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Write the graph or its figures to a file</source>
@@ -1170,7 +1203,7 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 …</translation>
     </message>
     <message>
         <source>%1 [ms]</source>
@@ -1194,15 +1227,15 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>`%1` cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
         <source>there are no frames yet; run the simulation first</source>
@@ -1218,75 +1251,75 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     </message>
     <message>
         <source>Written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 geschrieben</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
     <name>carom::HelpCommands</name>
     <message>
         <source>About Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Carom</translation>
     </message>
     <message>
         <source>&lt;h3&gt;Carom %1&lt;/h3&gt;&lt;p&gt;Scenes of rigid bodies: written, watched, measured.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h3&gt;Carom %1&lt;/h3&gt;&lt;p&gt;Szenen starrer Körper: schreiben, ansehen, messen.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
     <name>carom::LanguageCommands</name>
     <message>
         <source>The caret is in no declaration&apos;s braces</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schreibmarke steht in keiner Deklaration</translation>
     </message>
     <message>
         <source>There is no label at the caret; labels stand behind a body&apos;s type</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Schreibmarke steht kein Name; Namen stehen hinter der Art des Körpers</translation>
     </message>
     <message>
         <source>There is no number at the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Schreibmarke steht keine Zahl</translation>
     </message>
     <message>
         <source>There is no label at the caret</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Schreibmarke steht kein Name</translation>
     </message>
     <message>
         <source>No body carries this label</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Körper trägt diesen Namen</translation>
     </message>
     <message>
         <source>The text is laid out in the usual way already</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Text ist schon wie üblich angeordnet</translation>
     </message>
     <message>
         <source>Laid out; Ctrl+Z takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeordnet; Strg+Z nimmt es zurück</translation>
     </message>
 </context>
 <context>
     <name>carom::LivePreview</name>
     <message>
         <source>1 error: the last scene without is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Fehler: die letzte Szene ohne wird gezeigt</translation>
     </message>
     <message>
         <source>%1 errors: the last scene without is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Fehler: die letzte Szene ohne wird gezeigt</translation>
     </message>
     <message>
         <source>1 error: the declaration it is in is left out</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Fehler: seine Deklaration ist ausgelassen</translation>
     </message>
     <message>
         <source>%1 errors: the declarations they are in are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Fehler: ihre Deklarationen sind ausgelassen</translation>
     </message>
     <message>
-        <source>The text has changed: Reset (Shift+F5) shows it</source>
+        <source>Simulating the changed scene to %1 s…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1294,386 +1327,388 @@ Once there are bodies in it, this says which effects they call for, and why.</so
     <name>carom::MainWindow</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Show or hide this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Feld zeigen oder verbergen</translation>
     </message>
     <message>
         <source>line %1, column %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1, Spalte %2</translation>
     </message>
 </context>
 <context>
     <name>carom::ManualWindow</name>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc back to the text. In the picture: the left button turns, the right one moves, the wheel zooms, F frames the selection, Home everything, Space plays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Taste lässt sich in den Einstellungen ändern. Alt mit 1 bis 9 geht zu einem Feld, Esc zurück zum Text. Im Bild: die linke Taste dreht, die rechte schiebt, das Rad zoomt, F rahmt die Auswahl ein, Pos1 alles, Leertaste spielt ab.</translation>
     </message>
     <message>
         <source>command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Manual – Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch – Carom</translation>
     </message>
     <message>
         <source>Ten minutes to a measured answer</source>
-        <translation type="unfinished"></translation>
+        <translation>In zehn Minuten zur gemessenen Antwort</translation>
     </message>
     <message>
         <source>The scene language</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szenensprache</translation>
     </message>
     <message>
         <source>Reading a work–precision diagram</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Aufwand-Genauigkeits-Diagramm lesen</translation>
     </message>
     <message>
         <source>Contents of the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt des Handbuchs</translation>
     </message>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch</translation>
     </message>
     <message>
         <source>Search the manual</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Handbuch suchen</translation>
     </message>
 </context>
 <context>
     <name>carom::NewSceneDialog</name>
     <message>
         <source>New scene from a template or generator</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Szene aus Vorlage oder Generator</translation>
     </message>
     <message>
         <source>Templates and generators</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlagen und Generatoren</translation>
     </message>
     <message>
         <source>&amp;Create</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Erzeugen</translation>
     </message>
     <message>
         <source>Templates</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlagen</translation>
     </message>
     <message>
         <source>Generators</source>
-        <translation type="unfinished"></translation>
+        <translation>Generatoren</translation>
     </message>
     <message>
         <source>How many</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele</translation>
     </message>
     <message>
         <source>The same seed gives the same scene on every machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gleiche Startwert gibt auf jedem Rechner die gleiche Szene</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>%1 of text: too large to preview</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Text: zu groß für eine Vorschau</translation>
     </message>
     <message>
         <source>%1 bodies, %2 of text</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Körper, %2 Text</translation>
     </message>
 </context>
 <context>
     <name>carom::OutlineDock</name>
     <message>
         <source>Outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Gliederung</translation>
     </message>
     <message>
         <source>Find a declaration</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklaration suchen</translation>
     </message>
     <message>
         <source>Nothing is declared yet.
 Ctrl+J inserts a declaration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts deklariert.
+Strg+J fügt eine Deklaration ein.</translation>
     </message>
 </context>
 <context>
     <name>carom::OutlineModel</name>
     <message>
         <source>left out: there is a mistake in it</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgelassen: es ist ein Fehler darin</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
 </context>
 <context>
     <name>carom::OutputDock</name>
     <message>
         <source>Output</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgabe</translation>
     </message>
     <message>
         <source>What is opened, built, run and saved is noted here, with times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geöffnet, gebaut, gerechnet und gespeichert wird, steht hier mit der Zeit.</translation>
     </message>
 </context>
 <context>
     <name>carom::Preferences</name>
     <message>
         <source>Left turns, right or middle moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Links dreht, rechts oder Mitte schiebt</translation>
     </message>
     <message>
         <source>Left turns, middle moves, right zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Links dreht, Mitte schiebt, rechts zoomt</translation>
     </message>
     <message>
         <source>Middle turns, with Shift moves, with Ctrl zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte dreht, mit Umschalt schiebt, mit Strg zoomt</translation>
     </message>
     <message>
         <source>Middle moves, with Shift turns; right zooms</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte schiebt, mit Umschalt dreht; rechts zoomt</translation>
     </message>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Navigation</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus</translation>
     </message>
     <message>
         <source>Simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source> pt</source>
-        <translation type="unfinished"></translation>
+        <translation> pt</translation>
     </message>
     <message>
         <source>Font of the text</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrift des Textes</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>The language changes at the next start. The scene language and its messages stay English.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sprache wechselt beim nächsten Start. Die Szenensprache und ihre Meldungen bleiben englisch.</translation>
     </message>
     <message>
         <source>Find a command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl suchen</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>A key that belongs to another command is taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Taste, die einem anderen Befehl gehört, wird ihm genommen.</translation>
     </message>
     <message>
         <source>Keys of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten von „%1“</translation>
     </message>
     <message>
         <source>Usual</source>
-        <translation type="unfinished"></translation>
+        <translation>Üblich</translation>
     </message>
     <message>
         <source>Give the command its usual keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Befehl seine üblichen Tasten geben</translation>
     </message>
     <message>
         <source>Mouse in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus im Bild</translation>
     </message>
     <message>
         <source>The wheel zooms at the pointer and a click selects, whatever is chosen here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rad zoomt am Zeiger und ein Klick wählt aus, was immer hier gewählt ist.</translation>
     </message>
     <message>
         <source> MiB</source>
-        <translation type="unfinished"></translation>
+        <translation> MiB</translation>
     </message>
     <message>
         <source>Memory for going back in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher für das Zurückgehen in der Zeit</translation>
     </message>
     <message>
         <source>what the scene or the machine says</source>
-        <translation type="unfinished"></translation>
+        <translation>was Szene oder Rechner sagen</translation>
     </message>
     <message>
         <source>Threads</source>
-        <translation type="unfinished"></translation>
+        <translation>Threads</translation>
     </message>
     <message>
         <source>The motion does not depend on the number of threads.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung hängt nicht von der Zahl der Threads ab.</translation>
     </message>
 </context>
 <context>
     <name>carom::ProblemsDock</name>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme</translation>
     </message>
     <message>
         <source>No problems.
 What is wrong in the text is listed here as you type; F8 goes from one to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Probleme.
+Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächsten.</translation>
     </message>
     <message>
         <source>Problems (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Probleme (%1)</translation>
     </message>
 </context>
 <context>
     <name>carom::ProblemsModel</name>
     <message>
         <source>Message</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldung</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>Column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte</translation>
     </message>
     <message>
         <source>Code</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung</translation>
     </message>
 </context>
 <context>
     <name>carom::RecoveryDialog</name>
     <message>
         <source>Unsaved text found</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherter Text gefunden</translation>
     </message>
     <message>
         <source>Carom ended unexpectedly. This text was typed and not saved; the lines that differ from the file are marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Carom wurde unerwartet beendet. Dieser Text wurde geschrieben und nicht gespeichert; Zeilen, die von der Datei abweichen, sind markiert.</translation>
     </message>
     <message>
         <source>Unsaved texts</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Texte</translation>
     </message>
     <message>
         <source>What the unsaved text changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der nicht gespeicherte Text ändert</translation>
     </message>
     <message>
         <source>a scene without a file</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Szene ohne Datei</translation>
     </message>
     <message>
         <source>&amp;Take it up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wieder aufnehmen</translation>
     </message>
     <message>
         <source>T&amp;hrow it away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;werfen</translation>
     </message>
     <message>
         <source>Ask me &amp;later</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Später fragen</translation>
     </message>
     <message>
         <source>The file holds this text already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält diesen Text schon.</translation>
     </message>
 </context>
 <context>
     <name>carom::RenameBox</name>
     <message>
         <source>New name of the label</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Name</translation>
     </message>
     <message>
         <source>Enter the new name; Esc gives up</source>
-        <translation type="unfinished"></translation>
+        <translation>Den neuen Namen eingeben; Esc gibt auf</translation>
     </message>
     <message>
         <source>Enter renames it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe ändert den Namen</translation>
     </message>
     <message>
         <source>Enter renames it in %1 places</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe ändert den Namen an %1 Stellen</translation>
     </message>
 </context>
 <context>
     <name>carom::RunCommands</name>
     <message>
         <source>broad-phase: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobphase: %1</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>&amp;Play</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abspielen</translation>
     </message>
     <message>
         <source>Stopped at frame %1: the %2 of %3 is no longer a finite number</source>
@@ -1684,41 +1719,79 @@ What is wrong in the text is listed here as you type; F8 goes from one to the ne
     <name>carom::SceneEditor</name>
     <message>
         <source>Scene text</source>
-        <translation type="unfinished"></translation>
+        <translation>Text der Szene</translation>
     </message>
 </context>
 <context>
     <name>carom::SceneLexer</name>
     <message>
         <source>Labels and white space</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen und Leerraum</translation>
     </message>
     <message>
         <source>Comment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kommentar</translation>
     </message>
     <message>
         <source>Number</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl</translation>
     </message>
     <message>
         <source>Declaration</source>
-        <translation type="unfinished"></translation>
+        <translation>Deklaration</translation>
     </message>
     <message>
         <source>Parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>Word or colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Wort oder Farbe</translation>
     </message>
     <message>
         <source>Punctuation</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichensetzung</translation>
     </message>
     <message>
         <source>Unexpected characters</source>
+        <translation>Unerwartete Zeichen</translation>
+    </message>
+</context>
+<context>
+    <name>carom::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> (not simulated yet)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+%1 new contacts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+the run stopped here: a number was no longer finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+a breakpoint held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1730,7 +1803,7 @@ What is wrong in the text is listed here as you type; F8 goes from one to the ne
     </message>
     <message>
         <source>Frame times</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildzeiten</translation>
     </message>
     <message>
         <source>%1 ms; the line of 1/60 s lies %2 times higher</source>
@@ -1738,107 +1811,107 @@ What is wrong in the text is listed here as you type; F8 goes from one to the ne
     </message>
     <message>
         <source>Run the simulation to see the time of every frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation laufen lassen, um die Zeit jedes Bildes zu sehen</translation>
     </message>
 </context>
 <context>
     <name>carom::TransportBar</name>
     <message>
         <source>Speed of the presentation, 0.01× to 100×; the step itself stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit der Darstellung, 0,01× bis 100×; der Schritt selbst bleibt</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>beendet</translation>
     </message>
 </context>
 <context>
     <name>carom::Viewport</name>
     <message>
         <source>Viewport</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild</translation>
     </message>
 </context>
 <context>
     <name>carom::Welcome</name>
     <message>
         <source>Welcome to Carom</source>
-        <translation type="unfinished"></translation>
+        <translation>Willkommen bei Carom</translation>
     </message>
     <message>
         <source>Show this when the program starts without a scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies zeigen, wenn das Programm ohne Szene startet</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schließen</translation>
     </message>
     <message>
         <source>&lt;h1&gt;Carom&lt;/h1&gt;&lt;p&gt;Scenes of rigid bodies: written, watched, measured.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;h1&gt;Carom&lt;/h1&gt;&lt;p&gt;Szenen starrer Körper: schreiben, ansehen, messen.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Learn it in ten minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>In zehn Minuten lernen</translation>
     </message>
     <message>
         <source>Empty scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Leere Szene</translation>
     </message>
     <message>
         <source>Template or generator…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlage oder Generator …</translation>
     </message>
     <message>
         <source>Open a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei öffnen …</translation>
     </message>
     <message>
         <source>Opened last</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Gallery of scenes</source>
-        <translation type="unfinished"></translation>
+        <translation>Galerie der Szenen</translation>
     </message>
 </context>
 <context>
     <name>carom::Workbench</name>
     <message>
         <source>recovered the unsaved text of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>den nicht gespeicherten Text von %1 wieder aufgenommen</translation>
     </message>
     <message>
         <source>%1: %2 bodies, %3 problems, built in %4 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 Körper, %3 Probleme, gebaut in %4 ms</translation>
     </message>
     <message>
         <source>selected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gewählt: %1</translation>
     </message>
 </context>
 </TS>

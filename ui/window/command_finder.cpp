@@ -111,7 +111,12 @@ void CommandFinder::narrow() {
     std::vector<std::pair<int, std::size_t>> found;
     for (std::size_t i = 0; i < m_commands.size(); ++i) {
         const QString text = plainText(*m_commands[i].action) + u' ' + m_commands[i].path;
-        if (const int fit = fitOf(text, m_words->text()); fit >= 0) found.emplace_back(fit, i);
+        // What the name does not say the status tip may; a name that fits comes first.
+        constexpr int onlyInTip = 10000;
+        const int fit = fitOf(text, m_words->text());
+        const int withTip =
+            fit >= 0 ? fit : fitOf(text + u' ' + m_commands[i].action->statusTip(), m_words->text());
+        if (withTip >= 0) found.emplace_back(fit >= 0 ? fit : onlyInTip + withTip, i);
     }
     if (!m_words->text().isEmpty()) std::stable_sort(found.begin(), found.end());
     m_list->clear();

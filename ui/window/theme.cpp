@@ -59,6 +59,7 @@ QTabBar::tab { background: transparent; color: @mutedText; padding: 6px 12px; bo
                border-top: 2px solid transparent; }
 QTabBar::tab:selected { color: @text; border-top: 2px solid @accent; background: @panel; }
 QTabBar::tab:hover:!selected { color: @text; background: @hover; }
+QTabWidget::pane { border: 1px solid @border; background: @window; }
 QAbstractScrollArea { border: none; }
 QTreeView, QTableView, QListView, QPlainTextEdit, QTextBrowser { background: @panel; }
 QTreeView::item, QListView::item { padding: 3px 4px; }

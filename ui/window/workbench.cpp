@@ -165,8 +165,14 @@ void Workbench::connectPreferences() {
     m_window->editor().setTextFont(m_settings.fontFamily(), m_settings.fontSize());
     m_window->viewport().setNavigation(navigationPreset(m_settings.navigation()));
     m_builds->setThreads(m_settings.threads());
+    takeMemoryBudget();
     connect(&m_window->actions()[ActionId::Preferences], &QAction::triggered, this,
             &Workbench::showPreferences);
+}
+
+void Workbench::takeMemoryBudget() {
+    constexpr int bitsOfMebibyte = 20;
+    m_simulation->setMemoryBudget(static_cast<std::size_t>(m_settings.memoryBudget()) << bitsOfMebibyte);
 }
 
 void Workbench::showPreferences() {
@@ -180,6 +186,7 @@ void Workbench::showPreferences() {
             [this] { m_window->viewport().setNavigation(navigationPreset(m_settings.navigation())); });
     connect(dialog, &Preferences::threadsChosen, this,
             [this] { m_builds->setThreads(m_settings.threads()); });
+    connect(dialog, &Preferences::memoryChosen, this, &Workbench::takeMemoryBudget);
     connect(dialog, &Preferences::keysChanged, m_window.get(), &MainWindow::releaseKeys);
     dialog->open();
 }

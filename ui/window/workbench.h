@@ -55,6 +55,7 @@ class Workbench : public QObject {
     void showBuild(const SharedBuild& result);
     void connectPreferences();
     void showPreferences();
+    void takeMemoryBudget();
     void connectTheme();
     void setDark(bool dark);
 

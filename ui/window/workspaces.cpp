@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSplitter>
+#include <QTabBar>
 
 #include <array>
 #include <string_view>
@@ -60,6 +61,11 @@ void Workspaces::save(Settings& settings) const {
     settings.setWorkspace(nameOf(m_current), m_window.saveState(), m_splitter.saveState());
 }
 
+/// Tab bars that Qt makes for tabbed panels draw a line of the platform's colour; ours have none.
+void Workspaces::dropLinesUnderTabs() {
+    for (QTabBar* bar : m_window.findChildren<QTabBar*>()) bar->setDrawBase(false);
+}
+
 void Workspaces::show(WorkspaceId id) {
     if (id == m_current) return;
     Settings settings;
@@ -82,6 +88,7 @@ void Workspaces::arrange(WorkspaceId id) {
     const bool wasLeft = m_window.restoreState(settings.workspaceState(nameOf(id)));
     if (wasLeft) {
         m_splitter.restoreState(settings.workspaceSplitter(nameOf(id)));
+        dropLinesUnderTabs();
         return;
     }
     m_window.restoreState(m_pristine);
@@ -98,6 +105,7 @@ void Workspaces::arrange(WorkspaceId id) {
     if (!below.isEmpty()) m_window.resizeDocks({below.first()}, {row.belowHeight}, Qt::Vertical);
     constexpr int whole = 1000; // only the proportion counts
     m_splitter.setSizes({row.textShare * whole / 100, whole - row.textShare * whole / 100});
+    dropLinesUnderTabs();
 }
 
 QAction& Workspaces::actionOf(WorkspaceId id) const { return m_actions[rowOf(id).action]; }

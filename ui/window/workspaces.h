@@ -39,6 +39,7 @@ class Workspaces : public QObject {
   private:
     void arrange(WorkspaceId id);
     void resetCurrent();
+    void dropLinesUnderTabs();
     QAction& actionOf(WorkspaceId id) const;
 
     QMainWindow& m_window;

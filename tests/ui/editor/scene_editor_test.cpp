@@ -9,7 +9,13 @@
 #include "core/scene/schema.h"
 
 #include <QCheckBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QToolTip>
+#include <QUrl>
 
 using namespace carom;
 using namespace carom::test;
@@ -237,6 +243,65 @@ class SceneEditorTest : public QObject {
         QTest::keyClicks(replace, QStringLiteral("cub"));
         QTest::keyClick(replace, Qt::Key_Return);
         QVERIFY(editor.bytes().startsWith("cubere; wall;"));
+    }
+
+    void typingGoesToEverySelectionAndColumnsCanBeSelected() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        editor.setBytes("vel 1\nvel 2\nvel 3\n");
+        editor.send(Sci::SCI_SETSELECTION, 3, 0);
+        editor.send(Sci::SCI_ADDSELECTION, 9, 6);
+        QTest::keyClicks(&editor, QStringLiteral("mass"));
+        QCOMPARE(editor.bytes(), QByteArray("mass 1\nmass 2\nvel 3\n"));
+        editor.setBytes("ab1\nab2\nab3\n");
+        editor.send(Sci::SCI_SETRECTANGULARSELECTIONANCHOR, 1);
+        editor.send(Sci::SCI_SETRECTANGULARSELECTIONCARET, 10);
+        QTest::keyClick(&editor, Qt::Key_Delete);
+        QCOMPARE(editor.bytes(), QByteArray("a1\na2\na3\n"));
+    }
+
+    void aNewLineIsIndentedLikeTheOneAboveItAndBracesAreMatched() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        editor.setBytes("sphere {\n    radius 1\n}\n");
+        editor.send(Sci::SCI_GOTOPOS, 21); // behind `radius 1`
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QCOMPARE(editor.bytes(), QByteArray("sphere {\n    radius 1\n    \n}\n"));
+        QCOMPARE(editor.send(Sci::SCI_BRACEMATCH, 7), 27L);
+        const long height = editor.send(Sci::SCI_TEXTHEIGHT, 0);
+        editor.zoomIn(4);
+        QVERIFY(editor.send(Sci::SCI_TEXTHEIGHT, 0) > height);
+    }
+
+    void theMouseOverAWordSaysWhatItMeansOrWhatIsWrongWithIt() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        editor.setBytes("sphere { radius 1 mass 1 centre 0,0,0 colour blu }\n");
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        marks.show(built(editor));
+        const int radius = static_cast<int>(editor.bytes().indexOf("radius") + 2);
+        Q_EMIT editor.SCN_DWELLSTART(radius, 60, 10);
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("[m]")), qPrintable(QToolTip::text()));
+        const int wrong = static_cast<int>(editor.bytes().indexOf("blu") + 1);
+        Q_EMIT editor.SCN_DWELLSTART(wrong, 60, 10);
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("blue")), qPrintable(QToolTip::text()));
+        QVERIFY(QToolTip::text().contains(QStringLiteral("Ctrl+.")));
+    }
+
+    void aFileDroppedOnTheTextIsToBeOpened() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        QSignalSpy dropped(&editor, &SceneEditor::fileDropped);
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/a.sdl"))});
+        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(editor.viewport(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent drop(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(editor.viewport(), &drop);
+        QCOMPARE(dropped.count(), 1);
+        QCOMPARE(dropped.first().first().toString(), QStringLiteral("/tmp/a.sdl"));
     }
 };
 

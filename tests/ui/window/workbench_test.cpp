@@ -213,8 +213,7 @@ class WorkbenchTest : public QObject {
         QDockWidget& broadphase = ide.bench.window().broadphase();
         QSignalSpy inFront(&broadphase, &QDockWidget::visibilityChanged);
         QTest::keyClick(&ide.bench.window(), Qt::Key_3, Qt::AltModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(inFront.count(), 1, patience);
-        QVERIFY(inFront.first().first().toBool());
+        QTRY_VERIFY_WITH_TIMEOUT(!inFront.isEmpty() && inFront.last().first().toBool(), patience);
         QVERIFY(broadphase.findChild<QComboBox*>()->hasFocus());
         QTest::keyClick(&ide.bench.window(), Qt::Key_Escape);
         QTRY_VERIFY_WITH_TIMEOUT(ide.editor.hasFocus(), patience);
