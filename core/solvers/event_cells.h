@@ -2,114 +2,277 @@
 #pragma once
 
 #include "core/math/aabb.h"
+#include "core/solvers/event_agenda.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <span>
 #include <vector>
 
-// Cells that hold every body whose centre they contain, so that a body can only meet bodies of its own and
-// the 26 cells around it before one of them crosses a border. Which cell a body is in is part of its state,
+// Cells that hold every ball whose centre they contain, so that a ball can only meet balls of its own and the
+// 26 cells around it before one of them crosses a border. Which cell a ball is in is part of its state,
 // changed by crossing events and never derived from its position again; so rounding at a border cannot lose
-// it. Space is endless and the table is not: cells repeat after `extent` of them along each axis, which
+// it. Space is endless and the tables are not: cells repeat after `extent` of them along each axis, which
 // brings strangers into a list, never drops a neighbour.
+//
+// Balls of very different sizes live on levels of cells that are twice as wide each; a ball on the level
+// whose cells are as wide as the ball. Cells of all levels begin at the same borders, so the cell around a
+// fine one is `place >> levels up`. A ball looks for its like in the 27 cells of its own level, for larger
+// ones in the 27 coarser cells around, for smaller ones in all the finer cells that those 27 cells consist
+// of.
+//
+// Most cells are empty. So a bit for every cell says whether it is worth a look: the 27 cells around a ball
+// are nine rows of three bits, each read at once; the first and the last bit of a row stand for its other
+// end.
 
 namespace carom {
 
 class EventCells {
   public:
-    static constexpr std::uint32_t nobody = 0xffffffffU;
-
-    /// A cell by its place in endless space.
+    static constexpr std::uint32_t nobody = Agenda::nobody;
     using Place = std::array<std::int32_t, 3>;
 
-    /// Empty cells of edge `side` [m], enough to tile `region` without repeating if `mostCells` allow it.
-    void restart(std::size_t bodies, const Aabb& region, double side, std::size_t mostCells);
+    /// Empty cells, their `side` [m] doubling from level to level, enough to tile `region` without repeating
+    /// if the budget of some dozens of cells a ball allows it. Sets the level of each of the `agendas`;
+    /// radii are those of `stamps`.
+    void restart(Agendas agendas, std::span<const Stamp> stamps, const Aabb& region);
 
-    void insert(std::uint32_t i, const Vec3& position);
-    /// Moves body i one cell along an axis, in direction +1 or −1.
-    void cross(std::uint32_t i, int axis, int direction);
+    /// Names the cells from which a ball of their level can reach the half-space normal·x < offset before it
+    /// crosses a border. Walls are numbered in the order of the calls.
+    void addWall(const Vec3& normal, double offset);
 
-    const Place& placeOf(std::uint32_t i) const { return m_bodies[i].place; }
-    /// The borders of body i's cell along an axis [m].
-    double lowerBorder(std::uint32_t i, int axis) const {
-        return border(axis, m_bodies[i].place[index(axis)]);
+    /// Takes all balls out of the cells.
+    void clear();
+    /// A quarter of the balls is beyond the region the cells were laid for.
+    bool areOutgrown(ConstAgendas agendas) const;
+    void insert(Agendas agendas, std::uint32_t i, const Vec3& position);
+    /// Moves ball i one cell along an axis, in direction +1 or −1.
+    void cross(Agendas agendas, std::uint32_t i, int axis, int direction);
+
+    /// A ball's cell, for who asks when it leaves it and what it may meet there.
+    struct Surroundings {
+        Vec3 lower;             ///< borders [m]
+        double side = 0;        ///< [m]
+        bool isRepeated = true; ///< none of the cells the tables were laid for, but one they stand for too
+        unsigned wallsNear = 0; ///< one bit a wall that can be reached; the last one means all from there on
+    };
+    static constexpr unsigned wallBits = 8;
+    Surroundings surroundingsOf(const Agenda& agenda) const {
+        const Level& level = m_levels[agenda.level];
+        const Place& place = agenda.place;
+        Surroundings cell{.lower = m_origin + level.side * Vec3(place[0], place[1], place[2]),
+                          .side = level.side,
+                          .isRepeated = isRepeated(level, place)};
+        cell.wallsNear = cell.isRepeated ? (1U << wallBits) - 1
+                                         : m_walls[slotOf(level, rowOf(level, place[1], place[2]), place[0])];
+        return cell;
     }
-    double upperBorder(std::uint32_t i, int axis) const {
-        return border(axis, m_bodies[i].place[index(axis)] + 1);
+    /// Whether a ball's cell along an axis is so far out that it stays in it for good; only repeated cells
+    /// are.
+    static bool isOutermost(const Agenda& agenda, int axis) {
+        return std::abs(agenda.place[index(axis)]) >= farthest >> agenda.level;
     }
 
-    /// Calls visit(j) for every other body in the 27 cells around body i.
+    /// Calls visit(j) for every other ball in the cells around ball i.
     template<class Visit>
-    void aroundBody(std::uint32_t i, const Visit& visit) const {
-        visitBlock(i, -1, 0, visit);
+    void aroundBall(ConstAgendas agendas, std::uint32_t i, const Visit& visit) const {
+        const Agenda& agenda = agendas[i];
+        const Level& own = m_levels[agenda.level];
+        visitAround(own, agenda.place, [&](std::uint32_t j) {
+            if (j != i) visit(j);
+        });
+        if (m_levels.size() > 1) visitOtherLevels(agendas, agenda, -1, 0, visit);
     }
 
-    /// Calls visit(j) for every other body in the nine cells that came into view when body i crossed.
+    /// Calls visit(j) for every ball in the cells that came into view when ball i crossed, as cross() did.
     template<class Visit>
-    void newlyAround(std::uint32_t i, int axis, int direction, const Visit& visit) const {
-        visitBlock(i, axis, direction, visit);
+    void newlyAround(ConstAgendas agendas, std::uint32_t i, int axis, int direction,
+                     const Visit& visit) const {
+        const Agenda& agenda = agendas[i];
+        visitSlab(m_levels[agenda.level], agenda.place, axis, direction, visit);
+        if (m_levels.size() > 1) visitOtherLevels(agendas, agenda, axis, direction, visit);
     }
 
-    double side() const { return m_side; }
+    double side() const { return m_levels.empty() ? 0 : m_levels.front().side; }
     std::size_t memoryBytes() const;
 
   private:
-    struct Member {
-        Place place{};
-        std::array<std::int32_t, 3> wrapped{};
-        std::uint32_t next = nobody;
-        std::uint32_t previous = nobody;
+    static constexpr std::int32_t farthest = 1 << 29;
+
+    struct Level {
+        double side = 0;                      ///< [m]
+        double largest = 0;                   ///< radius of the balls here [m]
+        std::array<std::int32_t, 3> extent{}; ///< cells along each axis
+        std::size_t cells = 0;                ///< the first in m_first and m_walls
+        std::size_t rows = 0;                 ///< the first byte in m_bits
+        std::size_t rowBytes = 0;
     };
+    using Three = std::array<std::int32_t, 3>;
 
     static std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
-    double border(int axis, std::int32_t cell) const { return m_origin[axis] + m_side * cell; }
-    std::size_t slotOf(std::int32_t x, std::int32_t y, std::int32_t z) const {
-        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(m_extent[1]) +
-                static_cast<std::size_t>(y)) *
-                   static_cast<std::size_t>(m_extent[0]) +
-               static_cast<std::size_t>(x);
+    static std::int32_t wrapped(std::int32_t place, std::int32_t extent) {
+        if (static_cast<std::uint32_t>(place) < static_cast<std::uint32_t>(extent)) return place;
+        const std::int32_t rest = place % extent;
+        return rest < 0 ? rest + extent : rest;
     }
-    std::int32_t after(int axis, std::int32_t cell) const {
-        return cell + 1 == m_extent[index(axis)] ? 0 : cell + 1;
+    static Three around(std::int32_t cell, std::int32_t extent) {
+        return {cell == 0 ? extent - 1 : cell - 1, cell, cell + 1 == extent ? 0 : cell + 1};
     }
-    std::int32_t before(int axis, std::int32_t cell) const {
-        return cell == 0 ? m_extent[index(axis)] - 1 : cell - 1;
+    static std::size_t rowOf(const Level& level, std::int32_t y, std::int32_t z) {
+        return static_cast<std::size_t>(z) * static_cast<std::size_t>(level.extent[1]) +
+               static_cast<std::size_t>(y);
     }
-    void link(std::uint32_t i);
-    void unlink(std::uint32_t i);
-
-    // The three cells to look at along one axis; only one of them on the axis that was crossed.
-    struct Look {
-        std::array<std::int32_t, 3> cells{};
-        std::size_t count = 0;
+    static std::size_t slotOf(const Level& level, std::size_t row, std::int32_t x) {
+        return level.cells + row * static_cast<std::size_t>(level.extent[0]) + static_cast<std::size_t>(x);
+    }
+    /// Bits x, x+1, x+2, ... of a row, of which bit x+1 stands for cell x.
+    unsigned bitsFrom(const Level& level, std::size_t row, std::int32_t x) const {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, m_bits.data() + level.rows + row * level.rowBytes + (x >> 3), sizeof(bits));
+        return static_cast<unsigned>(bits) >> (x & 7);
+    }
+    static bool isRepeated(const Level& level, const Place& place) {
+        const auto beyond = [&](std::size_t k) {
+            return static_cast<unsigned>(static_cast<std::uint32_t>(place[k]) >=
+                                         static_cast<std::uint32_t>(level.extent[k]));
+        };
+        return (beyond(0) | beyond(1) | beyond(2)) != 0;
+    }
+    struct Spot {
+        std::size_t row = 0;
+        std::int32_t x = 0;
+        std::size_t slot = 0;
     };
-    Look lookAlong(std::uint32_t i, int axis, int crossedAxis, int direction) const {
-        const std::int32_t here = m_bodies[i].wrapped[index(axis)];
-        if (axis == crossedAxis) return {{direction > 0 ? after(axis, here) : before(axis, here)}, 1};
-        return {{before(axis, here), here, after(axis, here)}, 3};
+    static Spot spotOf(const Level& level, const Place& place) {
+        const std::int32_t x = wrapped(place[0], level.extent[0]);
+        const std::size_t row =
+            rowOf(level, wrapped(place[1], level.extent[1]), wrapped(place[2], level.extent[2]));
+        return {row, x, slotOf(level, row, x)};
     }
+    void link(const Agenda& agenda, std::uint32_t i);
+    void unlink(const Agenda& agenda, std::uint32_t i);
+    void setBits(const Level& level, std::size_t row, std::int32_t x, bool occupied);
 
     template<class Visit>
-    void visitBlock(std::uint32_t i, int crossedAxis, int direction, const Visit& visit) const {
-        const Look xs = lookAlong(i, 0, crossedAxis, direction);
-        const Look ys = lookAlong(i, 1, crossedAxis, direction);
-        const Look zs = lookAlong(i, 2, crossedAxis, direction);
-        for (std::size_t z = 0; z < zs.count; ++z)
-            for (std::size_t y = 0; y < ys.count; ++y) {
-                const std::size_t row = slotOf(0, ys.cells[y], zs.cells[z]);
-                for (std::size_t x = 0; x < xs.count; ++x)
-                    for (std::uint32_t j = m_first[row + static_cast<std::size_t>(xs.cells[x])]; j != nobody;
-                         j = m_bodies[j].next)
-                        if (j != i) visit(j);
-            }
+    void visitCell(std::size_t slot, const Visit& visit) const {
+        for (std::uint32_t j = m_first[slot]; j != nobody; j = m_next[j]) visit(j);
     }
 
-    std::vector<Member> m_bodies;
-    std::vector<std::uint32_t> m_first;
-    std::array<std::int32_t, 3> m_extent{3, 3, 3};
+    // The rows' bits are put together first, so that the loop runs over the few cells that are not empty.
+    template<class Visit>
+    void visitAround(const Level& level, const Place& place, const Visit& visit) const {
+        const std::int32_t x = wrapped(place[0], level.extent[0]);
+        const Three xs = around(x, level.extent[0]);
+        const Three ys = around(wrapped(place[1], level.extent[1]), level.extent[1]);
+        const Three zs = around(wrapped(place[2], level.extent[2]), level.extent[2]);
+        std::array<std::size_t, 9> rows;
+        std::uint64_t occupied = 0;
+        for (unsigned k = 0; k < 9; ++k) {
+            rows[k] = rowOf(level, ys[k % 3], zs[k / 3]);
+            occupied |= std::uint64_t{bitsFrom(level, rows[k], x) & 7U} << (4 * k);
+        }
+        for (; occupied != 0; occupied &= occupied - 1) {
+            const unsigned bit = static_cast<unsigned>(std::countr_zero(occupied));
+            visitCell(slotOf(level, rows[bit / 4], xs[bit % 4]), visit);
+        }
+    }
+
+    // The nine cells on one side of the one at `place`.
+    template<class Visit>
+    void visitSlab(const Level& level, const Place& place, int axis, int direction,
+                   const Visit& visit) const {
+        const auto shown = [&](int k) {
+            return wrapped(place[index(k)] + (k == axis ? direction : 0), level.extent[index(k)]);
+        };
+        const std::int32_t x = shown(0), y = shown(1), z = shown(2);
+        const Three xs = around(x, level.extent[0]);
+        const Three ys = around(y, level.extent[1]), zs = around(z, level.extent[2]);
+        if (axis == 0) {
+            std::array<std::size_t, 9> rows;
+            std::uint32_t occupied = 0;
+            for (unsigned k = 0; k < 9; ++k) {
+                rows[k] = rowOf(level, ys[k % 3], zs[k / 3]);
+                occupied |= (bitsFrom(level, rows[k], x) >> 1U & 1U) << k;
+            }
+            for (; occupied != 0; occupied &= occupied - 1)
+                visitCell(slotOf(level, rows[static_cast<unsigned>(std::countr_zero(occupied))], x), visit);
+            return;
+        }
+        std::array<std::size_t, 3> rows;
+        std::uint32_t occupied = 0;
+        for (unsigned k = 0; k < 3; ++k) {
+            rows[k] = axis == 1 ? rowOf(level, y, zs[k]) : rowOf(level, ys[k], z);
+            occupied |= (bitsFrom(level, rows[k], x) & 7U) << (4 * k);
+        }
+        for (; occupied != 0; occupied &= occupied - 1) {
+            const unsigned bit = static_cast<unsigned>(std::countr_zero(occupied));
+            visitCell(slotOf(level, rows[bit / 4], xs[bit % 4]), visit);
+        }
+    }
+
+    // Larger balls, and smaller ones; `axis` −1: everything around, not only what a crossing brought.
+    template<class Visit>
+    void visitOtherLevels(ConstAgendas agendas, const Agenda& agenda, int axis, int direction,
+                          const Visit& visit) const {
+        for (std::size_t l = 0; l < m_levels.size(); ++l) {
+            if (l > agenda.level) {
+                const unsigned up = static_cast<unsigned>(l - agenda.level);
+                Place place{};
+                for (std::size_t k = 0; k < 3; ++k) place[k] = agenda.place[k] >> up;
+                if (axis < 0)
+                    visitAround(m_levels[l], place, visit);
+                else if ((agenda.place[index(axis)] - direction) >> up != place[index(axis)])
+                    visitSlab(m_levels[l], place, axis, direction, visit);
+            } else if (l < agenda.level) {
+                visitFiner(agendas, l, agenda, axis, direction, visit);
+            }
+        }
+    }
+    template<class Visit>
+    void visitFiner(ConstAgendas agendas, std::size_t l, const Agenda& agenda, int axis, int direction,
+                    const Visit& visit) const;
+
+    std::vector<Level> m_levels;
+    std::vector<std::uint32_t> m_first; ///< ball of each cell
+    std::vector<std::uint32_t> m_next;  ///< ball of the same cell
+    std::vector<std::uint8_t> m_bits;   ///< cells that are not empty
+    std::vector<std::uint8_t> m_walls;  ///< near each cell
+    std::vector<std::uint32_t> m_count; ///< balls of each level
+    unsigned m_wallCount = 0;
     Vec3 m_origin = Vec3::Zero();
-    double m_side = 1;
 };
+
+// Cells of a finer level, row by row; where they are more than its balls, the balls themselves.
+template<class Visit>
+void EventCells::visitFiner(ConstAgendas agendas, std::size_t l, const Agenda& agenda, int axis,
+                            int direction, const Visit& visit) const {
+    const Level& level = m_levels[l];
+    const unsigned down = agenda.level - static_cast<unsigned>(l);
+    std::array<std::int32_t, 3> begin{}, count{};
+    double cells = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const bool crossed = axis >= 0 && k == index(axis);
+        begin[k] = (agenda.place[k] + (crossed ? direction : -1)) * (1 << down);
+        count[k] = std::min((crossed ? 1 : 3) << down, level.extent[k]);
+        cells *= count[k];
+    }
+    if (cells > static_cast<double>(m_count[l])) {
+        for (std::uint32_t j = 0; j < agendas.size(); ++j)
+            if (agendas[j].level == l) visit(j);
+        return;
+    }
+    for (std::int32_t z = 0; z < count[2]; ++z)
+        for (std::int32_t y = 0; y < count[1]; ++y) {
+            const std::size_t row =
+                rowOf(level, wrapped(begin[1] + y, level.extent[1]), wrapped(begin[2] + z, level.extent[2]));
+            for (std::int32_t x = 0; x < count[0]; ++x) {
+                const std::int32_t cell = wrapped(begin[0] + x, level.extent[0]);
+                if ((bitsFrom(level, row, cell) & 2U) != 0) visitCell(slotOf(level, row, cell), visit);
+            }
+        }
+}
 
 } // namespace carom

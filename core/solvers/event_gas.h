@@ -4,12 +4,14 @@
 #include "core/base/index.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/solvers/event_agenda.h"
 #include "core/solvers/event_cells.h"
 #include "core/solvers/event_queue.h"
+#include "core/solvers/event_rest.h"
 #include "core/solvers/event_times.h"
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 // Balls between walls, moved from event to event. Between two events of its own a ball's flight is a closed
@@ -18,10 +20,10 @@
 //
 //     pair      the earliest meeting with another ball it has found, and how often that other had
 //               changed when it was found: if it has changed since, the meeting is off and is looked for anew
-//     wall      the earliest meeting with a wall
-//     crossing  when it leaves its cell; then the nine new cells are searched
+//     other     the earlier of its next wall and the border of its cell; behind a border nine new cells are
+//               searched
 //
-// and the queue holds the earliest of the three. Only the ball that searched knows of a pair. That loses
+// and the queue holds the earlier of the two. Only the ball that searched knows of a pair. That loses
 // nothing: what one of the two dropped, it dropped for something earlier, and looks again then.
 //
 // B. J. Alder, T. E. Wainwright, "Studies in molecular dynamics I", Journal of Chemical Physics 31 (1959);
@@ -55,32 +57,15 @@ class EventGas {
     void write(State& state) const;
 
     const EventCounts& counts() const { return m_counts; }
+    /// Of the collisions of balls so far: the sum of impulse · distance of the centres [J], Clausius's
+    /// virial.
+    double virial() const { return m_virial; }
+    /// Given to each wall so far along its normal [N s], in the order of the scene.
+    std::span<const double> wallImpulses() const { return m_wallImpulses; }
     std::size_t memoryBytes() const;
 
   private:
-    static constexpr std::uint32_t nobody = 0xffffffffU;
-    static constexpr std::uint16_t noWall = 0xffffU;
-    static constexpr std::size_t mostSupports = 3;
-
-    enum class EventKind : std::uint8_t { Crossing, Wall, Pair }; // in the order ties are broken
-
-    struct Agenda {
-        double pairTime = never;
-        double wallTime = never;
-        double crossingTime = never;
-        std::uint32_t partner = nobody;
-        std::uint32_t partnerChanges = 0;
-        std::uint32_t changes = 0;   ///< how often this ball has got a new stamp
-        std::uint32_t last = nobody; ///< the ball it collided with last, if nothing has happened to it since
-        std::uint16_t wall = noWall;
-        std::uint16_t touching =
-            noWall;           ///< the wall this stamp was made at: its gap is 0, not what rounding left
-        std::int8_t axis = 0; ///< of the crossing
-        std::int8_t direction = 0;
-
-        double earliest() const;
-        EventKind kind() const;
-    };
+    static constexpr std::uint32_t nobody = Agenda::nobody;
 
     struct BoundedWall {
         Vec3 normal;
@@ -88,60 +73,73 @@ class EventGas {
         double elastic = 1;
     };
 
-    /// Walls a ball rests on; its velocity has no part along their normals.
-    struct Supports {
-        std::array<std::uint16_t, mostSupports> wall{};
-        std::uint8_t count = 0;
-    };
-
-    struct Ball {
-        BodyIndex body = noBody;
-        double inverseMass = 0;
+    /// What many balls have in common.
+    struct Material {
+        double inverseMass = 0; ///< [1/kg], 0: fixed
         double elastic = 1;
-        double lastDissipation = -never; ///< when it last lost energy to another ball [s]
-        Vec3 acceleration = Vec3::Zero();
-        Supports supports{};
-        bool mobile = false;
-        bool free = false; ///< mobile and on no wall: its acceleration is gravity
+
+        bool operator==(const Material&) const = default;
     };
 
+    // Setting up, in event_gas_setup.cpp.
     void takeBodies(const Bodies& bodies, const State& state);
     void sortByPlace();
     Aabb regionOfCentres() const;
     void layCells();
+    void fillCells();
     void planAll(double now);
+    void fillQueue(double eventsPerSecond);
+    double pendingRate(double now) const;
+    void setClockBack();
+
     void handle(std::uint32_t i);
     void collide(std::uint32_t i, std::uint32_t j, double time);
-    void bounce(std::uint32_t i, double time);
+    void bounce(std::uint32_t i, std::uint16_t index, double time);
     void crossCell(std::uint32_t i);
     void restamp(std::uint32_t i, double time);
     void plan(std::uint32_t i);
     void planPairs(std::uint32_t i);
     void considerPair(std::uint32_t i, std::uint32_t j);
-    void planWalls(std::uint32_t i);
-    void planCrossing(std::uint32_t i, double now);
-    void schedule(std::uint32_t i);
-    double meeting(std::uint32_t i, std::uint32_t j) const;
+    void planOther(std::uint32_t i, double now);
+    void considerWall(std::uint32_t i, std::size_t k);
+    double meetingOfBound(std::uint32_t i, std::uint32_t j) const;
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
-    bool restsAfter(double speed, double acceleration, double restitution, double radius) const;
-    void settle(std::uint32_t i, const Supports& before);
-    void support(std::uint32_t i, std::uint16_t wall);
-    void refreshAcceleration(std::uint32_t i);
-    void setClockBack();
+    void keepDaysShort();
+
+    bool isMobile(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass > 0; }
+    bool isFree(std::uint32_t i) const { return m_agendas[i].rest == nobody; }
+    const Vec3& accelerationOf(std::uint32_t i) const {
+        return isFree(i) ? m_gravity : m_rests[m_agendas[i].rest].acceleration;
+    }
+    void settle(std::uint32_t i, const Rest& before);
+    void restOn(std::uint32_t i, std::uint16_t wall);
+    void release(std::uint32_t i);
 
     std::vector<Stamp> m_stamps;
     std::vector<Agenda> m_agendas;
-    std::vector<Ball> m_balls;
+    std::vector<BodyIndex> m_bodies;
+    std::vector<Material> m_materials;
+    std::vector<Rest> m_rests;
+    std::vector<std::uint32_t> m_unusedRests;
+    std::vector<double> m_lastLosses; ///< when each ball last lost energy to another [s]; none if all bounce
+                                      ///< elastically
     std::vector<BoundedWall> m_walls;
+    std::vector<double> m_wallImpulses;
+    std::vector<std::uint64_t> m_order; ///< scratch of sortByPlace
     EventCells m_cells;
     EventQueue m_queue;
     Vec3 m_gravity;
-    double m_typicalTime = 1; ///< a radius at the scene's typical speed [s]: what counts as short
-    double m_now = 0;         ///< [s] since the clock was last set back
-    double m_secondsPast = 0; ///< by which it has been set back
+    bool m_weightless = false; ///< no gravity
+    double m_typicalTime = 1;  ///< a radius at the scene's typical speed [s]: what counts as short
+    double m_now = 0;          ///< [s] since the clock was last set back
+    double m_secondsPast = 0;  ///< by which it has been set back
     EventCounts m_counts;
-    std::uint64_t m_countsAtShift = 0;
+    double m_virial = 0;
+    std::uint64_t m_countsAtTurn = 0;    ///< events when the clock was last set back
+    double m_daysPerSecond = 1;          ///< of the queue
+    std::uint64_t m_countsAtFilling = 0; ///< events when the queue was last filled,
+    double m_timeOfFilling = 0;          ///< and when that was
 };
 
 } // namespace carom

@@ -1,84 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/event_queue.h"
 
-#include "core/base/assert.h"
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 namespace carom {
 
-void EventQueue::restart(std::size_t count, std::uint32_t daysPerSecond) {
-    constexpr std::size_t daysPerBody = 4; // half an event a day: most of the year's tail fits
-    m_entries.assign(count, Entry{});
-    const std::size_t days = std::bit_ceil(std::max<std::size_t>(64, daysPerBody * count));
+// Three days a body: with one or two events a day most of the tail of the distribution of waiting times falls
+// into the year.
+void EventQueue::restart(Agendas agendas, double daysPerSecond, double now) {
+    constexpr std::size_t daysPerBody = 3, fewest = 64;
+    const std::size_t days = std::bit_ceil(std::max(fewest, daysPerBody * agendas.size()));
     m_days.assign(days + 1, nobody);
+    for (Agenda& agenda : agendas) agenda.queuePrevious = nobody;
     m_mask = static_cast<std::uint32_t>(days - 1);
     m_beyond = static_cast<std::uint32_t>(days);
-    m_daysPerSecond = std::max(1U, daysPerSecond);
-    m_today = 0;
+    m_daysPerSecond = daysPerSecond;
+    m_today = static_cast<std::int64_t>(now * daysPerSecond);
     m_count = 0;
-    m_sorted = static_cast<std::int64_t>(days / 2);
+    m_sorted = m_today + static_cast<std::int64_t>(days / 2);
+    m_yearEnd = static_cast<double>(m_today) + static_cast<double>(days);
 }
 
-std::int64_t EventQueue::dayOf(double time) const {
-    constexpr double farAway = 0x1p60;
-    const double day = std::floor(time * m_daysPerSecond);
-    if (!(day < farAway)) return std::numeric_limits<std::int64_t>::max() / 2;
-    return static_cast<std::int64_t>(day);
-}
-
-void EventQueue::set(std::uint32_t i, double time) {
-    if (m_entries[i].slot != nobody) remove(i);
-    m_entries[i].time = time;
-    if (time < std::numeric_limits<double>::infinity()) insert(i, time);
-}
-
-void EventQueue::remove(std::uint32_t i) {
-    Entry& entry = m_entries[i];
-    if (entry.previous == nobody)
-        m_days[entry.slot] = entry.next;
-    else
-        m_entries[entry.previous].next = entry.next;
-    if (entry.next != nobody) m_entries[entry.next].previous = entry.previous;
-    entry.slot = nobody;
-    --m_count;
-}
-
-void EventQueue::insert(std::uint32_t i, double time) {
-    const std::int64_t day = std::max(dayOf(time), m_today);
-    const bool thisYear = day - m_today <= m_mask;
-    Entry& entry = m_entries[i];
-    entry.slot = thisYear ? slotOf(day) : m_beyond;
-    entry.previous = nobody;
-    entry.next = m_days[entry.slot];
-    if (entry.next != nobody) m_entries[entry.next].previous = i;
-    m_days[entry.slot] = i;
-    ++m_count;
-}
-
-void EventQueue::nextDay() {
-    ++m_today;
-    if (m_today >= m_sorted) sortBeyond();
-}
-
-void EventQueue::sortBeyond() {
+// The ring is rid of the first half of its year, so the year can go on for as long.
+void EventQueue::sortBeyond(Agendas agendas) {
     m_sorted = m_today + (m_mask + 1) / 2;
+    m_yearEnd = static_cast<double>(m_today) + static_cast<double>(m_mask);
     std::uint32_t i = m_days[m_beyond];
     while (i != nobody) {
-        const std::uint32_t next = m_entries[i].next;
-        if (dayOf(m_entries[i].time) - m_today <= m_mask) {
-            remove(i);
-            insert(i, m_entries[i].time);
+        const std::uint32_t next = agendas[i].queueNext;
+        if (agendas[i].earliest() * m_daysPerSecond < m_yearEnd) {
+            remove(agendas, i);
+            insert(agendas, i);
         }
         i = next;
     }
-}
-
-std::size_t EventQueue::memoryBytes() const {
-    return m_entries.capacity() * sizeof(Entry) + m_days.capacity() * sizeof(std::uint32_t);
 }
 
 } // namespace carom

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/solvers/event_agenda.h"
+
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 // The next event of every body, in order of time: a calendar queue (R. Brown, "Calendar queues: a fast O(1)
@@ -14,69 +17,84 @@
 //       v
 //     [ 3 ][   ][ 7 1 ][   ][ 0 ] ...    beyond: 2 5
 //
-// Setting and removing an event take a few writes; finding the earliest takes a walk over one short list.
+// Setting and removing an event take a few writes; finding the earliest takes a walk over one short list. The
+// links are in the agendas, where the times are; every call gets the same ones.
 
 namespace carom {
 
 class EventQueue {
   public:
-    static constexpr std::uint32_t nobody = 0xffffffffU;
+    static constexpr std::uint32_t nobody = Agenda::nobody;
 
-    /// Empties the queue, for bodies 0 .. count-1. `daysPerSecond` is whole, so that a shift of the clock by
-    /// a second moves every event by the same number of days.
-    void restart(std::size_t count, std::uint32_t daysPerSecond);
+    /// Empties the queue. `daysPerSecond` [1/s]: best about one or two events a day. Nothing happens before
+    /// `now` [s].
+    void restart(Agendas agendas, double daysPerSecond, double now);
 
-    /// Gives body i its next event at `time` [s], which replaces the one it had; an infinite time is none.
-    void set(std::uint32_t i, double time);
-    double timeOf(std::uint32_t i) const { return m_entries[i].time; }
+    /// Takes body i out; its times may then change.
+    void remove(Agendas agendas, std::uint32_t i) {
+        Agenda& agenda = agendas[i];
+        if (agenda.queuePrevious == nobody) return;
+        if ((agenda.queuePrevious & Agenda::dayMark) != 0)
+            m_days[agenda.queuePrevious & ~Agenda::dayMark] = agenda.queueNext;
+        else
+            agendas[agenda.queuePrevious].queueNext = agenda.queueNext;
+        if (agenda.queueNext != nobody) agendas[agenda.queueNext].queuePrevious = agenda.queuePrevious;
+        agenda.queuePrevious = nobody;
+        --m_count;
+    }
+    /// Puts body i, which is not in the queue, in at the earliest of its times; one that is infinite is no
+    /// event.
+    void insert(Agendas agendas, std::uint32_t i) {
+        Agenda& agenda = agendas[i];
+        const double day = agenda.earliest() * m_daysPerSecond;
+        if (!(day < never)) return;
+        std::uint32_t slot = m_beyond;
+        if (day < m_yearEnd) // a day past can only be meant where rounding put an event just before now
+            slot = static_cast<std::uint32_t>(std::max(static_cast<std::int64_t>(day), m_today)) & m_mask;
+        std::uint32_t& first = m_days[slot];
+        agenda.queueNext = first;
+        agenda.queuePrevious = slot | Agenda::dayMark;
+        if (first != nobody) agendas[first].queuePrevious = i;
+        first = i;
+        ++m_count;
+    }
 
     /// The body with the earliest event not after `limit`, or nobody. Of equal times the one wins that
     /// `before(i, j)` says; a strict order.
     template<class Before>
-    std::uint32_t earliest(double limit, const Before& before) {
+    std::uint32_t earliest(Agendas agendas, double limit, const Before& before) {
         if (m_count == 0) return nobody;
+        const double lastDay = limit * m_daysPerSecond;
         for (;;) {
-            std::uint32_t best = nobody;
-            for (std::uint32_t i = m_days[slotOf(m_today)]; i != nobody; i = m_entries[i].next) {
-                const bool wins = best == nobody || m_entries[i].time < m_entries[best].time ||
-                                  (m_entries[i].time == m_entries[best].time && before(i, best));
-                if (wins) best = i;
+            std::uint32_t best = m_days[static_cast<std::uint32_t>(m_today) & m_mask];
+            if (best != nobody) {
+                double bestTime = agendas[best].earliest();
+                for (std::uint32_t i = agendas[best].queueNext; i != nobody; i = agendas[i].queueNext) {
+                    const double time = agendas[i].earliest();
+                    if (time > bestTime || (time == bestTime && !before(i, best))) continue;
+                    best = i;
+                    bestTime = time;
+                }
+                return bestTime <= limit ? best : nobody;
             }
-            if (best != nobody) return m_entries[best].time <= limit ? best : nobody;
-            if (m_today >= dayOf(limit)) return nobody;
-            nextDay();
+            if (static_cast<double>(m_today) >= lastDay) return nobody;
+            if (++m_today >= m_sorted) sortBeyond(agendas);
         }
     }
 
-    /// Sets the clock back: every event is now `seconds` earlier. The events' own times are exact to
-    /// rounding.
-    void shift(std::int32_t seconds);
-
-    std::size_t memoryBytes() const;
+    std::size_t memoryBytes() const { return m_days.capacity() * sizeof(std::uint32_t); }
 
   private:
-    struct Entry {
-        double time = 0;
-        std::uint32_t next = nobody;
-        std::uint32_t previous = nobody; ///< nobody: the first of its day
-        std::uint32_t slot = nobody;     ///< nobody: not in the queue
-    };
+    void sortBeyond(Agendas agendas);
 
-    std::int64_t dayOf(double time) const;
-    std::uint32_t slotOf(std::int64_t day) const { return static_cast<std::uint32_t>(day) & m_mask; }
-    void remove(std::uint32_t i);
-    void insert(std::uint32_t i, double time);
-    void nextDay();
-    void sortBeyond();
-
-    std::vector<Entry> m_entries;
     std::vector<std::uint32_t> m_days; ///< first body of each day; the last list is `beyond`
     std::uint32_t m_mask = 0;
     std::uint32_t m_beyond = 0;
-    std::uint32_t m_daysPerSecond = 1;
+    double m_daysPerSecond = 1;
     std::size_t m_count = 0; ///< events in the queue
     std::int64_t m_today = 0;
-    std::int64_t m_sorted = 0; ///< the day up to which `beyond` has been looked through
+    std::int64_t m_sorted = 0; ///< the day on which `beyond` is to be looked through again
+    double m_yearEnd = 0;      ///< the first day whose events wait beyond
 };
 
 } // namespace carom

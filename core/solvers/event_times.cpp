@@ -68,34 +68,6 @@ Roots positiveRoots(std::span<const double> q, double bound) {
 
 } // namespace
 
-double timeToPlane(double s, double w, double a) {
-    if (a < 0) { // comes back sooner or later
-        const double root = std::sqrt(std::max(0.0, w * w - 2 * a * s));
-        if (w > 0) return (w + root) / -a;
-        return s <= 0 ? 0 : 2 * s / (root - w);
-    }
-    if (w >= 0) return never;
-    if (s <= 0) return 0;
-    const double discriminant = w * w - 2 * a * s;
-    return discriminant < 0 ? never : 2 * s / (std::sqrt(discriminant) - w);
-}
-
-double pairTime(const Stamp& a, const Stamp& b, const Vec3& g) {
-    const double later = std::max(a.time, b.time);
-    const double da = later - a.time;
-    const double db = later - b.time;
-    const Vec3 U = (b.velocity - a.velocity) + (db - da) * g;
-    const Vec3 D =
-        (b.position - a.position) + (db * b.velocity - da * a.velocity) + (0.5 * (db * db - da * da)) * g;
-    const double approach = D.dot(U);
-    if (!(approach < 0)) return never;
-    const double R = a.radius + b.radius;
-    const double c = D.squaredNorm() - R * R;
-    if (c <= 0) return later;
-    const double discriminant = approach * approach - U.squaredNorm() * c;
-    return discriminant < 0 ? never : later + c / (std::sqrt(discriminant) - approach);
-}
-
 double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB) {
     const double later = std::max(a.time, b.time);
     const Vec3 D = positionAt(b, accelerationOfB, later) - positionAt(a, accelerationOfA, later);

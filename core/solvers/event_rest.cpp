@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/event_rest.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace carom {
+
+Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals) {
+    Vec3 best = gravity;
+    double strongest = -1;
+    for (unsigned subset = 1; subset < (1U << normals.size()); ++subset) {
+        Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> chosen(3, std::popcount(subset));
+        Eigen::Index column = 0;
+        for (std::size_t k = 0; k < normals.size(); ++k)
+            if ((subset >> k & 1U) != 0) chosen.col(column++) = normals[k];
+        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram =
+            chosen.transpose() * chosen;
+        if (std::abs(gram.determinant()) < 1e-12) continue; // parallel walls
+        const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> reactions =
+            gram.ldlt().solve(-chosen.transpose() * gravity);
+        if (reactions.minCoeff() < 0) continue;
+        const Vec3 left = gravity + chosen * reactions;
+        bool pressesIn = false;
+        for (const Vec3& normal : normals)
+            pressesIn = pressesIn || normal.dot(left) < -1e-12 * gravity.norm();
+        const double pushed = (left - gravity).norm();
+        if (!pressesIn && pushed > strongest) {
+            best = left;
+            strongest = pushed;
+        }
+    }
+    return best;
+}
+
+bool restsAfter(double speed, double acceleration, double restitution, double radius) {
+    if (!(acceleration < 0)) return false;
+    constexpr double unseen = 1e-9, roundings = 1e-10;
+    const double bounceTime = 2 * speed / -acceleration;
+    const double fall = std::sqrt(2 * radius / -acceleration);
+    return bounceTime <= std::max(unseen * (1 - restitution), roundings) * fall;
+}
+
+} // namespace carom
