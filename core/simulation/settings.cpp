@@ -103,6 +103,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
     settings.substeps =
         std::max(1, wanted.substeps.value_or(iterates ? preset->contactSubsteps : preset->substeps));
+    if (settings.method->isExact) settings.substeps = 1;
     settings.threads = std::max(1, wanted.threads.value_or(1));
     settings.duration = wanted.duration;
     settings.boxes = wanted.boxes == "cube" ? BoxKind::Cube : BoxKind::Tight;

@@ -89,7 +89,11 @@ void EventGas::collide(std::uint32_t i, std::uint32_t j, double time) {
         const double impulse = -(1 + e) * approach / (materialA.inverseMass + materialB.inverseMass);
         a.velocity -= (impulse * materialA.inverseMass) * normal;
         b.velocity += (impulse * materialB.inverseMass) * normal;
-        m_virial += impulse * distance;
+        const Vec3 middle = 0.5 * (a.position + b.position);
+        if (contains(m_watched, {middle, middle})) {
+            ++m_tally.collisions;
+            m_tally.virial += impulse * distance;
+        }
     }
     for (const std::uint32_t k : {i, j})
         if (!isFree(k) && isMobile(k)) settle(k, Rest(m_rests[m_agendas[k].rest]));
@@ -111,13 +115,22 @@ void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
     const bool rests = restsAfter(after, wall.normal.dot(accelerationOf(i)), e, stamp.radius);
     const double change = (rests ? 0 : after) - approach;
     stamp.velocity += change * wall.normal;
-    m_wallImpulses[index] += change / material.inverseMass;
+    note(wall, stamp, change / material.inverseMass);
     if (rests)
         restOn(i, index);
     else if (!isFree(i))
         settle(i, Rest(m_rests[m_agendas[i].rest]));
     m_agendas[i].last = Agenda::wallMark | index;
     plan(i);
+}
+
+void EventGas::note(const BoundedWall& wall, const Stamp& stamp, double impulse) {
+    Eigen::Index facing = 0;
+    wall.normal.cwiseAbs().maxCoeff(&facing);
+    Vec3 place = stamp.position;
+    place[facing] = m_watched.lower[facing];
+    if (contains(m_watched, {place, place}))
+        m_tally.walls[static_cast<std::size_t>(&wall - m_walls.data())] += impulse;
 }
 
 void EventGas::crossCell(std::uint32_t i) {
@@ -274,7 +287,7 @@ void EventGas::settle(std::uint32_t i, const Rest& before) {
         const bool rests = restsAfter(after, wall.normal.dot(m_gravity), e, stamp.radius);
         const double change = (rests ? 0 : after) - speed;
         stamp.velocity += change * wall.normal;
-        m_wallImpulses[index] += change / material.inverseMass;
+        note(wall, stamp, change / material.inverseMass);
         if (rests) restOn(i, index);
     }
 }

@@ -44,6 +44,13 @@ struct EventCounts {
     std::uint64_t events() const { return collisions + bounces + crossings + stale; }
 };
 
+/// The impulses of a stretch of time, for who wants to know the pressure.
+struct ImpulseTally {
+    std::uint64_t collisions = 0;
+    double virial = 0; ///< of collisions, the sum of impulse · distance of the centres [J]; R. Clausius
+    std::vector<double> walls; ///< given to each wall along its normal [N s], in the order of the scene
+};
+
 class EventGas {
   public:
     /// Takes every sphere and wall of `bodies`; there must be nothing else. `gravity` [m/s²].
@@ -57,11 +64,10 @@ class EventGas {
     void write(State& state) const;
 
     const EventCounts& counts() const { return m_counts; }
-    /// Of the collisions of balls so far: the sum of impulse · distance of the centres [J], Clausius's
-    /// virial.
-    double virial() const { return m_virial; }
-    /// Given to each wall so far along its normal [N s], in the order of the scene.
-    std::span<const double> wallImpulses() const { return m_wallImpulses; }
+    /// What tally() is about from now on: collisions whose middle is in the box, and bounces whose ball is in
+    /// it but for the coordinate that faces the wall. At first everywhere.
+    void watch(const Aabb& region) { m_watched = region; }
+    const ImpulseTally& tally() const { return m_tally; }
     std::size_t memoryBytes() const;
 
   private:
@@ -106,6 +112,7 @@ class EventGas {
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysShort();
+    void note(const BoundedWall& wall, const Stamp& stamp, double impulse);
 
     bool isMobile(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass > 0; }
     bool isFree(std::uint32_t i) const { return m_agendas[i].rest == nobody; }
@@ -125,7 +132,6 @@ class EventGas {
     std::vector<double> m_lastLosses; ///< when each ball last lost energy to another [s]; none if all bounce
                                       ///< elastically
     std::vector<BoundedWall> m_walls;
-    std::vector<double> m_wallImpulses;
     std::vector<std::uint64_t> m_order; ///< scratch of sortByPlace
     EventCells m_cells;
     EventQueue m_queue;
@@ -135,7 +141,8 @@ class EventGas {
     double m_now = 0;          ///< [s] since the clock was last set back
     double m_secondsPast = 0;  ///< by which it has been set back
     EventCounts m_counts;
-    double m_virial = 0;
+    ImpulseTally m_tally;
+    Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
     std::uint64_t m_countsAtTurn = 0;    ///< events when the clock was last set back
     double m_daysPerSecond = 1;          ///< of the queue
     std::uint64_t m_countsAtFilling = 0; ///< events when the queue was last filled,

@@ -26,7 +26,7 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
         const Wall& wall = std::get<Wall>(bodies.shape[i]);
         m_walls.push_back({wall.normal, wall.offset, bodies.elastic[i]});
     }
-    m_wallImpulses.assign(m_walls.size(), 0);
+    m_tally.walls.assign(m_walls.size(), 0);
     const std::size_t count = bodies.bounded.size();
     m_stamps.reserve(count);
     m_bodies.reserve(count);

@@ -102,6 +102,7 @@ constinit const SolverRow eventsRow = {
     .create = create,
     .objection = objection,
     .abilities = {.locatesImpacts = true},
+    .isExact = true,
 };
 
 } // namespace carom

@@ -113,6 +113,7 @@ struct SolverRow {
     /// Null: the method treats every scene.
     std::optional<SolverObjection> (*objection)(const Scene& scene) = nullptr;
     Abilities abilities = {};
+    bool isExact = false; ///< parts of a frame change nothing: a frame is one
 };
 
 /// Every method, the reference's first.

@@ -86,6 +86,31 @@ class AllocationTest : public QObject {
         QCOMPARE(allocations - before, 0);
         QVERIFY(contacts > 1000);
     }
+
+    void theExactMethodAllocatesNothingAfterWarmUp() {
+        Random random(11);
+        Scene scene = test::sceneOf({}, Vec3(0, -9.81, 0));
+        for (int axis = 0; axis < 3; ++axis) {
+            scene.bodies.push_back(test::wall(Vec3::Unit(axis), -2));
+            scene.bodies.push_back(test::wall(-Vec3::Unit(axis), -2));
+        }
+        for (int i = 0; i < 512; ++i) // all over the box; two sizes are two levels of cells
+            scene.bodies.push_back(test::sphere(
+                i % 20 == 0 ? 0.15 : 0.05, 1, Vec3(i % 8, i / 8 % 8, i / 64) * 0.52 - Vec3::Constant(1.82),
+                3 * Vec3(random.gaussian(), random.gaussian(), random.gaussian())));
+        SimulationSettings options;
+        options.method = "events";
+        World world = test::worldOf(scene, options);
+        test::run(world, 130); // the clock is set back after every 60
+        const long before = allocations;
+        std::uint64_t contacts = 0;
+        for (int i = 0; i < 200; ++i) {
+            world.step();
+            contacts += world.statistics().contacts;
+        }
+        QCOMPARE(allocations - before, 0);
+        QVERIFY(contacts > 1000);
+    }
 };
 
 } // namespace carom

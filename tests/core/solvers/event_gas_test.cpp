@@ -198,9 +198,9 @@ class EventGasTest : public QObject {
         EventGas gas(bodies, initialStateOf(scene), Vec3::Zero());
         gas.advanceTo(1.5); // left meets right after 2/3 s, right the wall after 1.5/3 s more
         QCOMPARE(gas.counts().collisions, std::uint64_t{1});
-        QCOMPARE(gas.virial(), 6.0);
-        QCOMPARE(gas.wallImpulses()[0], 0.0);
-        QCOMPARE(gas.wallImpulses()[1], 12.0);
+        QCOMPARE(gas.tally().virial, 6.0);
+        QCOMPARE(gas.tally().walls[0], 0.0);
+        QCOMPARE(gas.tally().walls[1], 12.0);
     }
 };
 
