@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/dynamics/state.h"
+#include "core/math/rotation.h"
 
 #include <span>
 
@@ -18,5 +19,16 @@ struct SmoothMotion {
     /// Turns `bodies` through h seconds free of torque.
     void (*turn)(std::span<const BodyIndex> bodies, double h, State& state) = nullptr;
 };
+
+/// Turns bodies by exactly h|ω| about ω, which stays as it is: the SmoothMotion::turn of every scheme better
+/// than the reference's. A body without spin keeps its orientation to the bit.
+inline void turnBySpin(std::span<const BodyIndex> bodies, double h, State& state) {
+    for (const BodyIndex i : bodies) {
+        const Vec3& spin = state.angularVelocity[i];
+        if (spin == Vec3::Zero()) continue;
+        Quat& q = state.pose[i].orientation;
+        q = (fromRotationVector(h * spin) * q).normalized();
+    }
+}
 
 } // namespace carom

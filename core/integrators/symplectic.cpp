@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/integrators/integrator.h"
 
-#include "core/math/rotation.h"
-
 // Semi-implicit Euler (R. de Vogelaere, 1956): the velocity first, then the position with the new velocity,
 //
 //     v(t+h) = v + h a          x(t+h) = x + h v(t+h)
@@ -21,15 +19,6 @@ void move(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
     }
 }
 
-void turn(std::span<const BodyIndex> bodies, double h, State& state) {
-    for (const BodyIndex i : bodies) {
-        const Vec3& spin = state.angularVelocity[i];
-        if (spin == Vec3::Zero()) continue; // nothing to turn, and no rounding either
-        Quat& q = state.pose[i].orientation;
-        q = (fromRotationVector(h * spin) * q).normalized();
-    }
-}
-
 } // namespace
 
 extern const IntegratorRow symplecticRow;
@@ -41,7 +30,7 @@ constinit const IntegratorRow symplecticRow = {
     .source =
         "R. de Vogelaere, Methods of integration which preserve the contact transformation property of the "
         "Hamilton equations, 1956",
-    .motion = {.move = move, .turn = turn},
+    .motion = {.move = move, .turn = turnBySpin},
 };
 
 } // namespace carom

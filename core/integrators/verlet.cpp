@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/integrators/integrator.h"
 
-#include "core/math/rotation.h"
-
 // Störmer–Verlet in velocity form (L. Verlet, "Computer experiments on classical fluids", 1967; W. Swope et
 // al., 1982):
 //
@@ -22,15 +20,6 @@ void move(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
     }
 }
 
-void turn(std::span<const BodyIndex> bodies, double h, State& state) {
-    for (const BodyIndex i : bodies) {
-        const Vec3& spin = state.angularVelocity[i];
-        if (spin == Vec3::Zero()) continue; // nothing to turn, and no rounding either
-        Quat& q = state.pose[i].orientation;
-        q = (fromRotationVector(h * spin) * q).normalized();
-    }
-}
-
 } // namespace
 
 extern const IntegratorRow verletRow;
@@ -40,7 +29,7 @@ constinit const IntegratorRow verletRow = {
     .order = 2,
     .help = "Moves by the mean of the velocities at both ends of the substep; free fall is exact.",
     .source = "L. Verlet, Computer experiments on classical fluids, 1967",
-    .motion = {.move = move, .turn = turn},
+    .motion = {.move = move, .turn = turnBySpin},
 };
 
 } // namespace carom

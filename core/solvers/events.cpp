@@ -3,7 +3,6 @@
 #include "core/solvers/solver.h"
 
 #include "core/base/clock.h"
-#include "core/math/rotation.h"
 
 #include <optional>
 
@@ -52,11 +51,7 @@ SolverReport Events::advance(const SolverInput& input) {
     report.respond = watch.lap();
 
     gas.write(input.state);
-    for (const BodyIndex i : input.bodies.rotating) {
-        Quat& orientation = input.state.pose[i].orientation;
-        orientation =
-            (fromRotationVector(input.substep * input.state.angularVelocity[i]) * orientation).normalized();
-    }
+    turnBySpin(input.bodies.rotating, input.substep, input.state);
     if (!report.loss) report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
     return report;
