@@ -32,7 +32,13 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
 
 Bodies bodiesOf(const Scene& scene) {
     Bodies bodies;
-    for (const Body& body : scene.bodies) append(bodies, body, canRotate(scene, body));
+    std::vector<std::uint8_t> pulledAside(scene.bodies.size(), 0);
+    for (const Spring& spring : scene.springs) {
+        if (spring.from != noBody && spring.fromAt != Vec3::Zero()) pulledAside[spring.from] = 1;
+        if (spring.to != noBody && spring.toAt != Vec3::Zero()) pulledAside[spring.to] = 1;
+    }
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        append(bodies, scene.bodies[i], pulledAside[i] != 0 || canRotate(scene, scene.bodies[i]));
     bodies.springs = springsOf(scene);
     return bodies;
 }

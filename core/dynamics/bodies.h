@@ -30,9 +30,9 @@ struct Bodies {
     std::vector<BodyIndex> mobileBodies; ///< ascending
     std::vector<BodyIndex> walls;        ///< ascending
     std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
-    /// Mobile bodies whose orientation can change, ascending: those that spin at the start, and those that
-    /// are no spheres and can be hit. A frictionless impulse passes through a sphere's centre and never turns
-    /// it.
+    /// Mobile bodies whose orientation can change, ascending: those that spin at the start, those that are no
+    /// spheres and can be hit, and those that a spring pulls beside their centre. A frictionless impulse
+    /// passes through a sphere's centre and never turns it.
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move
@@ -45,7 +45,7 @@ struct Bodies {
 
 Bodies bodiesOf(const Scene& scene);
 
-/// Whether a body's orientation can ever change; the rule behind Bodies::rotating.
+/// Whether a body's orientation can ever change but for springs; the rule behind Bodies::rotating.
 bool canRotate(const Scene& scene, const Body& body);
 
 } // namespace carom

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace carom {
 namespace {
@@ -45,14 +46,20 @@ void rotateSymmetric(const Vec3& inertia, Eigen::Index axis, const Vec3& momentu
     orientation = fromRotationVector((h / across) * momentum) * orientation;
 }
 
-/// One composition of the two body-axis pieces, order 6.
-void rotateAsymmetric(const Vec3& inertia, Eigen::Index middle, const Vec3& momentum, double h,
+Eigen::Index middleOf(const Vec3& inertia) {
+    Eigen::Index smallest = 0, largest = 0;
+    inertia.minCoeff(&smallest);
+    inertia.maxCoeff(&largest);
+    return 3 - smallest - largest;
+}
+
+/// The two body-axis pieces alternate, symmetrically, through the given parts of h.
+void rotateAsymmetric(const Vec3& inertia, const Vec3& momentum, double h, std::span<const double> stages,
                       Quat& orientation) {
+    const Eigen::Index middle = middleOf(inertia);
     const Others k = othersThan(middle);
     const double first = 1 / inertia[k.first] - 1 / inertia[middle];
     const double second = 1 / inertia[k.second] - 1 / inertia[middle];
-    const std::array<double, 7> stages = {yoshida[2], yoshida[1], yoshida[0], yoshidaMiddle,
-                                          yoshida[0], yoshida[1], yoshida[2]};
     double pending = 0; // neighbouring halves of A are one rotation
     for (const double stage : stages) {
         spin(k.first, first, momentum, (pending + 0.5 * stage) * h, orientation);
@@ -62,33 +69,55 @@ void rotateAsymmetric(const Vec3& inertia, Eigen::Index middle, const Vec3& mome
     spin(k.first, first, momentum, pending * h, orientation);
 }
 
-Eigen::Index middleOf(const Vec3& inertia) {
-    Eigen::Index smallest = 0, largest = 0;
-    inertia.minCoeff(&smallest);
-    inertia.maxCoeff(&largest);
-    return 3 - smallest - largest;
+/// The piece about L, which commutes with the others.
+void rotateAboutMomentum(const Vec3& inertia, const Vec3& momentum, double h, Quat& orientation) {
+    orientation = fromRotationVector((h / inertia[middleOf(inertia)]) * momentum) * orientation;
+}
+
+/// Bodies with two or three equal moments, which have a closed form; false for the others.
+bool rotateExactly(const Vec3& inertia, const Vec3& momentum, double h, Quat& orientation) {
+    const bool xy = nearlyEqual(inertia.x(), inertia.y());
+    const bool yz = nearlyEqual(inertia.y(), inertia.z());
+    const bool zx = nearlyEqual(inertia.z(), inertia.x());
+    if (xy && yz)
+        orientation = fromRotationVector((h / inertia.x()) * momentum) * orientation;
+    else if (xy || yz || zx)
+        rotateSymmetric(inertia, xy ? 2 : yz ? 0 : 1, momentum, h, orientation);
+    return xy || yz || zx;
 }
 
 } // namespace
 
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
     if (angularMomentum == Vec3::Zero()) return; // nothing to turn, and no rounding either
-    const bool xy = nearlyEqual(inertia.x(), inertia.y());
-    const bool yz = nearlyEqual(inertia.y(), inertia.z());
-    const bool zx = nearlyEqual(inertia.z(), inertia.x());
-    if (xy && yz) {
-        orientation = fromRotationVector((h / inertia.x()) * angularMomentum) * orientation;
-    } else if (xy || yz || zx) {
-        rotateSymmetric(inertia, xy ? 2 : yz ? 0 : 1, angularMomentum, h, orientation);
-    } else {
-        const Eigen::Index middle = middleOf(inertia);
+    if (!rotateExactly(inertia, angularMomentum, h, orientation)) {
+        constexpr std::array<double, 7> sixthOrder = {yoshida[2], yoshida[1], yoshida[0], yoshidaMiddle,
+                                                      yoshida[0], yoshida[1], yoshida[2]};
         const double angle = std::abs(h) * angularMomentum.norm() / inertia.minCoeff();
         const double parts = std::max(1.0, std::ceil(angle / partAngle));
         for (double part = 0; part < parts; ++part) {
-            rotateAsymmetric(inertia, middle, angularMomentum, h / parts, orientation);
+            rotateAsymmetric(inertia, angularMomentum, h / parts, sixthOrder, orientation);
             orientation.normalize();
         }
-        orientation = fromRotationVector((h / inertia[middle]) * angularMomentum) * orientation;
+        rotateAboutMomentum(inertia, angularMomentum, h, orientation);
+    }
+    orientation.normalize();
+}
+
+void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, int order,
+                    Quat& orientation) {
+    if (angularMomentum == Vec3::Zero()) return;
+    if (!rotateExactly(inertia, angularMomentum, h, orientation)) {
+        if (order == 1) {
+            const Eigen::Index middle = middleOf(inertia);
+            const Others k = othersThan(middle);
+            for (const Eigen::Index axis : {k.first, k.second})
+                spin(axis, 1 / inertia[axis] - 1 / inertia[middle], angularMomentum, h, orientation);
+        } else {
+            constexpr std::array<double, 1> whole = {1};
+            rotateAsymmetric(inertia, angularMomentum, h, whole, orientation);
+        }
+        rotateAboutMomentum(inertia, angularMomentum, h, orientation);
     }
     orientation.normalize();
 }
@@ -99,6 +128,18 @@ Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec
 
 Vec3 angularVelocityFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularMomentum) {
     return orientation * (orientation.conjugate() * angularMomentum).cwiseQuotient(inertia);
+}
+
+void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order,
+                    State& state) {
+    for (const BodyIndex i : list) {
+        const Vec3& inertia = bodies.inertia[i];
+        Quat& orientation = state.pose[i].orientation;
+        const Vec3 momentum = angularMomentumFrom(inertia, orientation, state.angularVelocity[i]);
+        rotateInPieces(inertia, momentum, h, order, orientation);
+        const bool isotropic = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+        if (!isotropic) state.angularVelocity[i] = angularVelocityFrom(inertia, orientation, momentum);
+    }
 }
 
 void rotateBetween(const Bodies& bodies, BodyIndex body, const Vec3& before, const Vec3& after, double h,

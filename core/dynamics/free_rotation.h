@@ -5,6 +5,8 @@
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 
+#include <span>
+
 // A rigid body that no torque acts on keeps its angular momentum L in the world, and only its orientation R
 // changes: R' = [I⁻¹ L]× R with the world inertia I = R diag(I1, I2, I3) Rᵀ. So L is the quantity we keep and
 // ω is computed from it; L never drifts, whatever the step.
@@ -31,6 +33,13 @@ namespace carom {
 /// otherwise the error of one call is below about 1e-13 rad, because the call is cut into parts of at most
 /// 1/20 rad.
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
+
+/// The same by one cheap composition, uncut: the pieces one after the other (order 1, "Lie–Trotter") or
+/// symmetrically (order 2, "Strang", the same backwards in time). Exact for two equal moments.
+void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, int order, Quat& orientation);
+
+/// rotateInPieces for the bodies of `list`; their angular velocities follow from their angular momenta.
+void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order, State& state);
 
 /// Angular momentum of a body [kg m²/s], world, from its angular velocity [rad/s], world.
 Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularVelocity);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/spring_network.h"
 #include "core/dynamics/state.h"
 #include "core/math/rotation.h"
 
@@ -9,16 +11,31 @@
 
 namespace carom {
 
-/// How bodies move between impacts, under an acceleration that is constant over the substep: what integrators
-/// provide and solvers call, without knowing each other. Bodies do not know each other either: a call for two
-/// bodies is two calls.
+/// How bodies move where nothing collides: what integrators provide and solvers call, without knowing each
+/// other. Bodies in `move`, `turn` and `tumble` do not know each other either: a call for two bodies is two
+/// calls. Every function advances the state by h seconds.
 struct SmoothMotion {
-    /// Moves the centres of `bodies` through h seconds under the acceleration [m/s²].
+    /// Moves the centres of `bodies` under an acceleration [m/s²] that is constant over the substep.
     void (*move)(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
                  State& state) = nullptr;
-    /// Turns `bodies` through h seconds free of torque.
+    /// Turns `bodies` about their angular velocities, which stay: for methods that leave inertia out.
     void (*turn)(std::span<const BodyIndex> bodies, double h, State& state) = nullptr;
+    /// Turns `list` free of torque; each body's angular momentum stays as it is to rounding.
+    void (*tumble)(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) = nullptr;
+    /// Moves and turns bodies that springs couple. Null: left to the method's own solve of coupled motion.
+    void (*swing)(SpringNetwork& network, double h, State& state) = nullptr;
 };
+
+/// Moves bodies by the mean of the velocities at both ends: SmoothMotion::move of every scheme that is exact
+/// in free fall.
+inline void moveOnParabola(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
+                           State& state) {
+    const Vec3 change = h * acceleration;
+    for (const BodyIndex i : bodies) {
+        state.pose[i].position += h * (state.velocity[i] + 0.5 * change);
+        state.velocity[i] += change;
+    }
+}
 
 /// Turns bodies by exactly h|ω| about ω, which stays as it is: the SmoothMotion::turn of every scheme better
 /// than the reference's. A body without spin keeps its orientation to the bit.

@@ -15,6 +15,8 @@ struct IntegratorRow {
     int order = 1;           ///< of the error of a position at a given time, in the step
     std::string_view help;   ///< one sentence
     std::string_view source; ///< author, title, year
+    /// The largest ωh (angular frequency times substep) at which an undamped oscillation stays bounded.
+    double stableUpTo = 0;
     SmoothMotion motion;
 };
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/integrators/integrator.h"
 
+#include "core/dynamics/free_rotation.h"
+
 // Semi-implicit Euler (R. de Vogelaere, 1956): the velocity first, then the position with the new velocity,
 //
-//     v(t+h) = v + h a          x(t+h) = x + h v(t+h)
+//     v(t+h) = v + h F/m          x(t+h) = x + h v(t+h)
 //
-// as cheap as explicit Euler and of the same order, but symplectic: energy errors stay bounded. Free fall is
-// h t a/2 too far where explicit Euler is as much too short.
+// as cheap as explicit Euler and of the same order, but symplectic: energy errors stay bounded while ωh < 2.
+// Free fall is h t a/2 too far where explicit Euler is as much too short. A body's angular momentum is
+// treated as the velocity is; its free rotation is split into pure rotations, one after the other
+// (dynamics/free_rotation.h).
 
 namespace carom {
 namespace {
@@ -17,6 +21,17 @@ void move(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
         state.velocity[i] += change;
         state.pose[i].position += h * state.velocity[i];
     }
+}
+
+void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+    tumbleInPieces(bodies, list, h, 1, state);
+}
+
+void swing(SpringNetwork& network, double h, State& state) {
+    ratesOf(network, state, network.scratch.rate);
+    kick(network, network.scratch.rate, h, state);
+    for (const BodyIndex i : network.moving) state.pose[i].position += h * state.velocity[i];
+    tumble(network.bodies, network.moving, h, state);
 }
 
 } // namespace
@@ -30,7 +45,8 @@ constinit const IntegratorRow symplecticRow = {
     .source =
         "R. de Vogelaere, Methods of integration which preserve the contact transformation property of the "
         "Hamilton equations, 1956",
-    .motion = {.move = move, .turn = turnBySpin},
+    .stableUpTo = 2,
+    .motion = {.move = move, .turn = turnBySpin, .tumble = tumble, .swing = swing},
 };
 
 } // namespace carom

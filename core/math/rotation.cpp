@@ -48,6 +48,11 @@ Quat shortestRotation(const Vec3& from, const Vec3& to) {
     return Quat(cosHalf, sinHalf * axis.x(), sinHalf * axis.y(), sinHalf * axis.z()).normalized();
 }
 
+Vec4 orientationRate(const Vec3& angularVelocity, const Quat& q) {
+    const Vec3 half = 0.5 * angularVelocity;
+    return (Quat(0, half.x(), half.y(), half.z()) * q).coeffs();
+}
+
 Tangents tangentsOf(const Vec3& n) {
     const Vec3 first = n.cross(leastAlignedAxis(n)).normalized();
     return {first, n.cross(first)};

@@ -15,6 +15,9 @@ Vec3 toRotationVector(const Quat& q);
 /// is the coordinate axis least aligned with `from`, made orthogonal to it: the same on every machine.
 Quat shortestRotation(const Vec3& from, const Vec3& to);
 
+/// q' = ½ ω q [1/s] as x, y, z, w, of a body that turns at ω [rad/s], world.
+Vec4 orientationRate(const Vec3& angularVelocity, const Quat& q);
+
 /// Two unit vectors that with unit `n` make a right-handed orthonormal frame (n, first, second).
 struct Tangents {
     Vec3 first, second;

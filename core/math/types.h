@@ -7,6 +7,7 @@
 namespace carom {
 
 using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond; ///< rotates body coordinates to world coordinates
 

@@ -9,7 +9,8 @@ namespace carom {
 namespace {
 
 constexpr std::array<std::string_view, 3> methods = {"contacts", "microcollisions", "events"};
-constexpr std::array<std::string_view, 4> integratorNames = {"euler", "symplectic", "verlet", "rk4"};
+constexpr std::array<std::string_view, 5> integratorNames = {"euler", "symplectic", "verlet", "rk4",
+                                                             "midpoint"};
 constexpr std::array<std::string_view, 6> broadphaseNames = {
     "auto", "all_pairs", "sweep_and_sort", "single_axis_sweep", "uniform_grid", "bounding_tree"};
 constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};

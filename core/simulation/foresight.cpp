@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/foresight.h"
 
+#include "core/integrators/integrator.h"
+
 #include "core/broadphase/broadphase.h"
 #include "core/broadphase/crowding.h"
 #include "core/narrowphase/narrowphase.h"
@@ -147,10 +149,48 @@ std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settin
     return found;
 }
 
+/// 1/m of one end of a spring as a pull along any direction meets it, at most [1/kg].
+double complianceOf(const Scene& scene, BodyIndex body, const Vec3& at) {
+    if (body == noBody || !scene.bodies[body].mobile()) return 0;
+    const Body& end = scene.bodies[body];
+    return 1 / end.mass + at.squaredNorm() / inertiaOf(end.shape, end.mass).minCoeff();
+}
+
+// An explicit scheme blows up the oscillation of a spring that is too stiff for the substep: ω² = k (1/mA +
+// 1/mB). Damping saves explicit Euler from h k = c on.
+std::vector<Diagnostic> instability(const Scene& scene, const RunSettings& settings) {
+    std::vector<Diagnostic> found;
+    const IntegratorRow& integrator = *settings.integrator;
+    for (const Spring& spring : scene.springs) {
+        const double compliance =
+            complianceOf(scene, spring.from, spring.fromAt) + complianceOf(scene, spring.to, spring.toAt);
+        const double phase = settings.substep() * std::sqrt(spring.stiffness * compliance);
+        const bool held = integrator.stableUpTo > 0 ? phase <= integrator.stableUpTo
+                                                    : settings.substep() * spring.stiffness <= spring.damping;
+        if (held || compliance == 0 || found.size() >= mostOfAKind) continue;
+        const std::string name(integrator.name);
+        std::string message = "the oscillation of this spring grows without bound: ωh is " + figure(phase) +
+                              ", and `" + name + "` holds ";
+        if (integrator.stableUpTo > 0)
+            message += "up to " + figure(integrator.stableUpTo) + "; `substeps " +
+                       figure(std::ceil(settings.substeps * phase / integrator.stableUpTo), 6) +
+                       "` or `integrator midpoint` would hold it";
+        else
+            message += "none that is not damped; `integrator verlet` or `midpoint` would hold it";
+        found.push_back({.code = DiagnosticCode::UnstableSpring,
+                         .range = spring.source.type,
+                         .message = std::move(message),
+                         .notes = {},
+                         .fixIt = {}});
+    }
+    return found;
+}
+
 } // namespace
 
 std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found = tunnelling(scene, settings);
+    for (Diagnostic& diagnostic : instability(scene, settings)) found.push_back(std::move(diagnostic));
     Overlaps overlaps(scene);
     overlaps.findAll();
     for (Diagnostic& diagnostic : overlaps.diagnostics) found.push_back(std::move(diagnostic));

@@ -53,9 +53,9 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
 
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
-/// The method where nobody names one. It iterates to a tolerance, and the integrator that fits it is exact in
-/// free fall, as it is.
-constexpr std::string_view defaultMethod = "contacts", exactInFreeFall = "verlet";
+/// The method where nobody names one. It iterates to a tolerance, and the integrator that fits it is stable
+/// at any step, as it is.
+constexpr std::string_view defaultMethod = "contacts", alwaysStable = "midpoint";
 /// Sweeps a substep over the contacts of a big pile.
 constexpr int sweeps = 20;
 
@@ -98,9 +98,17 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     }
     const std::string method(settings.method->name);
     const bool iterates = method == defaultMethod;
-    const IntegratorRow* integrator = iterates ? findIntegrator(exactInFreeFall) : integrators().data();
+    const IntegratorRow* integrator = iterates ? findIntegrator(alwaysStable) : integrators().data();
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
+    if (!iterates && settings.integrator->motion.swing == nullptr && !scene.springs.empty()) {
+        Asked{scene, "integrator", options.integrator.has_value()}.warn(
+            "integrator `" + std::string(settings.integrator->name) + "` moves springs by method `" +
+                std::string(defaultMethod) + "` only; `" + std::string(integrator->name) +
+                "` runs in its place",
+            warnings);
+        settings.integrator = integrator;
+    }
     settings.substeps =
         std::max(1, wanted.substeps.value_or(iterates ? preset->contactSubsteps : preset->substeps));
     if (settings.method->isExact) settings.substeps = 1;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
-#include "core/dynamics/free_rotation.h"
 #include "core/solvers/flights.h"
 #include "core/solvers/island_motion.h"
 #include "core/solvers/islands.h"
@@ -17,7 +16,8 @@
 // impact to impact (flights.h). The other bodies are sorted into islands, and each island is moved by itself
 // (island_motion.h: parting, impacts, contact forces, location of events). Contact forces are remembered from
 // one substep to the next (dynamics/contact_memory.h): at rest they already are the solution, nothing is
-// solved and nothing moves.
+// solved and nothing moves. Bodies that can touch nothing, and what springs join them to, move as the
+// integrator has it.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
 // their first body, contact points as the narrow phase gives them. Nothing depends on the broad-phase chosen.
@@ -59,6 +59,7 @@ class Contacts final : public Solver {
     ContactSet m_contacts;            // from the last substep
     ContactSet m_found, m_kept;
     std::vector<std::uint32_t> m_order;
+    SpringNetwork::Scratch m_swingRoom;
     Islands m_islands;
     IslandMotion m_motion;
 };
@@ -169,10 +170,14 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
     const MotionInput motion{input.bodies, m_settings, input.gravity, input.substep, input.state};
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
-        if (island.pairs.empty() && island.links.empty())
+        if (island.pairs.empty() && island.links.empty()) {
             m_free.push_back(island.bodies.front());
-        else
+        } else if (island.pairs.empty() && input.motion.swing != nullptr) {
+            SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, m_swingRoom};
+            input.motion.swing(network, input.substep, input.state);
+        } else {
             m_motion.advance(motion, island, m_found, m_kept);
+        }
     }
     report.maxPenetration = m_motion.report.maxPenetration;
 
@@ -196,10 +201,7 @@ void Contacts::fly(const SolverInput& input) {
 
 void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration) {
     input.motion.move(bodies, acceleration, input.substep, input.state);
-    for (const BodyIndex i : bodies) {
-        const Vec3 spin = input.state.angularVelocity[i];
-        rotateBetween(input.bodies, i, spin, spin, input.substep, input.state);
-    }
+    input.motion.tumble(input.bodies, bodies, input.substep, input.state);
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {

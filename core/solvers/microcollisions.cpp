@@ -6,6 +6,7 @@
 #include "core/base/clock.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 // The reference's own method (its chapter 3.6.2): smooth motion, then every colliding pair in turn. Resting
@@ -23,7 +24,8 @@
 // treated once a substep, where the reference's naive loop met every pair twice; and where bodies touch in
 // several points the impulse acts at their centre of pressure, not at the deepest one. Where the witness
 // points coincide, or the centres of two spheres do, the narrow phase still gives a normal, and that is the
-// line of action. Between collisions angular velocities are constant, as in the reference.
+// line of action. Between collisions angular velocities are constant, as in the reference;
+// bodies at the ends of springs, which it did not have, turn as the torques of the springs have it.
 //
 // The order. Pairs come in ascending order of (smaller index, larger index), pairs with walls among them, as
 // the reference's two nested loops would meet them. Every broad-phase reports the same pairs in the same
@@ -91,13 +93,18 @@ class Microcollisions final : public Solver {
     void respondToBatch(const SolverInput& input);
     void respond(const SolverInput& input, const Contact& contact);
 
-    std::vector<Aabb> m_boxes;           // of bodies.bounded
-    std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
-    std::vector<Wall> m_walls;           // of bodies.walls
-    std::vector<Contact> m_batch;        // found, not yet responded to
-    std::vector<std::uint8_t> m_inBatch; // by BodyIndex: mobile and in a contact of m_batch
-    SeparatingAxes m_axes;               // of pairs that were apart in the substep before
-    Manifold m_manifold;                 // of the pair in turn
+    std::vector<Aabb> m_boxes;            // of bodies.bounded
+    std::vector<std::uint8_t> m_mobile;   // of bodies.bounded
+    std::vector<Wall> m_walls;            // of bodies.walls
+    std::vector<Contact> m_batch;         // found, not yet responded to
+    std::vector<std::uint8_t> m_inBatch;  // by BodyIndex: mobile and in a contact of m_batch
+    SeparatingAxes m_axes;                // of pairs that were apart in the substep before
+    Manifold m_manifold;                  // of the pair in turn
+    std::vector<BodyIndex> m_free;        // mobile, at no end of a spring
+    std::vector<BodyIndex> m_turning;     // of bodies.rotating, those of m_free
+    std::vector<BodyIndex> m_swinging;    // mobile, at an end of a spring
+    std::vector<std::uint32_t> m_springs; // all of them
+    SpringNetwork::Scratch m_swingRoom;
     Stopwatch m_watch;
     SolverReport m_report;
 };
@@ -111,6 +118,17 @@ Microcollisions::Microcollisions(const Bodies& bodies)
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
     for (const BodyIndex i : bodies.walls) m_walls.push_back(*std::get_if<Wall>(&bodies.shape[i]));
     m_batch.reserve(largestBatch);
+
+    std::vector<std::uint8_t> sprung(bodies.count(), 0);
+    for (const SpringForce& spring : bodies.springs) {
+        if (spring.from != noBody) sprung[spring.from] = 1;
+        if (spring.to != noBody) sprung[spring.to] = 1;
+    }
+    for (const BodyIndex i : bodies.mobileBodies) (sprung[i] != 0 ? m_swinging : m_free).push_back(i);
+    for (const BodyIndex i : bodies.rotating)
+        if (sprung[i] == 0) m_turning.push_back(i);
+    m_springs.resize(bodies.springs.size());
+    std::iota(m_springs.begin(), m_springs.end(), 0u);
 }
 
 SolverReport Microcollisions::advance(const SolverInput& input) {
@@ -136,14 +154,17 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
 }
 
 void Microcollisions::moveSmoothly(const SolverInput& input) {
-    const std::span<const BodyIndex> mobile = input.bodies.mobileBodies;
-    input.workers.forRanges(mobile.size(), [&](std::size_t begin, std::size_t end) {
-        input.motion.move(mobile.subspan(begin, end - begin), input.gravity, input.substep, input.state);
+    const std::span<const BodyIndex> free = m_free;
+    input.workers.forRanges(free.size(), [&](std::size_t begin, std::size_t end) {
+        input.motion.move(free.subspan(begin, end - begin), input.gravity, input.substep, input.state);
     });
-    const std::span<const BodyIndex> rotating = input.bodies.rotating;
-    input.workers.forRanges(rotating.size(), [&](std::size_t begin, std::size_t end) {
-        input.motion.turn(rotating.subspan(begin, end - begin), input.substep, input.state);
+    const std::span<const BodyIndex> turning = m_turning;
+    input.workers.forRanges(turning.size(), [&](std::size_t begin, std::size_t end) {
+        input.motion.turn(turning.subspan(begin, end - begin), input.substep, input.state);
     });
+    if (m_springs.empty()) return;
+    SpringNetwork network{input.bodies, m_swinging, m_springs, input.gravity, m_swingRoom};
+    input.motion.swing(network, input.substep, input.state);
 }
 
 void Microcollisions::updateBoxes(const SolverInput& input) {
@@ -259,6 +280,7 @@ constinit const SolverRow microcollisionsRow = {
     .source = "the reference work, 3.6.2, after B. Mirtich, J. Canny, Impulse-based simulation of rigid "
               "bodies, 1995",
     .create = create,
+    .abilities = {.springs = true},
 };
 
 } // namespace carom

@@ -49,6 +49,27 @@ class ForesightTest : public QObject {
                                "the free side is the one the normal points to")));
     }
 
+    void aSpringTooStiffForTheIntegratorIsToldTheSubstepsThatHoldIt() {
+        const QString stiff = QStringLiteral("sphere a { radius 1 mass 1 centre 0, 0, 0 }\n"
+                                             "spring { from world to a stiffness 90000 length 1 }\n"
+                                             "simulation { step 0.01 integrator %1 }\n");
+        const auto told = [&](const char* integrator) {
+            return warningsOf(stiff.arg(QLatin1StringView(integrator)).toUtf8().constData());
+        };
+        QCOMPARE(
+            told("verlet"),
+            QStringList(QStringLiteral(
+                "sdl-unstable-spring `spring`: the oscillation of this spring grows without bound: ωh "
+                "is 3, and `verlet` holds up to 2; `substeps 2` or `integrator midpoint` would hold it")));
+        QCOMPARE(told("euler"),
+                 QStringList(QStringLiteral(
+                     "sdl-unstable-spring `spring`: the oscillation of this spring grows without bound: ωh "
+                     "is 3, and `euler` holds none that is not damped; `integrator verlet` or `midpoint` "
+                     "would hold it")));
+        QCOMPARE(told("midpoint method contacts"), QStringList());
+        QCOMPARE(told("verlet substeps 2"), QStringList());
+    }
+
     void bodiesThatOnlyTouchAreFine() {
         QCOMPARE(warningsOf("wall { normal 0, 1, 0 toOrig 0 }\n"
                             "sphere { radius 0.1 mass 1 centre 0, 0.1, 0 }\n"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/integrators/integrator.h"
+
+#include "core/dynamics/free_rotation.h"
+
+#include <limits>
+
+// The implicit midpoint rule (E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006,
+// II.1): forces are those in the middle of the way that they lead to. Stable at any step, and the energy of a
+// linear oscillation is kept to rounding. What is coupled needs a system of equations solved, which a method
+// has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies that
+// fly freely need no equations: the parabola is exact, and so is free rotation.
+
+namespace carom {
+namespace {
+
+void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+    for (const BodyIndex i : list) {
+        const Vec3 spin = state.angularVelocity[i];
+        rotateBetween(bodies, i, spin, spin, h, state);
+    }
+}
+
+} // namespace
+
+extern const IntegratorRow midpointRow;
+constinit const IntegratorRow midpointRow = {
+    .name = "midpoint",
+    .title = "Implicit midpoint",
+    .order = 2,
+    .help =
+        "Free bodies move and turn exactly, springs by the forces in the middle of the substep; stable at "
+        "any step.",
+    .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
+    .stableUpTo = std::numeric_limits<double>::infinity(),
+    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble},
+};
+
+} // namespace carom
