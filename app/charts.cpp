@@ -2,6 +2,7 @@
 #include "app/charts.h"
 
 #include "app/errors.h"
+#include "ui/widgets/accuracy_chart.h"
 #include "ui/widgets/benchmark_charts.h"
 
 #include <QApplication>
@@ -19,10 +20,11 @@ void needApplication() {
     static const QApplication application(count, words);
 }
 
-void draw(const std::vector<NamedChart>& charts, const std::string& folder) {
+void draw(const std::vector<NamedChart>& charts, std::initializer_list<const char*> endings,
+          const std::string& folder) {
     needApplication();
     for (const NamedChart& chart : charts) {
-        for (const char* ending : {".svg", ".png"}) {
+        for (const char* ending : endings) {
             const QString path =
                 QString::fromStdString(folder) + QLatin1Char('/') + chart.name + QLatin1StringView(ending);
             if (!writeChart(chart.chart, path).isEmpty())
@@ -34,7 +36,13 @@ void draw(const std::vector<NamedChart>& charts, const std::string& folder) {
 } // namespace
 
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder) {
-    draw(chartsOf(benchmark), folder);
+    draw(chartsOf(benchmark), {".svg", ".png"}, folder);
+}
+
+void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder) {
+    const QString title =
+        QCoreApplication::translate("Charts", "What accuracy costs: %1").arg(QString::fromStdString(scene));
+    draw({{QStringLiteral("accuracy"), accuracyChart(study, title).spec}}, {".svg", ".png", ".pdf"}, folder);
 }
 
 } // namespace carom

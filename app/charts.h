@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/accuracy.h"
 #include "core/study/benchmark.h"
 
 #include <string>
@@ -10,6 +11,9 @@ namespace carom {
 /// Draws what a study found into a folder, each chart as SVG and PNG, without any display. Throws FileError.
 struct ChartDrawer {
     void (*benchmark)(const Benchmark& benchmark, const std::string& folder) = nullptr;
+    /// `scene` is the title; as PDF, too.
+    void (*accuracy)(const AccuracyStudy& study, const std::string& scene,
+                     const std::string& folder) = nullptr;
 };
 
 /// The drawer of this build. It needs Qt, which the subcommands do without, so main sets it; empty in a build
@@ -18,5 +22,6 @@ ChartDrawer& chartDrawer();
 
 /// In app/charts.cpp, which knows Qt.
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder);
+void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder);
 
 } // namespace carom

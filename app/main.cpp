@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
 #endif
 #ifdef CAROM_CHARTS
     carom::chartDrawer().benchmark = carom::drawBenchmark;
+    carom::chartDrawer().accuracy = carom::drawAccuracy;
 #endif
     return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/stability_report.h"
 
+#include "core/base/csv.h"
 #include "core/base/figures.h"
 #include "core/base/text.h"
 
@@ -13,17 +14,6 @@ std::string withUnit(double value, std::string_view unit) {
     std::string result = figure(value, 2);
     if (!unit.empty()) result.append(" ").append(unit);
     return result;
-}
-
-/// A field of CSV (RFC 4180): quoted where it has to be.
-std::string field(std::string_view value) {
-    if (value.find_first_of(",\"\n") == value.npos) return std::string(value);
-    std::string quoted = "\"";
-    for (const char c : value) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
 }
 
 } // namespace
@@ -62,8 +52,8 @@ std::string summaryOf(const StabilityStudy& study) {
 
 std::string figuresAsCsv(const StabilityStudy& study, const StudyOrigin& origin) {
     std::string csv = "case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine\n";
-    const std::string tail =
-        "," + field(origin.command) + "," + field(origin.version) + "," + field(origin.machine) + "\n";
+    const std::string tail = "," + csvField(origin.command) + "," + csvField(origin.version) + "," +
+                             csvField(origin.machine) + "\n";
     for (const TrialResult& result : study.results) {
         std::string head = std::to_string(result.hardCase->number);
         head.append(",").append(result.hardCase->name).append(",").append(nameOf(result.column)).append(",");
@@ -77,7 +67,7 @@ std::string figuresAsCsv(const StabilityStudy& study, const StudyOrigin& origin)
                 .append(tail);
         for (const Figure& figure : result.figures) {
             const Verdict verdict = figure.holds() ? Verdict::Holds : Verdict::Fails;
-            csv.append(head).append(field(figure.name)).append(",").append(shortest(figure.value));
+            csv.append(head).append(csvField(figure.name)).append(",").append(shortest(figure.value));
             csv.append(",").append(figure.unit).append(",").append(shortest(figure.limit)).append(",");
             csv.append(nameOf(verdict)).append(",").append(time).append(tail);
         }

@@ -8,6 +8,7 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 // The library's header is written with Qt's keywords, which our own code does without.
@@ -27,7 +28,9 @@ namespace carom {
 
 namespace {
 
-constexpr int pngScale = 2; ///< pixels of a PNG along a unit of the chart: crisp on paper
+constexpr double pointReach = 12; ///< [px] from a point at which the mouse is over it
+constexpr double clickSlack = 4;  ///< [px] a click may move
+constexpr int pngScale = 2;       ///< pixels of a PNG along a unit of the chart: crisp on paper
 
 QString say(const char* text) { return QCoreApplication::translate("Plot", text); }
 
@@ -64,11 +67,67 @@ bool shows(const ChartAxis& axis, double value) {
     return std::isfinite(value) && (!axis.logarithmic || value > 0);
 }
 
+QCPScatterStyle scatterOf(const ChartSeries& series, std::size_t i, const QColor& colour,
+                          const ChartColours& colours) {
+    constexpr std::array shapes = {QCPScatterStyle::ssDisc, QCPScatterStyle::ssSquare,
+                                   QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
+                                   QCPScatterStyle::ssCross};
+    const QPen thick(colour, 1.8);
+    switch (series.mark) {
+    case SeriesMark::Disc:
+        return {QCPScatterStyle::ssDisc, colour, colour, 7};
+    case SeriesMark::Ring:
+        return {QCPScatterStyle::ssCircle, thick, colours.ground, 7};
+    case SeriesMark::Cross:
+        return {QCPScatterStyle::ssCross, thick, Qt::NoBrush, 9};
+    case SeriesMark::Halo:
+        return {QCPScatterStyle::ssCircle, thick, Qt::NoBrush, 14};
+    case SeriesMark::ByColour:
+        break;
+    }
+    return {shapes[i % shapes.size()], colour, colour, 7};
+}
+
+/// Points in their own order, with whiskers: a curve, where addSeries draws graphs, which go from left to
+/// right.
+void addCurve(QCustomPlot& plot, const ChartSpec& spec, std::size_t i, const ChartColours& colours) {
+    const ChartSeries& series = spec.series[i];
+    const QColor colour = series.colour.value_or(seriesColour(i));
+    QCPCurve* curve = new QCPCurve(plot.xAxis, plot.yAxis);
+    curve->setName(series.name);
+    QVector<double> x, y, below, above;
+    for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+        if (!shows(spec.x, series.x[k]) || !shows(spec.y, series.y[k])) continue;
+        x.append(series.x[k]);
+        y.append(series.y[k]);
+        if (series.low.size() <= k || series.high.size() <= k) continue;
+        below.append(series.y[k] - series.low[k]);
+        above.append(series.high[k] - series.y[k]);
+    }
+    curve->setData(x, y);
+    curve->setPen(QPen(colour, 1.8, series.dashed ? Qt::DashLine : Qt::SolidLine));
+    if (series.style != SeriesStyle::Line) curve->setScatterStyle(scatterOf(series, i, colour, colours));
+    if (series.style == SeriesStyle::Marks) curve->setLineStyle(QCPCurve::lsNone);
+    if (!series.inLegend) curve->removeFromLegend();
+    if (below.isEmpty() || below.size() != x.size()) return;
+    QCPErrorBars* whiskers = new QCPErrorBars(plot.xAxis, plot.yAxis);
+    whiskers->setDataPlottable(curve);
+    whiskers->setData(below, above);
+    whiskers->setPen(QPen(colour, 1));
+    whiskers->setSymbolGap(0);
+    whiskers->setWhiskerWidth(5);
+    whiskers->removeFromLegend();
+}
+
 void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
     std::vector<double> stack; // heights of the areas so far
     QCPGraph* below = nullptr;
     for (std::size_t i = 0; i < spec.series.size(); ++i) {
         const ChartSeries& series = spec.series[i];
+        if (series.inOrder) {
+            addCurve(plot, spec, i, colours);
+            continue;
+        }
         const QColor colour = series.colour.value_or(seriesColour(i));
         QCPGraph* graph = plot.addGraph();
         graph->setName(series.name);
@@ -92,12 +151,7 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
             continue;
         }
         graph->setPen(QPen(colour, 1.8));
-        if (series.style != SeriesStyle::Line) {
-            constexpr std::array shapes = {QCPScatterStyle::ssDisc, QCPScatterStyle::ssSquare,
-                                           QCPScatterStyle::ssTriangle, QCPScatterStyle::ssDiamond,
-                                           QCPScatterStyle::ssCross};
-            graph->setScatterStyle(QCPScatterStyle(shapes[i % shapes.size()], colour, colour, 7));
-        }
+        if (series.style != SeriesStyle::Line) graph->setScatterStyle(scatterOf(series, i, colour, colours));
         if (series.style == SeriesStyle::Marks) graph->setLineStyle(QCPGraph::lsNone);
     }
     for (const ChartLevel& level : spec.levels) {
@@ -124,6 +178,12 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
     const bool stacked = std::any_of(spec.series.begin(), spec.series.end(), [](const ChartSeries& series) {
         return series.style == SeriesStyle::Stacked;
     });
+    for (const ChartLevel& level : spec.levels)
+        if (level.alwaysShown && shows(spec.y, level.y)) {
+            QCPRange range = plot.yAxis->range();
+            range.expand(level.y);
+            plot.yAxis->setRange(range);
+        }
     if (spec.y.logarithmic) {
         plot.yAxis->setRange(plot.yAxis->range().lower / 1.3, plot.yAxis->range().upper * 1.3);
     } else {
@@ -139,7 +199,7 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
 
 void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
     plot.clearItems();
-    plot.clearGraphs();
+    plot.clearPlottables();
     QCPLayoutGrid& grid = *plot.plotLayout();
     if (qobject_cast<QCPTextElement*>(grid.element(0, 0))) { // the title of the chart before
         grid.removeAt(0);
@@ -240,7 +300,43 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
         fit(*m_plot, m_spec);
         m_plot->replot();
     });
+    m_plot->setMouseTracking(true);
+    connect(m_plot, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
+        const Hit hit = pointNear(event->position());
+        if (hit.series < 0) {
+            QToolTip::hideText();
+            return;
+        }
+        const ChartSeries& series = m_spec.series[static_cast<std::size_t>(hit.series)];
+        QToolTip::showText(event->globalPosition().toPoint(),
+                           series.notes[static_cast<std::size_t>(hit.point)], m_plot);
+    });
+    connect(m_plot, &QCustomPlot::mousePress, this,
+            [this](const QMouseEvent* event) { m_pressed = event->position(); });
+    connect(m_plot, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
+        if ((event->position() - m_pressed).manhattanLength() > clickSlack) return; // dragged
+        const Hit hit = pointNear(event->position());
+        if (hit.series >= 0) Q_EMIT pointClicked(hit.series, hit.point);
+    });
     setChart({});
+}
+
+PlotWidget::Hit PlotWidget::pointNear(const QPointF& place) const {
+    Hit nearest;
+    double least = pointReach;
+    for (std::size_t s = 0; s < m_spec.series.size(); ++s) {
+        const ChartSeries& series = m_spec.series[s];
+        for (std::size_t k = 0; k < std::min(series.notes.size(), series.x.size()); ++k) {
+            if (!shows(m_spec.x, series.x[k]) || !shows(m_spec.y, series.y[k])) continue;
+            const QPointF point(m_plot->xAxis->coordToPixel(series.x[k]),
+                                m_plot->yAxis->coordToPixel(series.y[k]));
+            const double away = std::hypot(point.x() - place.x(), point.y() - place.y());
+            if (away >= least) continue;
+            least = away;
+            nearest = {static_cast<int>(s), static_cast<int>(k)};
+        }
+    }
+    return nearest;
 }
 
 void PlotWidget::setChart(const ChartSpec& spec) {

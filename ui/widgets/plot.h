@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPointF>
 #include <QSize>
 #include <QString>
 #include <QWidget>
@@ -28,18 +29,33 @@ enum class SeriesStyle {
     Stacked, ///< an area on top of the stacked series before it, which must have the same x
 };
 
+enum class SeriesMark {
+    ByColour, ///< filled, another shape for every colour
+    Disc,
+    Ring,  ///< filled with the chart's ground: over a disc it looks hollow
+    Cross, ///< of what failed
+    Halo,  ///< a large ring around another mark
+};
+
 struct ChartSeries {
     QString name;
     std::vector<double> x,
         y; ///< equally many; what an axis cannot show (not finite, or <= 0 on a logarithmic one) is left out
     SeriesStyle style = SeriesStyle::Line;
     std::optional<QColor> colour; ///< absent: the palette's next
+    SeriesMark mark = SeriesMark::ByColour;
+    bool dashed = false;
+    bool inOrder = false; ///< a line joins the points as they come, not from left to right
+    bool inLegend = true;
+    std::vector<double> low{}, high{}; ///< whiskers in y of each point, or empty
+    std::vector<QString> notes{};      ///< shown at a point the mouse is over, or empty
 };
 
 /// A dashed line across the chart.
 struct ChartLevel {
     double y = 0;
     QString label;
+    bool alwaysShown = false; ///< the axis reaches so far
 };
 
 struct ChartSpec {
@@ -69,11 +85,21 @@ class PlotWidget : public QWidget {
     void setChart(const ChartSpec& spec);
     const ChartSpec& chart() const { return m_spec; }
 
+  Q_SIGNALS:
+    /// A click on, or within a few pixels of, a point that has a note.
+    void pointClicked(int series, int point);
+
   protected:
     void changeEvent(QEvent* event) override;
 
   private:
+    struct Hit {
+        int series = -1, point = -1;
+    };
+    Hit pointNear(const QPointF& place) const;
+
     ChartSpec m_spec;
+    QPointF m_pressed; ///< [px]
     QCustomPlot* m_plot;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
+#include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/outline_dock.h"
@@ -44,8 +45,8 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     : m_actions(new Actions(this)), m_editor(new SceneEditor(theme)), m_findBar(new FindBar(*m_editor)),
       m_viewport(new Viewport), m_timeline(new Timeline), m_transport(new TransportBar(*m_actions)),
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
-      m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)), m_output(new OutputDock),
-      m_caret(new QLabel) {
+      m_accuracy(new AccuracyDock), m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)),
+      m_output(new OutputDock), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -103,15 +104,17 @@ void MainWindow::placeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, m_problems);
     addDockWidget(Qt::BottomDockWidgetArea, m_timing);
     addDockWidget(Qt::BottomDockWidgetArea, m_broadphase);
+    addDockWidget(Qt::BottomDockWidgetArea, m_accuracy);
     addDockWidget(Qt::BottomDockWidgetArea, m_output);
     addDockWidget(Qt::RightDockWidgetArea, m_outline);
     addDockWidget(Qt::RightDockWidgetArea, m_effects);
-    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_output,
-                                                                 m_outline, m_effects})
+    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase,
+                                                                 m_accuracy, m_output, m_outline, m_effects})
         dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
     tabifyDockWidget(m_problems, m_timing);
     tabifyDockWidget(m_timing, m_broadphase);
-    tabifyDockWidget(m_broadphase, m_output);
+    tabifyDockWidget(m_broadphase, m_accuracy);
+    tabifyDockWidget(m_accuracy, m_output);
     tabifyDockWidget(m_outline, m_effects);
     m_problems->raise();
     m_outline->raise();
@@ -122,9 +125,10 @@ void MainWindow::placeDocks() {
 /// Alt+1 to Alt+9 show a panel and put the keyboard into it; where it is already, they hide the panel and go
 /// back to the text.
 void MainWindow::addDockToggles() {
-    const std::array<std::pair<QDockWidget*, const char*>, 6> docks = {{{m_problems, "problems"},
+    const std::array<std::pair<QDockWidget*, const char*>, 7> docks = {{{m_problems, "problems"},
                                                                         {m_timing, "timing"},
                                                                         {m_broadphase, "broadphase"},
+                                                                        {m_accuracy, "accuracy"},
                                                                         {m_output, "output"},
                                                                         {m_outline, "outline"},
                                                                         {m_effects, "effects"}}};

@@ -13,6 +13,7 @@ class QToolBar;
 
 namespace carom {
 
+class AccuracyDock;
 class Actions;
 class BroadphaseDock;
 class EffectsDock;
@@ -35,7 +36,7 @@ class Workspaces;
 ///     find bar          │                 outline | effects
 ///     timeline ──────────────────────────
 ///     transport ─────────────────────────
-///     problems | timing | broad-phase | output
+///     problems | timing | broad-phase | accuracy | output
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
     ProblemsDock& problems() const { return *m_problems; }
     TimingDock& timing() const { return *m_timing; }
     BroadphaseDock& broadphase() const { return *m_broadphase; }
+    AccuracyDock& accuracy() const { return *m_accuracy; }
     OutlineDock& outline() const { return *m_outline; }
     EffectsDock& effects() const { return *m_effects; }
     OutputDock& output() const { return *m_output; }
@@ -86,6 +88,7 @@ class MainWindow : public QMainWindow {
     ProblemsDock* m_problems;
     TimingDock* m_timing;
     BroadphaseDock* m_broadphase;
+    AccuracyDock* m_accuracy;
     OutlineDock* m_outline;
     EffectsDock* m_effects;
     OutputDock* m_output;

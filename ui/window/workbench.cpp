@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workbench.h"
 
+#include "core/language/simulation_edit.h"
+#include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/outline_dock.h"
@@ -51,6 +53,7 @@ Workbench::Workbench()
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
     connectText();
+    connectAccuracy();
     connectReports();
     connectTheme();
     connectPreferences();
@@ -123,11 +126,25 @@ void Workbench::connectText() {
     connect(&editor, &SceneEditor::caretMoved, &m_window->outline(), &OutlineDock::followCaret);
 }
 
+void Workbench::connectAccuracy() {
+    AccuracyDock& dock = m_window->accuracy();
+    connect(&dock, &AccuracyDock::runWanted, this, [this](const std::shared_ptr<const Pipeline>& pipeline) {
+        m_simulation->load(pipeline);
+        m_simulation->play();
+    });
+    connect(&dock, &AccuracyDock::settingWanted, this, [this](const SimulationSettings& settings) {
+        const Analysis& analysis = m_builds->latest()->build.analysis;
+        m_window->editor().replaceRange({0, static_cast<std::uint32_t>(analysis.text.size())},
+                                        QByteArray::fromStdString(withSettings(analysis, settings)));
+    });
+}
+
 void Workbench::showBuild(const SharedBuild& result) {
     m_marks->show(result);
     m_window->problems().show(result);
     m_window->outline().show(result);
     m_window->effects().show(result);
+    m_window->accuracy().setScene(result, m_document->name());
     m_preview->take(result);
     m_selection->followCaret();
     if (!result->fresh) return;
@@ -148,6 +165,7 @@ void Workbench::connectReports() {
     connect(m_runs, &RunCommands::reported, this, report);
     connect(&m_window->timing(), &TimingDock::reported, this, report);
     connect(&m_window->broadphase(), &BroadphaseDock::reported, this, report);
+    connect(&m_window->accuracy(), &AccuracyDock::reported, this, report);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
     connect(m_selection, &Selection::bodySelected, this, [this](const QString& name) {
         if (name.isEmpty())

@@ -51,6 +51,7 @@ class Workbench : public QObject {
 
   private:
     void connectText();
+    void connectAccuracy();
     void connectReports();
     void showBuild(const SharedBuild& result);
     void connectPreferences();

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/accuracy.h"
+
+#include "core/base/clock.h"
+#include "core/base/figures.h"
+#include "core/dynamics/energy.h"
+#include "core/math/statistics.h"
+#include "core/simulation/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carom {
+namespace {
+
+/// A relative change of energy, or a gain of it, beyond this counts as broken.
+constexpr double brokenInvariant = 0.01;
+/// A timed run is repeated until it has lasted so long [ms]: clocks are read twice.
+constexpr double leastTimed = 5;
+/// Kinetic energy below this part of m g size, or of m size²/duration², is none.
+constexpr double noEnergy = 1e-12;
+
+const char* const stepping[] = {"microcollisions", "contacts"};
+
+/// Whether integrators differ on this scene: something accelerates bodies, or turns them unevenly.
+bool integratorsMatter(const Pipeline& pipeline) {
+    return pipeline.simulates("gravity") || pipeline.simulates("spring") ||
+           pipeline.simulates("gyroscopic_term");
+}
+
+/// Schemes that are exact in free fall are one and the same where nothing bends the fall; one will do.
+bool duplicates(const IntegratorRow& integrator, bool iterates, const Pipeline& pipeline) {
+    const bool bent = pipeline.simulates("spring") || (iterates && pipeline.simulates("gyroscopic_term"));
+    return !bent && integrator.motion.move == moveOnParabola &&
+           integrator.name != (iterates ? "midpoint" : "verlet");
+}
+
+bool losesNothing(const Scene& scene) {
+    for (const Body& body : scene.bodies)
+        if (body.elastic < 1 || body.friction > 0 || body.rolling > 0) return false;
+    return std::all_of(scene.springs.begin(), scene.springs.end(),
+                       [](const Spring& spring) { return spring.damping == 0; });
+}
+
+bool isClosed(const Pipeline& pipeline) {
+    if (pipeline.simulates("gravity")) return false;
+    if (pipeline.bodies().mobileBodies.size() < pipeline.bodies().count()) return false;
+    return std::all_of(pipeline.bodies().springs.begin(), pipeline.bodies().springs.end(),
+                       [](const SpringForce& s) { return s.from != noBody && s.to != noBody; });
+}
+
+/// Measures the points of a study, one after the other, then times them in turns.
+class Runner {
+  public:
+    Runner(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener)
+        : m_scene(scene), m_listener(listener) {
+        m_study.plan = plan;
+        std::vector<Diagnostic> ignored;
+        m_study.settings = settledSettings(scene, {}, ignored);
+        m_study.conservative = losesNothing(scene);
+        addPoints();
+    }
+
+    AccuracyStudy run(const std::vector<AccuracyPoint>& known) {
+        for (AccuracyPoint& point : m_study.points)
+            for (const AccuracyPoint& old : known)
+                if (old.setting == point.setting) takeOver(old, point);
+        m_study.complete = findTheTruth() && measureAll() && timeAll();
+        std::erase_if(m_study.points,
+                      [](const AccuracyPoint& point) { return point.status == PointStatus::Waiting; });
+        return std::move(m_study);
+    }
+
+  private:
+    void addPoints() {
+        const RunSettings& own = m_study.settings;
+        AccuracySetting standard{own.method, own.integrator, own.substeps, own.tolerance};
+        if (own.method->name == "events") standard = {own.method, nullptr, 1, 0};
+        m_study.points.push_back({.setting = standard, .isDefault = true});
+        for (const AccuracySetting& setting : m_study.plan.settings)
+            if (!(setting == standard)) m_study.points.push_back({.setting = setting});
+        for (const AccuracyPoint& point : m_study.points)
+            m_total += (1.0 + m_study.plan.runs) * point.setting.substeps;
+        m_total *= 1.25; // a fifth of the whole for the truth, as far as one can know
+        m_done = 0;
+    }
+
+    static void takeOver(const AccuracyPoint& old, AccuracyPoint& point) {
+        const bool isDefault = point.isDefault;
+        point = old;
+        point.isDefault = isDefault;
+    }
+
+    bool goOn() { return m_listener.goOn(std::min(1.0, m_done / m_total)); }
+    void changed() {
+        if (m_listener.changed) m_listener.changed(m_study);
+    }
+
+    bool findTheTruth() {
+        int finest = 1;
+        for (const AccuracyPoint& point : m_study.points) finest = std::max(finest, point.setting.substeps);
+        m_study.truth = findTruth({.scene = m_scene,
+                                   .settings = m_study.settings,
+                                   .duration = m_study.plan.duration,
+                                   .finest = finest,
+                                   .patience = 4 * m_study.plan.patience,
+                                   .goOn = [this] { return goOn(); }});
+        m_done = 0.2 * m_total;
+        if (m_study.truth) m_trajectory = std::exchange(m_study.truth->trajectory, {});
+        return m_study.truth.has_value();
+    }
+
+    bool measureAll() {
+        for (AccuracyPoint& point : m_study.points) {
+            if (point.status == PointStatus::Waiting && hopeless(point.setting)) {
+                point.status = PointStatus::TimedOut;
+                point.reason = "coarser settings of its family timed out";
+            }
+            if (point.status == PointStatus::Waiting && !measure(point)) return false;
+            m_done += point.setting.substeps;
+            changed();
+        }
+        return true;
+    }
+
+    bool hopeless(const AccuracySetting& setting) const {
+        return std::any_of(m_study.points.begin(), m_study.points.end(), [&](const AccuracyPoint& point) {
+            return point.status == PointStatus::TimedOut && point.setting.family() == setting.family() &&
+                   point.setting.substeps < setting.substeps;
+        });
+    }
+
+    /// One run, substep by substep; false if told to stop.
+    bool measure(AccuracyPoint& point);
+    bool timeAll();
+    bool timeOnce(AccuracyPoint& point);
+
+    std::int64_t frames() const {
+        return static_cast<std::int64_t>(
+            std::ceil(m_study.plan.duration / m_study.settings.step * (1 - 1e-12)));
+    }
+
+    const Scene& m_scene;
+    const AccuracyListener& m_listener;
+    AccuracyStudy m_study;
+    Trajectory m_trajectory;        // of the truth
+    double m_done = 0, m_total = 0; // substeps a frame, over all runs
+};
+
+bool Runner::measure(AccuracyPoint& point) {
+    const Truth& truth = *m_study.truth;
+    SimulationSettings options = point.setting.options();
+    options.step = m_study.settings.step / point.setting.substeps;
+    options.substeps = 1;
+    const auto pipeline = std::make_shared<const Pipeline>(m_scene, options);
+    World world(pipeline);
+    ErrorMeter meter(pipeline->bodies(), truth.size);
+    std::vector<double> time, energy;
+    double kinetic = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
+    const Vec3 momentum = world.statistics().momentum;
+    const bool closed = isClosed(*pipeline);
+    const Stopwatch watch;
+    const std::int64_t steps = frames() * point.setting.substeps;
+    for (std::int64_t step = 0;; ++step) {
+        const FrameStatistics& frame = world.statistics();
+        time.push_back(world.state().time);
+        energy.push_back(frame.kinetic + frame.potential);
+        kinetic = std::max(kinetic, frame.kinetic);
+        highest = std::max(highest, frame.potential);
+        lowest = std::min(lowest, frame.potential);
+        point.penetration = std::max(point.penetration, frame.maxPenetration / truth.size);
+        const std::int64_t eighths = step * looksPerFrame;
+        const auto look = static_cast<std::size_t>(eighths / point.setting.substeps);
+        if (eighths % point.setting.substeps == 0 && look < m_trajectory.samples.size() &&
+            static_cast<double>(look) * m_trajectory.spacing <= truth.horizon)
+            meter.add(world.state().pose, m_trajectory.samples[look]);
+        if (step == steps) break;
+        world.step();
+        if (!goOn()) return false;
+        if (!world.health().finite) {
+            point.status = PointStatus::Failed;
+            point.reason = "the state was lost after " + figure(world.state().time) + " s";
+            point.times = {watch.elapsed() / world.state().time};
+            break;
+        }
+        if (watch.elapsed() > 1000 * m_study.plan.patience) {
+            point.status = PointStatus::TimedOut;
+            point.reason = "it took longer than " + figure(m_study.plan.patience) + " s";
+            point.times = {watch.elapsed() / world.state().time};
+            break;
+        }
+    }
+    point.errors = meter.norms();
+    const double scale = std::max(kinetic, highest - lowest);
+    point.energy = courseOf(time, energy, scale);
+    if (closed) {
+        double most = 0;
+        for (const BodyIndex i : pipeline->bodies().mobileBodies)
+            most += pipeline->bodies().mass[i] * world.state().velocity[i].norm();
+        if (most > noEnergy) point.momentumChange = (world.statistics().momentum - momentum).norm() / most;
+    }
+    if (point.status != PointStatus::Waiting) return true;
+    point.status = PointStatus::Measured;
+    const double change = m_study.conservative ? point.energy.worst : point.energy.gain;
+    if (change > brokenInvariant) {
+        point.status = PointStatus::Broken;
+        point.reason = "energy " + std::string(m_study.conservative ? "changed" : "grew") + " by " +
+                       figure(100 * change) + " %";
+    }
+    return true;
+}
+
+bool Runner::timeAll() {
+    for (int run = 0; run < m_study.plan.runs; ++run) {
+        for (AccuracyPoint& point : m_study.points) {
+            m_done += point.setting.substeps;
+            if (!point.finished() || std::ssize(point.times) > run) continue;
+            if (!timeOnce(point)) return false;
+            changed();
+        }
+    }
+    return true;
+}
+
+bool Runner::timeOnce(AccuracyPoint& point) {
+    SimulationSettings options = point.setting.options();
+    options.step = m_study.settings.step;
+    World world(std::make_shared<const Pipeline>(m_scene, options));
+    double spent = 0, simulated = 0;
+    while (spent < leastTimed) {
+        world.reset();
+        world.step(); // the first touch of everything
+        for (std::int64_t frame = 1; frame < std::max<std::int64_t>(2, frames());) {
+            // Some frames between two readings of the clock and two looks at whether to stop.
+            const std::int64_t end = std::min(std::max<std::int64_t>(2, frames()), frame + 16);
+            const double start = processorTimeOfThread();
+            for (; frame < end; ++frame) {
+                world.step();
+                simulated += m_study.settings.step;
+            }
+            spent += processorTimeOfThread() - start;
+            if (!goOn()) return false;
+        }
+    }
+    point.times.push_back(spent / simulated);
+    return true;
+}
+
+} // namespace
+
+std::string AccuracySetting::family() const {
+    std::string text(method->name);
+    if (integrator != nullptr) text.append(", ").append(integrator->name);
+    if (tolerance > 0) text += ", tolerance " + figure(tolerance);
+    return text;
+}
+
+std::string AccuracySetting::name() const {
+    return integrator == nullptr
+               ? family()
+               : family() + ", " + counted(static_cast<std::size_t>(substeps), "substep", "substeps");
+}
+
+SimulationSettings AccuracySetting::options() const {
+    SimulationSettings options;
+    options.method = method->name;
+    if (integrator != nullptr) options.integrator = integrator->name;
+    options.substeps = substeps;
+    if (tolerance > 0) options.tolerance = tolerance;
+    options.threads = 1;
+    return options;
+}
+
+std::string_view nameOf(PointStatus status) {
+    switch (status) {
+    case PointStatus::Waiting:
+        return "waiting";
+    case PointStatus::Measured:
+        return "measured";
+    case PointStatus::Broken:
+        return "broken";
+    case PointStatus::Failed:
+        return "failed";
+    case PointStatus::TimedOut:
+        return "timed out";
+    }
+    return {};
+}
+
+double AccuracyPoint::cost() const { return times.empty() ? 0 : summarise(times).median; }
+double AccuracyPoint::leastCost() const {
+    return times.empty() ? 0 : *std::min_element(times.begin(), times.end());
+}
+double AccuracyPoint::mostCost() const {
+    return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
+}
+
+AccuracyPlan planFor(const Scene& scene) {
+    AccuracyPlan plan;
+    if (scene.simulation.duration) plan.duration = std::min(*scene.simulation.duration, 10.0);
+    SimulationSettings contacts;
+    contacts.method = "contacts";
+    const Pipeline pipeline(scene, contacts);
+    const bool collides = pipeline.bodies().count() > 1;
+    for (const char* method : stepping) {
+        const SolverRow* row = findSolver(method);
+        const bool iterates = row->abilities.friction;
+        std::vector<double> tolerances = {0};
+        if (iterates) tolerances = collides ? std::vector<double>{1e-6, 1e-10} : std::vector<double>{1e-6};
+        for (const IntegratorRow& integrator : integrators()) {
+            const bool standard = iterates ? integrator.name == "midpoint" : integrator.name == "euler";
+            if (!standard && !integratorsMatter(pipeline)) continue;
+            if (duplicates(integrator, iterates, pipeline)) continue;
+            if (!iterates && integrator.motion.swing == nullptr) continue;
+            for (const double tolerance : tolerances) {
+                if (!standard && tolerance == tolerances.back() && tolerances.size() > 1) continue;
+                for (int substeps = 1; substeps <= 64; substeps *= 2)
+                    plan.settings.push_back({row, &integrator, substeps, tolerance});
+            }
+        }
+    }
+    const SolverRow* events = findSolver("events");
+    if (!events->objection(scene)) plan.settings.push_back({events, nullptr, 1, 0});
+    return plan;
+}
+
+void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::vector<double>& tolerances) {
+    std::vector<AccuracySetting> varied;
+    const auto add = [&](const AccuracySetting& setting) {
+        if (std::find(varied.begin(), varied.end(), setting) == varied.end()) varied.push_back(setting);
+    };
+    for (const AccuracySetting& setting : plan.settings) {
+        std::vector<double> steps = {double(setting.substeps)}, limits = {setting.tolerance};
+        if (!substeps.empty() && setting.integrator != nullptr) steps = substeps;
+        if (!tolerances.empty() && setting.tolerance > 0) limits = tolerances;
+        for (const double tolerance : limits)
+            for (const double count : steps)
+                add({setting.method, setting.integrator, static_cast<int>(count), tolerance});
+    }
+    plan.settings = std::move(varied);
+}
+
+AccuracyStudy runAccuracy(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener,
+                          const std::vector<AccuracyPoint>& known) {
+    return Runner(scene, plan, listener).run(known);
+}
+
+} // namespace carom

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/accuracy_dock.h"
+
+#include "core/base/clock.h"
+#include "core/integrators/integrator.h"
+#include "core/study/accuracy_report.h"
+#include "ui/widgets/empty_state.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSysInfo>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr double reportInterval = 100; ///< [ms] between two reports of progress
+constexpr double chartInterval = 700;  ///< [ms] between two diagrams of a study under way
+constexpr int progressSteps = 1000;
+constexpr int pointWidth = 300; ///< [px] of what is said about a point
+
+QString textOf(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+/// A checkable action for every row of a catalogue.
+template<class Rows>
+std::vector<QAction*> choices(QMenu& menu, const Rows& rows) {
+    std::vector<QAction*> actions;
+    for (const auto& row : rows) {
+        QAction* action = menu.addAction(textOf(row.title));
+        action->setToolTip(textOf(row.help));
+        action->setData(textOf(row.name));
+        action->setCheckable(true);
+        action->setChecked(true);
+        actions.push_back(action);
+    }
+    return actions;
+}
+
+bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
+    for (const QAction* action : actions)
+        if (action->data().toString() == textOf(name)) return action->isChecked();
+    return true;
+}
+
+} // namespace
+
+AccuracyDock::AccuracyDock(QWidget* parent)
+    : QDockWidget(tr("Accuracy"), parent), m_start(new QPushButton), m_knobs(new QToolButton),
+      m_duration(new QDoubleSpinBox), m_progress(new QProgressBar), m_state(new QLabel),
+      m_keep(new QToolButton), m_export(new QToolButton), m_plot(new PlotWidget), m_point(new QLabel),
+      m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
+    setObjectName(QStringLiteral("accuracy"));
+    m_start->setObjectName(QStringLiteral("accuracyStart"));
+    m_knobs->setText(tr("Vary"));
+    m_knobs->setToolTip(tr("Which methods and integrators are compared"));
+    m_knobs->setPopupMode(QToolButton::InstantPopup);
+    m_knobs->setMenu(knobsMenu());
+    m_duration->setObjectName(QStringLiteral("accuracyDuration"));
+    m_duration->setAccessibleName(tr("Simulated time"));
+    m_duration->setToolTip(tr("How long the scene is simulated in each run"));
+    m_duration->setRange(0.05, 100);
+    m_duration->setSuffix(tr(" s"));
+    m_duration->setValue(AccuracyPlan{}.duration);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(false);
+    m_progress->setMaximumSize(120, 12);
+    m_state->setObjectName(QStringLiteral("accuracyState"));
+    m_state->setProperty("role", QStringLiteral("muted"));
+    m_state->setWordWrap(true);
+    m_keep->setObjectName(QStringLiteral("accuracyKeep"));
+    m_keep->setText(tr("Keep"));
+    m_keep->setCheckable(true);
+    m_keep->setToolTip(tr("Show this study together with the next one"));
+    m_export->setText(tr("Export"));
+    m_export->setToolTip(tr("Write the diagram or the figures to a file"));
+    m_export->setPopupMode(QToolButton::InstantPopup);
+    m_export->setMenu(exportMenu());
+
+    QHBoxLayout* top = new QHBoxLayout;
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_start, m_knobs, m_duration, m_progress})
+        top->addWidget(widget);
+    top->addWidget(m_state, 1);
+    top->addWidget(m_keep);
+    top->addWidget(m_export);
+
+    m_point->setObjectName(QStringLiteral("accuracyPoint"));
+    m_point->setWordWrap(true);
+    m_point->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_run->setObjectName(QStringLiteral("accuracyRun"));
+    m_run->setToolTip(tr("Run the scene with this setting, from its start"));
+    m_use->setObjectName(QStringLiteral("accuracyUse"));
+    m_use->setToolTip(tr("Write this setting into the scene's `simulation` declaration"));
+    QWidget* figures = new QWidget;
+    QVBoxLayout* side = new QVBoxLayout;
+    side->addWidget(m_point, 1);
+    QHBoxLayout* buttons = new QHBoxLayout;
+    buttons->addWidget(m_run);
+    buttons->addWidget(m_use);
+    side->addLayout(buttons);
+    m_point->setFixedWidth(pointWidth);
+    QHBoxLayout* sideBySide = new QHBoxLayout(figures);
+    sideBySide->setContentsMargins(0, 0, 0, 0);
+    sideBySide->addWidget(m_plot, 1);
+    sideBySide->addLayout(side);
+    m_empty = new EmptyState(figures, tr("A study runs the scene with every method, integrator and number of "
+                                         "substeps and shows what each error costs in time.\nThe simulation "
+                                         "above goes on meanwhile."));
+
+    QWidget* content = new QWidget;
+    QVBoxLayout* column = new QVBoxLayout(content);
+    column->addLayout(top);
+    column->addWidget(m_empty, 1);
+    setWidget(content);
+    setFocusProxy(m_start);
+    connect(m_start, &QPushButton::clicked, this, &AccuracyDock::startOrStop);
+    connect(m_plot, &PlotWidget::pointClicked, this, &AccuracyDock::choose);
+    connect(m_keep, &QToolButton::toggled, this, [this](bool kept) {
+        m_kept = kept ? m_result : std::nullopt;
+        m_keptName = m_studiedName;
+        showChart();
+    });
+    connect(m_run, &QPushButton::clicked, this, [this] {
+        const auto pipeline =
+            std::make_shared<const Pipeline>(m_studied->scene(), m_chosen->setting.options());
+        Q_EMIT runWanted(pipeline);
+        Q_EMIT reported(tr("running with %1").arg(QString::fromStdString(m_chosen->setting.name())));
+    });
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        SimulationSettings settings = m_chosen->setting.options();
+        Q_EMIT settingWanted(settings);
+        Q_EMIT reported(
+            tr("%1 is now the scene's own setting").arg(QString::fromStdString(m_chosen->setting.name())));
+    });
+    updateControls();
+}
+
+QMenu* AccuracyDock::knobsMenu() {
+    QMenu* menu = new QMenu(m_knobs);
+    menu->setToolTipsVisible(true);
+    menu->addSection(tr("Methods"));
+    m_methods = choices(*menu, solvers());
+    menu->addSection(tr("Integrators"));
+    m_integrators = choices(*menu, integrators());
+    return menu;
+}
+
+QMenu* AccuracyDock::exportMenu() {
+    QMenu* menu = new QMenu(m_export);
+    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
+        const QString name = QLatin1StringView(ending);
+        connect(menu->addAction(tr("%1…").arg(name.toUpper())), &QAction::triggered, this,
+                [this, name] { askForExport(name); });
+    }
+    return menu;
+}
+
+void AccuracyDock::setScene(const SharedBuild& build, const QString& name) {
+    m_build = build;
+    m_name = name;
+    updateControls();
+}
+
+void AccuracyDock::updateControls() {
+    const bool moves = m_build && !m_build->build.pipeline->bodies().mobileBodies.empty();
+    m_start->setText(m_running ? tr("Stop") : tr("Study"));
+    m_start->setEnabled(m_running || moves);
+    m_start->setToolTip(m_running ? tr("Show what was computed so far")
+                        : moves   ? tr("Run the scene with every setting chosen")
+                                  : tr("Nothing in the scene can move"));
+    m_knobs->setEnabled(!m_running);
+    m_duration->setEnabled(!m_running);
+    m_progress->setVisible(m_running);
+    const bool figures = m_result && !m_result->points.empty();
+    m_empty->setEmpty(!figures);
+    m_keep->setVisible(figures);
+    m_export->setVisible(figures);
+    m_run->setEnabled(m_chosen.has_value());
+    m_use->setEnabled(m_chosen && m_build == m_studied);
+}
+
+AccuracyPlan AccuracyDock::chosenPlan() const {
+    AccuracyPlan plan = planFor(m_build->scene());
+    std::erase_if(plan.settings, [&](const AccuracySetting& setting) {
+        return !isChosen(m_methods, setting.method->name) ||
+               (setting.integrator != nullptr && !isChosen(m_integrators, setting.integrator->name));
+    });
+    plan.duration = m_duration->value();
+    return plan;
+}
+
+void AccuracyDock::startOrStop() {
+    if (m_running) {
+        m_thread.request_stop();
+        return;
+    }
+    m_running = true;
+    m_studied = m_build;
+    m_studiedName = m_name;
+    m_chosen.reset();
+    m_progress->setValue(0);
+    m_state->setText(tr("looking for the truth"));
+    updateControls();
+    m_thread = std::jthread([this, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
+        run(stop, build, plan);
+    });
+}
+
+// On the thread: whatever touches a widget is handed to the GUI's.
+void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan) {
+    const Stopwatch whole;
+    Stopwatch sinceReport, sinceChart;
+    AccuracyListener listener;
+    listener.goOn = [&](double done) {
+        if (sinceReport.elapsed() > reportInterval) {
+            sinceReport.lap();
+            const double left = done > 0 ? 1e-3 * whole.elapsed() * (1 - done) / done : HUGE_VAL;
+            QMetaObject::invokeMethod(
+                this, [this, done, left] { showProgress(done, left); }, Qt::QueuedConnection);
+        }
+        return !stop.stop_requested();
+    };
+    listener.changed = [&](const AccuracyStudy& study) {
+        if (sinceChart.elapsed() < chartInterval) return;
+        sinceChart.lap();
+        QMetaObject::invokeMethod(
+            this, [this, study] { take(study); }, Qt::QueuedConnection);
+    };
+    const AccuracyStudy study = runAccuracy(build->scene(), plan, listener);
+    const double seconds = 1e-3 * whole.elapsed();
+    QMetaObject::invokeMethod(
+        this, [this, study, seconds] { finish(study, seconds); }, Qt::QueuedConnection);
+}
+
+void AccuracyDock::showProgress(double done, double secondsLeft) {
+    m_progress->setValue(static_cast<int>(progressSteps * done));
+    if (std::isfinite(secondsLeft))
+        m_state->setText(tr("%1 %, about %2 s left").arg(100 * done, 0, 'f', 0).arg(std::ceil(secondsLeft)));
+}
+
+void AccuracyDock::take(const AccuracyStudy& study) {
+    m_result = study;
+    std::erase_if(m_result->points, [](const AccuracyPoint& point) { return point.times.empty(); });
+    updateControls();
+    showChart();
+}
+
+void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
+    m_thread.join();
+    m_running = false;
+    take(study);
+    const QString sentence = QString::fromStdString(recommendation(study));
+    m_state->setText(study.complete ? sentence : tr("Stopped. %1").arg(sentence));
+    m_point->setText(QString::fromStdString(yardstickOf(study)) + tr("\n\nClick a point to choose it."));
+    Q_EMIT reported(tr("accuracy of %1 studied in %2 s: %3")
+                        .arg(m_studiedName)
+                        .arg(seconds, 0, 'f', 1)
+                        .arg(m_state->text()));
+}
+
+void AccuracyDock::showChart() {
+    if (!m_result) return;
+    m_chart = accuracyChart(*m_result, {});
+    const bool compares = m_kept && m_keptName != m_studiedName;
+    ChartSpec shown =
+        compares ? comparedAccuracy(*m_kept, m_keptName, *m_result, m_studiedName) : m_chart.spec;
+    if (compares) m_chart.points.clear();
+    shown.title.clear();
+    m_plot->setChart(shown);
+}
+
+void AccuracyDock::choose(int series, int point) {
+    const auto s = static_cast<std::size_t>(series), p = static_cast<std::size_t>(point);
+    if (s >= m_chart.points.size() || p >= m_chart.points[s].size()) return;
+    m_chosen = m_result->points[m_chart.points[s][p]];
+    m_point->setText(describe(*m_chosen));
+    updateControls();
+}
+
+QString AccuracyDock::exportTo(const QString& path) const {
+    if (!m_result || m_result->points.empty()) return tr("nothing was studied yet; choose Study first");
+    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) != 0)
+        return writeChart(accuracyChart(*m_result, m_studiedName).spec, path);
+    const StudyOrigin origin{
+        "carom", QApplication::applicationVersion().toStdString(),
+        (QSysInfo::prettyProductName() + QStringLiteral(", ") + QSysInfo::currentCpuArchitecture())
+            .toStdString()};
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(
+        pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin));
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
+    return tr("`%1` cannot be written: %2").arg(path, file.errorString());
+}
+
+void AccuracyDock::askForExport(const QString& ending) {
+    QString path =
+        QFileDialog::getSaveFileName(this, tr("Export the study"), QStringLiteral("accuracy.") + ending,
+                                     tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    if (path.isEmpty()) return;
+    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
+    const QString problem = exportTo(path);
+    Q_EMIT reported(problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
+                                      : tr("Not exported: %1").arg(problem));
+}
+
+} // namespace carom

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/accuracy.h"
+#include "ui/editor/live_build.h"
+#include "ui/widgets/accuracy_chart.h"
+
+#include <QDockWidget>
+
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+class QDoubleSpinBox;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace carom {
+
+class EmptyState;
+
+/// What accuracy costs in time on the scene in the editor: a study runs on a thread of its own, the diagram
+/// grows with it, a click on a point runs that setting in the viewport or writes it into the text. A study
+/// can be kept and shown together with the next one. Stopped early, it shows what was computed.
+class AccuracyDock : public QDockWidget {
+    Q_OBJECT
+  public:
+    explicit AccuracyDock(QWidget* parent = nullptr);
+
+    /// The scene to study next; the figures of the one before stay, and say so. `name` is the file's.
+    void setScene(const SharedBuild& build, const QString& name);
+    /// The newest study, also one that is under way; nothing before the first.
+    const std::optional<AccuracyStudy>& result() const { return m_result; }
+    /// Writes .png, .svg, .pdf (the diagram) or .csv (a row a point) by the path's ending. Returns what went
+    /// wrong, or an empty text.
+    QString exportTo(const QString& path) const;
+
+  Q_SIGNALS:
+    /// Run the scene so, from its start.
+    void runWanted(const std::shared_ptr<const carom::Pipeline>& pipeline);
+    /// Put these settings into the text.
+    void settingWanted(const carom::SimulationSettings& settings);
+    /// What was studied or written, or why not: one sentence.
+    void reported(const QString& sentence);
+
+  private:
+    void startOrStop();
+    AccuracyPlan chosenPlan() const;
+    void run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan);
+    void showProgress(double done, double secondsLeft);
+    void take(const AccuracyStudy& study);
+    void finish(const AccuracyStudy& study, double seconds);
+    void showChart();
+    void choose(int series, int point);
+    void updateControls();
+    QMenu* knobsMenu();
+    QMenu* exportMenu();
+    void askForExport(const QString& ending);
+
+    SharedBuild m_build, m_studied;
+    QString m_name, m_studiedName, m_keptName;
+    std::optional<AccuracyStudy> m_result, m_kept;
+    AccuracyChart m_chart;
+    std::optional<AccuracyPoint> m_chosen;
+    std::vector<QAction*> m_methods, m_integrators; ///< checked: part of the study; the data is the name
+    QPushButton* m_start;
+    QToolButton* m_knobs;
+    QDoubleSpinBox* m_duration; ///< [s]
+    QProgressBar* m_progress;
+    QLabel* m_state;
+    QToolButton *m_keep, *m_export;
+    PlotWidget* m_plot;
+    QLabel* m_point;
+    QPushButton *m_run, *m_use;
+    EmptyState* m_empty;
+    bool m_running = false;
+    std::jthread m_thread; ///< last: it ends before what it speaks to
+};
+
+} // namespace carom

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/accuracy_chart.h"
+
+#include "core/base/figures.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+/// Where the diagram ends: exact to the last bit, and lost altogether.
+constexpr double leastShown = 1e-16, mostShown = 10;
+constexpr double realTime = 1000; ///< [ms] a simulated second
+
+QString say(const char* text) { return QCoreApplication::translate("AccuracyChart", text); }
+QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+
+double shownError(const AccuracyPoint& point) {
+    return std::clamp(point.errors.worst(), leastShown, mostShown);
+}
+
+ChartSpec emptyChart(const QString& title) {
+    return {.title = title,
+            .x = {say("error: distance by scene size, or angle in rad"), {}, true},
+            .y = {say("time per simulated second"), QStringLiteral("ms"), true},
+            .series = {},
+            .levels = {{realTime, say("real time"), true}}};
+}
+
+void append(const AccuracyPoint& point, ChartSeries& series) {
+    series.x.push_back(shownError(point));
+    series.y.push_back(point.cost());
+    series.low.push_back(point.leastCost());
+    series.high.push_back(point.mostCost());
+    series.notes.push_back(describe(point));
+}
+
+ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour) {
+    return {.name = name,
+            .x = {},
+            .y = {},
+            .style = SeriesStyle::Marks,
+            .colour = colour,
+            .mark = mark,
+            .inOrder = true};
+}
+
+/// A line a family; `points` gets the place of each in the study.
+void addFamilies(const AccuracyStudy& study, const QString& prefix, bool dashed, ChartSpec& chart,
+                 std::vector<std::vector<std::size_t>>& points) {
+    std::size_t colour = 0;
+    for (const AccuracyFamily& family : familiesOf(study)) {
+        QString name = prefix + text(family.name);
+        if (const std::optional<double> order = orderOf(family, study.resolution()))
+            name += say(" (order %1)").arg(*order, 0, 'f', 1);
+        ChartSeries series{.name = name,
+                           .x = {},
+                           .y = {},
+                           .style = SeriesStyle::LineAndMarks,
+                           .colour = seriesColour(colour++),
+                           .mark = SeriesMark::Disc,
+                           .dashed = dashed,
+                           .inOrder = true};
+        std::vector<std::size_t> places;
+        for (const AccuracyPoint* point : family.points) {
+            if (!point->finished() || point->times.empty()) continue;
+            append(*point, series);
+            places.push_back(static_cast<std::size_t>(point - study.points.data()));
+        }
+        if (series.x.empty()) continue;
+        chart.series.push_back(std::move(series));
+        points.push_back(std::move(places));
+    }
+}
+
+/// Marks over the points that are not what they seem, in the colours of their families.
+void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
+    const QColor grey(0x90, 0x90, 0x90), red(0xC0, 0x30, 0x20);
+    ChartSeries doubtful = marksOnly(say("deviation from the finest run"), SeriesMark::Disc, grey);
+    ChartSeries broken = marksOnly(say("an invariant broke"), SeriesMark::Ring, grey);
+    ChartSeries failed = marksOnly(say("failed"), SeriesMark::Cross, red);
+    ChartSeries own = marksOnly(say("the scene's own"), SeriesMark::Halo, grey);
+    const bool converged = study.truth && study.truth->kind == TruthKind::ConvergedRun;
+    for (const AccuracyPoint& point : study.points) {
+        if (point.times.empty()) continue;
+        const bool lost = !point.finished();
+        if (converged && !lost && point.errors.worst() < study.resolution()) append(point, doubtful);
+        if (point.status == PointStatus::Broken) append(point, broken);
+        if (lost) append(point, failed);
+        if (point.isDefault) append(point, own);
+    }
+    for (ChartSeries* series : {&doubtful, &broken, &failed, &own}) {
+        if (series->x.empty()) continue;
+        series->low.clear();
+        series->high.clear();
+        chart.series.push_back(std::move(*series));
+    }
+}
+
+void addFront(const AccuracyStudy& study, ChartSpec& chart) {
+    ChartSeries front{.name = say("Pareto front"),
+                      .x = {},
+                      .y = {},
+                      .style = SeriesStyle::Line,
+                      .colour = QColor(0x60, 0x60, 0x60),
+                      .dashed = true,
+                      .inOrder = true};
+    for (const AccuracyPoint* point : paretoFront(study)) {
+        front.x.push_back(shownError(*point));
+        front.y.push_back(point->cost());
+    }
+    if (front.x.size() > 1) chart.series.push_back(std::move(front));
+}
+
+} // namespace
+
+QString describe(const AccuracyPoint& point) {
+    QString words = say("%1\nerror %2 (distance %3, angle %4 rad)")
+                        .arg(text(point.setting.name()), text(figure(point.errors.worst())),
+                             text(figure(point.errors.position)), text(figure(point.errors.attitude)));
+    words +=
+        say("\n%1 ms per simulated second (%2 to %3)")
+            .arg(text(figure(point.cost())), text(figure(point.leastCost())), text(figure(point.mostCost())));
+    words += say("\nenergy off by %1, drift %2 /s; overlap %3")
+                 .arg(text(figure(point.energy.worst)), text(figure(point.energy.drift)),
+                      text(figure(point.penetration)));
+    if (!point.reason.empty()) words += QLatin1Char('\n') + text(point.reason);
+    return words;
+}
+
+AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
+    AccuracyChart chart{.spec = emptyChart(title), .points = {}};
+    addFamilies(study, {}, false, chart.spec, chart.points);
+    addFront(study, chart.spec);
+    addVerdicts(study, chart.spec);
+    return chart;
+}
+
+ChartSpec comparedAccuracy(const AccuracyStudy& first, const QString& firstName, const AccuracyStudy& second,
+                           const QString& secondName) {
+    ChartSpec chart = emptyChart(say("%1 and %2").arg(firstName, secondName));
+    std::vector<std::vector<std::size_t>> ignored;
+    addFamilies(first, firstName + QStringLiteral(": "), false, chart, ignored);
+    addFamilies(second, secondName + QStringLiteral(": "), true, chart, ignored);
+    return chart;
+}
+
+} // namespace carom

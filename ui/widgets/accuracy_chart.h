@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/convergence.h"
+#include "ui/widgets/plot.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace carom {
+
+/// A study as a work–precision diagram: error across, time up, a line a family in the order of substeps.
+/// Hollow marks ran but broke an invariant, crosses failed, grey ones are below what the truth can tell; the
+/// dashed line is the Pareto front, the ring the scene's own setting.
+struct AccuracyChart {
+    ChartSpec spec;
+    /// By series, the index in AccuracyStudy::points of each of its points; empty for series that only mark.
+    std::vector<std::vector<std::size_t>> points;
+};
+AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title);
+
+/// Two studies in one diagram: the families of the second are dashed and carry its name.
+ChartSpec comparedAccuracy(const AccuracyStudy& first, const QString& firstName, const AccuracyStudy& second,
+                           const QString& secondName);
+
+/// A point in words: its setting, error, time, and what is wrong with it.
+QString describe(const AccuracyPoint& point);
+
+} // namespace carom
