@@ -27,9 +27,9 @@ class SimulationEditTest : public QObject {
         settings.substeps = 16;
         settings.tolerance = 1e-6;
         const std::string text = "simulation { substeps 2 /* few */ method contacts\n  duration 3 } // end\n";
-        QCOMPARE(withSettings(analyse(text), settings),
-                 std::string("simulation { substeps 16 /* few */ method microcollisions\n  duration 3 "
-                             "integrator verlet tolerance 1e-06 } // end\n"));
+        QCOMPARE(QString::fromStdString(withSettings(analyse(text), settings)),
+                 QStringLiteral("simulation { substeps 16 /* few */ method microcollisions\n  duration 3 "
+                                "integrator verlet tolerance 1e-06 } // end\n"));
     }
 
     void whatIsWrittenMeansWhatWasAskedFor() {
