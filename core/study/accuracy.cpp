@@ -193,7 +193,7 @@ bool Runner::measure(AccuracyPoint& point) {
     }
     point.errors = meter.norms();
     const double scale = std::max(kinetic, highest - lowest);
-    point.energy = courseOf(time, energy, scale);
+    point.energy = steadinessOf(time, energy, scale);
     if (closed) {
         double most = 0;
         for (const BodyIndex i : pipeline->bodies().mobileBodies)

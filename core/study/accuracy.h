@@ -50,7 +50,7 @@ struct AccuracyPoint {
     PointStatus status = PointStatus::Waiting;
     std::string reason{}; ///< of a status beyond Measured
     ErrorNorms errors{};
-    Course energy{};             ///< relative to the largest kinetic energy or change of potential
+    Steadiness energy{};         ///< relative to the largest kinetic energy or change of potential
     double momentumChange = 0;   ///< relative, of scenes without gravity, walls and ends in the world; else 0
     double penetration = 0;      ///< the largest overlap, relative to the scene's size
     std::vector<double> times{}; ///< [ms] a simulated second, a run each

@@ -40,8 +40,8 @@ ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bo
     return meter.norms();
 }
 
-Course courseOf(const std::vector<double>& time, const std::vector<double>& value, double scale) {
-    Course course;
+Steadiness steadinessOf(const std::vector<double>& time, const std::vector<double>& value, double scale) {
+    Steadiness course;
     if (value.size() < 3 || !(scale > 0)) return course;
     const std::vector<double> line = fitPolynomial(time, value, 1);
     course.drift = line[1] / scale;
