@@ -41,6 +41,7 @@ struct ContactPair {
     double size = 0;    ///< of the smaller body [m]: what lengths of this contact are measured by
     double margin = 0;  ///< points up to this separation are kept [m]
     std::uint32_t first = 0, count = 0; ///< into ContactSet::points
+    std::uint16_t patience = 0;         ///< substeps for which sweeps must do in its island
 
     BodyPair bodies() const { return {a, b}; }
 };

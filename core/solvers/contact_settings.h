@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 // The figures by which the method `contacts` decides. All are relative to the scene's own sizes, gravity and
 // substep: none is a length or a speed.
@@ -38,10 +39,16 @@ inline double leastImpactPart(double restitution) {
 inline constexpr int mostLocatedPoints = 96;
 inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint = 2;
 
-/// Contacts up to which an island that moves, and one that is nearly at rest, is solved by Newton's method.
-/// Larger ones are piles: Gauss–Seidel. A moving pile changes its contacts all the time, so that Newton's
-/// method would have to factor tens of times a substep.
-inline constexpr int mostNewtonMoving = 64, mostNewtonResting = 1000;
+/// Contacts up to which an island is worth any effort of Newton's method, up to which it is worth some while
+/// it moves, and up to which while it is nearly at rest. Larger ones are piles, left to Gauss–Seidel sweeps.
+/// A moving pile changes its contacts all the time, so that Newton's method would have to factor tens of
+/// times a substep.
+inline constexpr int mostNewtonAlways = 16, mostNewtonMoving = 192, mostNewtonResting = 1000;
+/// Factorisations for one solve: in an accurate run, in a moving island (divided by its contacts), in a
+/// larger one that is nearly at rest. An island that needs more is left to sweeps for some substeps before it
+/// is tried again. A card house of three storeys takes some hundred once, when it is put down.
+inline constexpr int mostStepsAccurate = 5000, mostStepsMoving = 20000, mostStepsResting = 40;
+inline constexpr std::uint16_t patience = 15;
 /// Nearly at rest: no body is faster than this times |g| h.
 inline constexpr double nearlyResting = 10;
 

@@ -158,8 +158,9 @@ void Contacts::collideCandidates(const SolverInput& input) {
         std::span<const ContactConstraint> memory;
         if (old < m_contacts.pairs.size() && m_contacts.pairs[old].bodies() == pair)
             memory = m_contacts.pointsOf(m_contacts.pairs[old]);
-        collideInto(input.bodies, input.state, pairOf(input.bodies, pair, marginOf(input.bodies, pair)),
-                    memory, m_found);
+        ContactPair contact = pairOf(input.bodies, pair, marginOf(input.bodies, pair));
+        if (!memory.empty()) contact.patience = m_contacts.pairs[old].patience;
+        collideInto(input.bodies, input.state, contact, memory, m_found);
     }
 }
 

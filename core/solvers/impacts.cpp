@@ -18,8 +18,10 @@ constexpr int mostDirect = 16;
 constexpr double singular = 1e-10;
 /// Newton's tolerance relative to the largest closing speed.
 constexpr double groupTolerance = 1e-12;
-/// The same by sweeps, in groups larger than this in big moving piles.
-constexpr std::size_t mostExact = 200;
+/// Groups up to this size are worth so many factorisations always.
+constexpr std::size_t mostExact = 64;
+constexpr int smallGroupSteps = 60;
+/// The tolerance by sweeps, and how many at most.
 constexpr double sweepTolerance = 1e-3;
 constexpr int groupSweeps = 10;
 /// A gain of energy below this part of what the impact turns over is rounding.
@@ -84,8 +86,8 @@ bool shareBody(const ContactRow& i, const ContactRow& k) {
 } // namespace
 
 int ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
-                        bool exact) {
-    m_exact = exact;
+                        int newtonSteps) {
+    m_newtonSteps = newtonSteps;
     const int most = mostImpacts + mostImpactsPerRow * static_cast<int>(rows.size());
     for (int count = 0;; ++count) {
         measure(problem, rows);
@@ -194,9 +196,9 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
         fastest = std::max(fastest, m_closing[i]);
         m_groupProblem.rows.push_back(row);
     }
-    if (m_exact || m_group.size() <= mostExact)
-        m_newton.solve(m_groupProblem, groupTolerance * fastest);
-    else
+    const bool small = m_group.size() <= mostExact;
+    const int steps = small ? std::max(smallGroupSteps, m_newtonSteps) : m_newtonSteps;
+    if (!m_newton.solve(m_groupProblem, groupTolerance * fastest, steps).solved)
         m_gaussSeidel.solve(m_groupProblem, sweepTolerance * fastest, groupSweeps);
     const double part = lossyPart(m_groupProblem);
     for (std::size_t body = 0; body < m_local.size(); ++body) {

@@ -37,8 +37,9 @@ class ImpactSolver {
   public:
     /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Returns the number of
     /// impacts solved.
-    /// `exact` says whether groups that have no direct solution are solved by Newton's method or by sweeps.
-    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous, bool exact);
+    /// Groups that have no direct solution are solved by Newton's method with at most `newtonSteps`
+    /// factorisations, or by sweeps where these do not do.
+    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous, int newtonSteps);
 
   private:
     void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
@@ -52,7 +53,7 @@ class ImpactSolver {
     std::vector<std::size_t> m_group;
     std::vector<int> m_local; // by body, its index in the group's problem
     ContactProblem m_groupProblem;
-    bool m_exact = true;
+    int m_newtonSteps = 0;
     NewtonSolver m_newton;
     GaussSeidelSolver m_gaussSeidel;
 };

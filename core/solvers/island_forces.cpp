@@ -79,23 +79,23 @@ void IslandMotion::solve(const MotionInput& input) {
         velocitiesFromImpulses(m_problem);
         return;
     }
-    double residual = 0;
-    if (m_exact) {
-        NewtonReport solved = m_newton.solve(m_problem, m_tolerance);
-        report.factorisations += solved.factorisations;
-        if (!solved.solved) {
-            for (ContactRow& row : m_problem.rows) {
-                row.impulse.setZero();
-                row.rollingImpulse.setZero();
-            }
-            solved = m_newton.solve(m_problem, m_tolerance);
-            report.factorisations += solved.factorisations;
-            if (!solved.solved && m_problem.springs.empty())
-                m_gaussSeidel.solve(m_problem, m_tolerance, rescueSweeps);
+    NewtonReport solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
+    report.factorisations += solved.factorisations;
+    double residual = solved.residual;
+    const bool worthMore = m_newtonSteps > mostStepsResting;
+    if (!solved.solved && worthMore) {
+        for (ContactRow& row : m_problem.rows) {
+            row.impulse.setZero();
+            row.rollingImpulse.setZero();
         }
+        solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
+        report.factorisations += solved.factorisations;
         residual = solved.residual;
-    } else {
-        residual = m_gaussSeidel.solve(m_problem, m_tolerance, input.settings.iterations);
+    }
+    if (!solved.solved && m_problem.springs.empty()) {
+        m_failed = m_newtonSteps > 0;
+        const int sweeps = worthMore ? rescueSweeps : input.settings.iterations;
+        residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweeps);
     }
     if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
 }

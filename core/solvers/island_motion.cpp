@@ -48,7 +48,10 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
                 ++events;
             }
         }
-        if (duration == left) settle(input);
+        if (duration == left) {
+            settle(input);
+            countPatience();
+        }
         commit(input, island, duration);
         left = duration < left ? left - duration : 0;
         if (left > 0) recollide(input);
@@ -64,20 +67,33 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_springs.assign(island.links.begin(), island.links.end());
     m_scale = input.gravity.norm() * input.substep;
-    m_exact = deservesNewton(input, island);
+    m_newtonSteps = newtonSteps(input, island);
+    m_failed = false;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             report.maxPenetration = std::max(report.maxPenetration, -point.separation);
 }
 
-// Small islands, islands nearly at rest, and every island of an accurate run.
-bool IslandMotion::deservesNewton(const MotionInput& input, const Island& island) const {
+// How much an exact solution is worth: any effort in an accurate run, much in a small island, some in a
+// larger one unless it was in vain lately.
+int IslandMotion::newtonSteps(const MotionInput& input, const Island& island) const {
     const int points = static_cast<int>(m_contacts.points.size());
-    if (points <= mostNewtonMoving || input.settings.tolerance < accurateTolerance) return true;
-    if (points > mostNewtonResting) return false;
+    const bool springsAlone = points == 0; // sweeps know nothing of springs
+    if (springsAlone || input.settings.tolerance < accurateTolerance) return mostStepsAccurate;
+    if (points <= mostNewtonAlways || !island.links.empty()) return mostStepsMoving / points;
+    if (points > mostNewtonResting) return 0;
+    for (const ContactPair& pair : m_contacts.pairs)
+        if (pair.patience > 0) return 0;
+    if (points <= mostNewtonMoving) return mostStepsMoving / points;
     double fastest = 0;
     for (const BodyIndex i : island.bodies) fastest = std::max(fastest, input.state.velocity[i].norm());
-    return fastest <= nearlyResting * m_scale;
+    return fastest <= nearlyResting * m_scale ? mostStepsResting : 0;
+}
+
+// After a vain attempt sweeps do for a while.
+void IslandMotion::countPatience() {
+    for (ContactPair& pair : m_contacts.pairs)
+        pair.patience = m_failed ? patience : static_cast<std::uint16_t>(std::max(0, pair.patience - 1));
 }
 
 void IslandMotion::recollide(const MotionInput& input) {
@@ -153,9 +169,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
         }
     }
     const double tolerance = 1e-3 * touchingGap * size;
-    if (m_exact)
-        m_newton.solve(m_parting, tolerance);
-    else
+    if (!m_newton.solve(m_parting, tolerance, m_newtonSteps).solved)
         m_gaussSeidel.solve(m_parting, tolerance, 2 * input.settings.iterations);
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
         Pose& pose = input.state.pose[island.bodies[i]];
@@ -190,7 +204,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     }
     if (any)
         report.impacts +=
-            m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating, m_exact);
+            m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating, m_newtonSteps);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         if (i >= m_start.size()) m_start.emplace_back();
         const ContactBody& body = m_problem.bodies[i];

@@ -62,7 +62,8 @@ class IslandMotion {
         Vec3 angularMomentum = Vec3::Zero();
     };
 
-    bool deservesNewton(const MotionInput& input, const Island& island) const;
+    int newtonSteps(const MotionInput& input, const Island& island) const;
+    void countPatience();
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     bool bounce(const MotionInput& input, const Island& island);
     void recollide(const MotionInput& input);
@@ -99,7 +100,8 @@ class IslandMotion {
     ContactRow rowOf(const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
-    bool m_exact = true;      // by Newton's method, or by sweeps
+    int m_newtonSteps = 0;    // factorisations for one solve; 0: by sweeps
+    bool m_failed = false;    // Newton's method, in this substep
     double m_scale = 0;       // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;   // of velocities [m/s]
     std::vector<int> m_local; // by body of the scene: its index in m_problem, or immobile

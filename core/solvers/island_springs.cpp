@@ -32,6 +32,8 @@ constexpr double roundsEnd = 1e-14;
 /// Tolerance of the solve relative to the speeds in play: springs lose nothing,
 /// so nothing may be lost here.
 constexpr double springTolerance = 1e-14;
+/// With contacts in play, which do lose, this part of the tolerance of contacts will do.
+constexpr double contactPart = 1e-3;
 
 } // namespace
 
@@ -47,7 +49,7 @@ void IslandMotion::solveSprings(const MotionInput& input, double duration) {
             change = std::max(change, (m_problem.bodies[i].velocity - m_lastVelocity[i]).norm());
             fastest = std::max(fastest, m_lastVelocity[i].norm());
         }
-        if (change <= roundsEnd * fastest) break;
+        if (change <= std::max(roundsEnd * fastest, m_problem.rows.empty() ? 0 : m_tolerance)) break;
     }
 }
 
@@ -113,6 +115,8 @@ void IslandMotion::linkSprings(const MotionInput& input, double duration) {
         m_problem.springs.push_back(row);
     }
     m_tolerance = springTolerance * std::max({m_scale, fastest, pulled});
+    if (!m_problem.rows.empty())
+        m_tolerance = std::max(m_tolerance, contactPart * input.settings.tolerance * m_scale);
 }
 
 } // namespace carom

@@ -68,7 +68,7 @@ Vec6 momentumChange(const ContactBody& body, const Vec6& velocity) {
 
 } // namespace
 
-NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance) {
+NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, int mostFactorisations) {
     NewtonReport report;
     velocitiesFromImpulses(problem);
     double residual = residualOf(problem);
@@ -80,9 +80,13 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance) {
     m_kappa = kappaWarm;
     bool first = true;
     for (int round = 0; round < mostRounds; ++round) {
+        if (report.factorisations >= mostFactorisations) {
+            velocitiesFromImpulses(problem);
+            return report;
+        }
         int steps = 0;
         const double inner = std::max(innerPart * tolerance, 0.01 * residual);
-        const bool minimised = minimise(problem, inner, steps);
+        const bool minimised = minimise(problem, inner, mostFactorisations - report.factorisations, steps);
         report.factorisations += steps;
         if (first && (!minimised || steps > fewSteps)) {
             m_kappa = 1; // the multipliers are still the warm ones
@@ -147,10 +151,10 @@ void NewtonSolver::prepare(const ContactProblem& problem) {
 
 // Solves the inner problem for the velocities. Where contacts slip, H alone may converge slowly or go in
 // circles; then the whole derivative of G is tried, and its step taken if it halves the error.
-bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, int& steps) {
+bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, int most, int& steps) {
     double before = std::numeric_limits<double>::infinity();
     int stalled = 0;
-    for (steps = 0; steps < mostSteps;) {
+    for (steps = 0; steps < std::min(most, mostSteps);) {
         const double error = errorAt(problem);
         if (error <= tolerance) return true;
         if (!std::isfinite(error)) return false;

@@ -4,6 +4,8 @@
 #include "core/solvers/block_matrix.h"
 #include "core/solvers/contact_problem.h"
 
+#include <limits>
+
 // A proximal Newton method for the contact problem: an augmented Lagrangian outside (M. Hestenes, 1969;
 // R. T. Rockafellar, "Augmented Lagrangians and applications of the proximal point algorithm in convex
 // programming", 1976; for friction P. Alart, A. Curnier, "A mixed formulation for frictional contact problems
@@ -36,8 +38,10 @@ struct NewtonReport {
 
 class NewtonSolver {
   public:
-    /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf.
-    NewtonReport solve(ContactProblem& problem, double tolerance);
+    /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf. If it is not
+    /// reached within `mostFactorisations` the problem's impulses stay what they were.
+    NewtonReport solve(ContactProblem& problem, double tolerance,
+                       int mostFactorisations = std::numeric_limits<int>::max());
 
   private:
     struct RowState {
@@ -56,7 +60,7 @@ class NewtonSolver {
     };
 
     void prepare(const ContactProblem& problem);
-    bool minimise(ContactProblem& problem, double tolerance, int& steps);
+    bool minimise(ContactProblem& problem, double tolerance, int most, int& steps);
     void evaluateRows(const ContactProblem& problem);
     void project(const ContactProblem& problem, double along);
     double gradient(const ContactProblem& problem);
