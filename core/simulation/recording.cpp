@@ -59,6 +59,14 @@ void Recording::thinOut() {
                               [](std::size_t sum, const Checkpoint& one) { return sum + one.bytes(); });
 }
 
+std::int64_t Recording::keptBefore(std::int64_t frame) const {
+    ASSERT(frame > first());
+    const auto behind =
+        std::lower_bound(m_checkpoints.begin(), m_checkpoints.end(), frame,
+                         [](const Checkpoint& one, std::int64_t wanted) { return one.frame() < wanted; });
+    return std::prev(behind)->frame();
+}
+
 bool Recording::seek(World& world, std::int64_t frame, const AfterStep& goesOn) {
     ASSERT(!m_checkpoints.empty() && frame >= first());
     const auto behind =

@@ -39,6 +39,9 @@ class Recording {
     /// has arrived.
     bool seek(World& world, std::int64_t frame, const AfterStep& goesOn);
 
+    /// The last checkpoint before a frame that is not the first.
+    std::int64_t keptBefore(std::int64_t frame) const;
+
     std::int64_t first() const { return m_checkpoints.empty() ? 0 : m_checkpoints.front().frame(); }
     /// The last frame the run has been at.
     std::int64_t furthest() const { return m_furthest; }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/breakpoint.h"
+
+#include "tests/support/scenes.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace carom;
+
+namespace {
+
+/// The first frame at which the breakpoint holds, 0 where it never does.
+std::int64_t firstHit(const Scene& scene, const Breakpoint& breakpoint, int frames,
+                      std::string_view method = "microcollisions") {
+    SimulationSettings options;
+    options.method = std::string(method);
+    World world = test::worldOf(scene, options);
+    BreakWatch watch({breakpoint});
+    watch.begin(world);
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+        if (watch.check(world)) return world.state().frame;
+    }
+    return 0;
+}
+
+/// Two balls fly towards each other at 6 m/s, 5.9 m apart between their surfaces: they meet in frame 59.
+Scene meeting() {
+    return test::sceneOf({test::sphere(0.5, 1, {-3.45, 0, 0}, {3, 0, 0}),
+                          test::sphere(0.5, 1, {3.45, 0, 0}, {-3, 0, 0}), test::sphere(0.5, 1, {0, 9, 0})});
+}
+
+} // namespace
+
+class BreakpointTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aContactIsSeenInTheFrameOfTheBounce() {
+        for (const std::string_view method : {"microcollisions", "contacts", "events"}) {
+            const std::int64_t hit =
+                firstHit(meeting(), {.kind = BreakKind::Contact, .a = 0, .b = 1}, 90, method);
+            QVERIFY2(hit == 59 || hit == 60, method.data());
+            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact, .a = 2}, 90, method), std::int64_t{0});
+            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact}, 90, method), hit);
+            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact, .a = 1}, 90, method), hit);
+        }
+    }
+
+    void aBounceOffAWallIsAContact() {
+        // 2 m of way at 6 m/s: frame 20, or 21 where rounding leaves a trace of it.
+        const Scene scene = test::sceneOf({test::wall(Vec3::UnitX(), -2.5), test::wall(-Vec3::UnitX(), -2.5),
+                                           test::sphere(0.5, 1, {0, 0, 0}, {6, 0, 0})});
+        for (const std::string_view method : {"microcollisions", "contacts", "events"}) {
+            const std::int64_t hit = firstHit(scene, {.kind = BreakKind::Contact, .a = 2}, 40, method);
+            QVERIFY2(hit == 20 || hit == 21,
+                     qPrintable(QStringLiteral("%1 %2").arg(QLatin1StringView(method.data())).arg(hit)));
+        }
+    }
+
+    void passingByIsNoContact() {
+        const Scene scene =
+            test::sceneOf({test::sphere(0.5, 1, {-2, 1.05, 0}, {6, 0, 0}), test::sphere(0.5, 1, {0, 0, 0})});
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::Contact, .a = 0, .b = 1}, 60), std::int64_t{0});
+    }
+
+    void restingContactIsOneEventNotOneAFrame() {
+        const Scene scene = test::sceneOf(
+            {test::wall(Vec3::UnitY(), 0), test::cuboid({1, 1, 1}, 1, {0, 0.5, 0})}, Vec3(0, -9.8, 0));
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::Contact, .a = 0, .b = 1}, 30, "contacts"),
+                 std::int64_t{0});
+    }
+
+    void aSpeedIsReachedOnce() {
+        // v = g t > 4.9 m/s from the frame after half a second.
+        const Scene scene = test::sceneOf({test::sphere(1, 1, {0, 0, 0})}, Vec3(0, -9.8, 0));
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::Speed, .a = 0, .limit = 4.91}, 60), std::int64_t{31});
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::Speed, .limit = 4.91}, 60), std::int64_t{31});
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::Speed, .limit = 99}, 60), std::int64_t{0});
+    }
+
+    void aPlaneIsCrossedInEitherDirection() {
+        const Scene scene = test::sceneOf(
+            {test::sphere(1, 1, {0, 0, 0}, {6, 0, 0}), test::sphere(1, 1, {0, 9, 0}, {-6, 0, 0})});
+        // 0.1 m a frame
+        const Breakpoint right{.kind = BreakKind::PlaneCrossed, .a = 0, .limit = 1.05, .axis = 0};
+        const Breakpoint left{.kind = BreakKind::PlaneCrossed, .a = 1, .limit = -2.05, .axis = 0};
+        QCOMPARE(firstHit(scene, right, 60), std::int64_t{11});
+        QCOMPARE(firstHit(scene, left, 60), std::int64_t{21});
+        QCOMPARE(firstHit(scene, {.kind = BreakKind::PlaneCrossed, .limit = 1, .axis = 2}, 60),
+                 std::int64_t{0});
+    }
+
+    void penetrationAndDriftHoldFromTheirLimitOn() {
+        const Scene deep =
+            test::sceneOf({test::wall(Vec3::UnitY(), 0), test::sphere(0.5, 1, {0, 0.6, 0}, {0, -12, 0})});
+        QCOMPARE(firstHit(deep, {.kind = BreakKind::Penetration, .limit = 0.05}, 10), std::int64_t{1});
+        QCOMPARE(firstHit(deep, {.kind = BreakKind::Penetration, .limit = 0.5}, 10), std::int64_t{0});
+        // A ball that lands without bounce loses all its energy of motion.
+        Scene lossy = deep;
+        lossy.bodies[1].elastic = 0;
+        QCOMPARE(firstHit(lossy, {.kind = BreakKind::EnergyDrift, .limit = 0.5}, 10), std::int64_t{1});
+        QCOMPARE(firstHit(deep, {.kind = BreakKind::EnergyDrift, .limit = 0.01}, 10), std::int64_t{0});
+    }
+};
+
+QTEST_APPLESS_MAIN(BreakpointTest)
+#include "breakpoint_test.moc"

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/quantities.h"
+
+#include "tests/support/random_scene.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace carom;
+
+namespace {
+
+constexpr std::uint64_t seed = 515;
+/// Sums of some dozen terms of one size.
+constexpr double rounding = 1e-12;
+/// A contact solved for to 1e-6 of the weight.
+constexpr double solved = 1e-4;
+
+const QuantityRow& bodyQuantity(std::string_view name) {
+    for (const QuantityRow& row : bodyQuantities())
+        if (row.name == name) return row;
+    qFatal("no such quantity of a body");
+}
+
+const QuantityRow& wholeQuantity(std::string_view name) {
+    for (const QuantityRow& row : wholeQuantities())
+        if (row.name == name) return row;
+    qFatal("no such quantity of the whole");
+}
+
+double after(const Scene& scene, int frames, const Probe& probe, std::string_view method) {
+    SimulationSettings options;
+    options.method = std::string(method);
+    World world = test::worldOf(scene, options);
+    Probes probes({probe});
+    double last = 0;
+    for (int frame = 0; frame <= frames; ++frame) {
+        if (frame > 0) world.step();
+        last = probes.measure(world.pipeline(), world.state(), world.statistics()).front();
+    }
+    return last;
+}
+
+} // namespace
+
+class QuantitiesTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void whatEveryBodyHasAddsUpToWhatTheWholeHas() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        for (int round = 0; round < 20; ++round) {
+            SimulationSettings options;
+            options.method = "microcollisions";
+            World world = test::worldOf(test::randomScene(random), options);
+            test::run(world, 5);
+            const Snapshot now = world.snapshot();
+            const Moment moment = momentOf(world.pipeline(), now);
+            const auto total = [&](std::string_view name) {
+                double sum = 0;
+                for (const BodyIndex i : world.pipeline().bodies().mobileBodies)
+                    sum += bodyQuantity(name).measure(moment, i);
+                return sum;
+            };
+            for (const std::string_view name :
+                 {"kinetic energy", "energy", "momentum x", "momentum y", "momentum z"}) {
+                const double whole = wholeQuantity(name).measure(moment, noBody);
+                const double scale =
+                    wholeQuantity("kinetic energy").measure(moment, noBody) + std::abs(whole);
+                QVERIFY2(std::abs(total(name) - whole) <= rounding * scale,
+                         qPrintable(QStringLiteral("%1 %2 %3").arg(total(name)).arg(whole).arg(round)));
+            }
+        }
+    }
+
+    void theContactForceOfABodyAtRestCarriesItsWeightAndOfAFallingOneIsNothing() {
+        const Scene scene =
+            test::sceneOf({test::wall(Vec3::UnitY(), 0), test::cuboid({1, 1, 1}, 2, {0, 0.5, 0}),
+                           test::sphere(0.5, 3, {9, 50, 0})},
+                          Vec3(0, -9.8, 0));
+        const QuantityRow& force = bodyQuantity("contact force y");
+        QVERIFY(std::abs(after(scene, 30, {&force, 1}, "contacts") - 2 * 9.8) < solved * 2 * 9.8);
+        QVERIFY(std::abs(after(scene, 30, {&force, 2}, "contacts")) < solved * 3 * 9.8);
+        QVERIFY(std::isnan(after(scene, 0, {&force, 1}, "contacts"))); // nothing came before
+    }
+
+    void theForceOfAnImpactIsItsImpulseOverTheFrame() {
+        // 2 kg bounce off a wall at 3 m/s: 12 N s within the frame of 1/60 s.
+        const Scene scene =
+            test::sceneOf({test::wall(Vec3::UnitX(), 0), test::sphere(0.5, 2, {0.52, 0, 0}, {-3, 0, 0})});
+        const double force = after(scene, 1, {&bodyQuantity("contact force x"), 1}, "contacts");
+        QVERIFY2(std::abs(force - 720) < rounding * 720 * 100, qPrintable(QString::number(force)));
+    }
+
+    void penetrationIsTheDeepestOverlap() {
+        const Scene scene =
+            test::sceneOf({test::sphere(1, 1, {0, 0, 0}), test::sphere(1, 1, {1.75, 0, 0}),
+                           test::wall(Vec3::UnitY(), -0.9), test::sphere(1, 1, {50, 50, 50})});
+        const World world = test::worldOf(scene);
+        const Snapshot now = world.snapshot();
+        const Moment moment = momentOf(world.pipeline(), now);
+        const QuantityRow& depth = bodyQuantity("penetration");
+        QCOMPARE(depth.measure(moment, 0), 0.25);
+        QVERIFY(std::abs(depth.measure(moment, 1) - 0.25) < rounding);
+        QCOMPARE(depth.measure(moment, 3), 0.0);
+    }
+
+    void aBodyTheSceneDoesNotHaveHasNoFigures() {
+        World world = test::worldOf(test::sceneOf({test::sphere(1, 1, {0, 0, 0})}));
+        Probes probes({{&bodyQuantity("speed"), 7}, {&bodyQuantity("speed"), 0}});
+        const std::vector<double> row = probes.measure(world.pipeline(), world.state(), world.statistics());
+        QVERIFY(std::isnan(row[0]));
+        QCOMPARE(row[1], 0.0);
+    }
+};
+
+QTEST_APPLESS_MAIN(QuantitiesTest)
+#include "quantities_test.moc"
