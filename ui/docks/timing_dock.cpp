@@ -3,15 +3,12 @@
 
 #include "core/base/text.h"
 #include "core/math/statistics.h"
+#include "ui/widgets/export_menu.h"
 #include "ui/widgets/value_table.h"
 
-#include <QAction>
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -64,18 +61,9 @@ TimingDock::TimingDock(QWidget* parent)
     connect(fit, &QToolButton::toggled, this, [this](bool on) {
         m_strip->setScale(on ? TimingStrip::Scale::Fit : TimingStrip::Scale::Budget);
     });
-    QToolButton* save = new QToolButton;
-    save->setText(tr("Export"));
+    ExportMenu* save = new ExportMenu;
     save->setObjectName(QStringLiteral("timingExport"));
-    save->setPopupMode(QToolButton::InstantPopup);
-    save->setToolTip(tr("Write the graph or its figures to a file"));
-    QMenu* menu = new QMenu(save);
-    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
-        const QString name = QLatin1StringView(ending);
-        QAction* action = menu->addAction(tr("%1…").arg(name.toUpper()));
-        connect(action, &QAction::triggered, this, [this, name] { askForExport(name); });
-    }
-    save->setMenu(menu);
+    connect(save, &ExportMenu::chosen, this, &TimingDock::askForExport);
 
     m_first->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -208,14 +196,9 @@ QString TimingDock::exportTo(const QString& path) const {
 }
 
 void TimingDock::askForExport(const QString& ending) {
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Export the timing graph"), QStringLiteral("timing.") + ending,
-                                     tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    const QString path = askForExportPath(this, QStringLiteral("timing"), ending);
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
-    const QString problem = exportTo(path);
-    const QString sentence = problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
-                                               : tr("Not exported: %1").arg(problem);
+    const QString sentence = exportSentence(path, exportTo(path));
     m_report->setText(sentence);
     m_report->show();
     Q_EMIT reported(sentence);

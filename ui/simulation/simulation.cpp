@@ -22,6 +22,10 @@ Simulation::Simulation(QObject* parent)
                                          },
                                          Qt::QueuedConnection);
                                  },
+                                 [this](std::optional<BreakHit> hit) {
+                                     QMetaObject::invokeMethod(
+                                         this, [this, hit] { Q_EMIT broke(hit); }, Qt::QueuedConnection);
+                                 },
                                  [this] {
                                      QMetaObject::invokeMethod(
                                          this,
@@ -96,6 +100,10 @@ void Simulation::reset() {
 }
 
 void Simulation::setSpeed(std::optional<double> speed) { m_thread.post(SpeedCommand{speed}); }
+
+void Simulation::setBreakpoints(std::vector<Breakpoint> breakpoints) {
+    m_thread.post(BreakpointsCommand{std::move(breakpoints)});
+}
 
 void Simulation::setMemoryBudget(std::size_t bytes) { m_thread.post(BudgetCommand{bytes}); }
 

@@ -55,6 +55,10 @@ class Simulation : public QObject {
     bool isUnderWay() const { return m_underWay; }
     /// What is on screen, or was asked for and is not there yet [s].
     double time() const { return m_time; }
+    /// Where the run stops while it plays; bodies are those of the scene loaded last.
+    void setBreakpoints(std::vector<Breakpoint> breakpoints);
+    /// To the last frame before at which a breakpoint held; broke() says where, or that there is none.
+    void findBack() { m_thread.post(FindBackCommand{}); }
     /// What checkpoints may take [bytes].
     void setMemoryBudget(std::size_t bytes);
     /// Null until something was loaded.
@@ -62,6 +66,7 @@ class Simulation : public QObject {
 
   Q_SIGNALS:
     void stateChanged(const carom::RunStatus& status);
+    void broke(const std::optional<carom::BreakHit>& hit);
     /// A new run begins: after load, exchange and reset.
     void restarted();
     /// The exchanged scene has come to the time on screen: its first snapshot follows.

@@ -84,11 +84,13 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     applyBroadphase();
     m_recording = Recording(m_budget);
     m_recording.restart(*m_world);
+    m_watch.begin(*m_world);
 }
 
 void SimulationThread::execute(const RunCommand&) {
     if (!m_world || m_state != RunState::Paused) return;
     m_due = Clock::now();
+    m_watch.begin(*m_world);
     enter(RunState::Running);
 }
 
@@ -113,6 +115,7 @@ void SimulationThread::execute(const ResetCommand& command) {
     m_run = command.run;
     m_ghost.reset();
     m_world->reset();
+    m_watch.begin(*m_world);
     m_recording.restart(*m_world);
     enter(RunState::Paused);
     publish(true);
@@ -147,6 +150,39 @@ void SimulationThread::execute(const GhostCommand& command) {
     publish(true);
 }
 
+void SimulationThread::execute(const BreakpointsCommand& command) {
+    m_watch = BreakWatch(command.breakpoints);
+    if (m_world) m_watch.begin(*m_world);
+}
+
+void SimulationThread::execute(const FindBackCommand&) {
+    if (!m_world || m_watch.empty()) return;
+    if (m_state == RunState::Running) enter(RunState::Paused);
+    const std::int64_t now = m_world->state().frame;
+    const std::optional<BreakHit> hit = lastHitBefore(now);
+    if (superseded()) return;
+    seek(hit ? hit->frame : now, true);
+    m_listener.broke(hit);
+}
+
+/// From checkpoint to checkpoint backwards, each stretch simulated forwards to its end.
+std::optional<BreakHit> SimulationThread::lastHitBefore(std::int64_t frame) {
+    std::optional<BreakHit> last;
+    std::int64_t end = frame - 1;
+    while (!last && end > m_recording.first() && !superseded()) {
+        const std::int64_t start = m_recording.keptBefore(end);
+        m_recording.seek(*m_world, start, [](bool) { return true; });
+        m_watch.begin(*m_world);
+        while (m_world->state().frame < end && !superseded()) {
+            m_world->step();
+            const std::optional<std::size_t> breakpoint = m_watch.check(*m_world);
+            if (breakpoint) last = {m_world->state().frame, *breakpoint};
+        }
+        end = start;
+    }
+    return last;
+}
+
 void SimulationThread::applyBroadphase() {
     if (!m_world) return;
     const BroadphaseRow* wanted =
@@ -166,7 +202,9 @@ void SimulationThread::advance() {
     const double time = m_world->state().time;
     const bool reachedEnd =
         settings.duration && time >= *settings.duration && time - settings.step < *settings.duration;
-    if (reachedEnd && m_state == RunState::Running) enter(RunState::Paused);
+    const std::optional<std::size_t> breakpoint = m_watch.check(*m_world);
+    if (reachedEnd || breakpoint) enter(RunState::Paused);
+    if (breakpoint) m_listener.broke(BreakHit{m_world->state().frame, *breakpoint});
     publish(m_state != RunState::Running);
     schedule();
 }
@@ -186,6 +224,7 @@ void SimulationThread::seek(std::int64_t frame, bool showing) {
     else if (m_state == RunState::Stopped)
         enter(RunState::Paused);
     m_due = Clock::now();
+    m_watch.begin(*m_world);
     if (showing || !broken) publish(true);
 }
 

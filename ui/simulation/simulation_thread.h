@@ -6,6 +6,7 @@
 #include "ui/simulation/sample_queue.h"
 
 #include "core/broadphase/broadphase.h"
+#include "core/simulation/breakpoint.h"
 #include "core/simulation/health.h"
 #include "core/simulation/pipeline.h"
 #include "core/simulation/recording.h"
@@ -32,6 +33,12 @@
 //     GUI ◀── Latest<PublishedSnapshot>, SampleQueue, state ───────────── World
 
 namespace carom {
+
+/// A breakpoint held for the first time in the step that led to a frame.
+struct BreakHit {
+    std::int64_t frame = 0;
+    std::size_t breakpoint = 0; ///< of those set
+};
 
 enum class RunState : std::uint8_t { Paused, Running, Stopped };
 
@@ -82,9 +89,16 @@ struct StructureCommand {
     bool wanted = false;
 };
 
-using SimulationCommand =
-    std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand, ResetCommand, SpeedCommand,
-                 BroadphaseCommand, StructureCommand, BudgetCommand, GhostCommand>;
+/// Where the run stops while it plays.
+struct BreakpointsCommand {
+    std::vector<Breakpoint> breakpoints;
+};
+/// Back to the last frame before this one at which a breakpoint held, and pause there.
+struct FindBackCommand {};
+
+using SimulationCommand = std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand,
+                                       ResetCommand, SpeedCommand, BroadphaseCommand, StructureCommand,
+                                       BudgetCommand, GhostCommand, BreakpointsCommand, FindBackCommand>;
 
 struct PublishedSnapshot {
     std::uint64_t run = 0;
@@ -98,6 +112,8 @@ class SimulationThread {
     /// Called on the simulation's thread; they must only post to the GUI thread.
     struct Listener {
         std::function<void(RunStatus)> stateChanged;
+        /// A breakpoint held; or the one looked for backwards was not found.
+        std::function<void(std::optional<BreakHit>)> broke;
         std::function<void()> published; ///< a snapshot or samples are there to be taken
     };
 
@@ -129,9 +145,12 @@ class SimulationThread {
     void execute(const StructureCommand& command);
     void execute(const BudgetCommand& command);
     void execute(const GhostCommand& command);
+    void execute(const BreakpointsCommand& command);
+    void execute(const FindBackCommand& command);
 
     void begin(const std::shared_ptr<const Pipeline>& pipeline);
     Ghost ghost();
+    std::optional<BreakHit> lastHitBefore(std::int64_t frame);
     void advance();
     void seek(std::int64_t frame, bool showing);
     bool superseded();
@@ -157,6 +176,7 @@ class SimulationThread {
     std::size_t m_budget = usualBudget;
     Recording m_recording{usualBudget};
     std::optional<Past> m_ghost;
+    BreakWatch m_watch;
     bool m_ghostWanted = true;
     bool m_shown = false; ///< the world has been on screen: worth being a ghost
     std::uint64_t m_run = 0;

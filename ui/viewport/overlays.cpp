@@ -10,7 +10,6 @@ namespace carom {
 
 namespace {
 
-constexpr double velocityTime = 0.1; ///< [s]: an arrow is the way of this time
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
     pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
     trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30);

@@ -27,6 +27,9 @@ enum class Overlay : std::uint16_t {
     CentreOfMass = 256, ///< of all mobile bodies
 };
 
+/// A velocity's arrow is the way of this time [s].
+inline constexpr double velocityTime = 0.1;
+
 /// A set of Overlay values, added up.
 using Overlays = unsigned;
 

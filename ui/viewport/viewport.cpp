@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <QWheelEvent>
@@ -230,12 +231,44 @@ void Viewport::resizeGL(int, int) {
     if (!m_cameraMoved) frameAll();
 }
 
-void Viewport::paintGL() {
-    if (!m_ready) return;
-    const Stopwatch watch;
+void Viewport::prepareScene() {
     static const Scene nothing;
     if (m_sceneChanged) m_renderer->show(m_pipeline ? m_pipeline->scene() : nothing, m_room);
     m_sceneChanged = false;
+}
+
+QImage Viewport::picture(const QSize& size, const Snapshot* of) {
+    if (!m_ready || size.isEmpty() || (of != nullptr && of->pose.size() != m_startPoses.size())) return {};
+    const Snapshot* state = of != nullptr ? of : m_snapshot.get();
+    makeCurrent();
+    QImage image;
+    {
+        QOpenGLFramebufferObject target(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+        if (target.isValid() && target.bind()) {
+            prepareScene();
+            m_renderer->showLines(m_pipeline ? m_explanations.lines(*m_pipeline, state)
+                                             : std::vector<LineVertex>());
+            const double width = size.width(), height = size.height();
+            m_renderer->draw(state != nullptr ? std::span<const Pose>(state->pose) : poses(),
+                             {.size = {width, height},
+                              .camera = m_camera,
+                              .theme = viewTheme(m_dark),
+                              .selected = of != nullptr ? noBody : m_selected,
+                              .dimmed = false,
+                              .smooth = true});
+            image = target.toImage().convertToFormat(QImage::Format_RGB32);
+        }
+    }
+    m_linesChanged = true; // those of the screen again
+    doneCurrent();
+    update();
+    return image;
+}
+
+void Viewport::paintGL() {
+    if (!m_ready) return;
+    const Stopwatch watch;
+    prepareScene();
     if (m_linesChanged)
         m_renderer->showLines(m_pipeline ? m_explanations.lines(*m_pipeline, m_snapshot.get())
                                          : std::vector<LineVertex>());
@@ -262,13 +295,58 @@ void Viewport::paintGL() {
 void Viewport::mousePressEvent(QMouseEvent* event) {
     m_pressedAt = m_lastAt = event->position();
     m_dragging = false;
+    m_grab.reset();
+    const bool turns = event->button() != Qt::LeftButton || event->modifiers().testFlag(Qt::ShiftModifier);
+    if (!turns) m_grab = grabAt(event->position());
+}
+
+/// The tips of velocities lie over the bodies, where they are shown.
+std::optional<BodyGrab> Viewport::grabAt(const QPointF& position) const {
+    if (!m_pipeline || !m_mayDrag) return std::nullopt;
+    const Eigen::Vector2d pixel(position.x(), position.y());
+    if (holds(overlays(), Overlay::Velocities)) {
+        const std::span<const Vec3> velocities =
+            m_snapshot ? m_snapshot->velocity : m_pipeline->initialState().velocity;
+        const std::optional<BodyGrab> tip = grabTip(m_camera, pictureSize(), pixel, poses(), velocities);
+        if (tip && m_mayDrag(tip->body, tip->handle)) return tip;
+    }
+    const Hit hit = hitAt(position);
+    if (!hit || isWall(m_pipeline->scene().bodies[hit.body].shape)) return std::nullopt;
+    if (!m_mayDrag(hit.body, BodyHandle::Centre)) return std::nullopt;
+    const Vec3& centre = poses()[hit.body].position;
+    return BodyGrab{hit.body, BodyHandle::Centre, centre, centre, pixel};
+}
+
+void Viewport::dragBody(const QPointF& position, bool level) {
+    const Vec3 value = draggedValue(*m_grab, m_camera, pictureSize(), {position.x(), position.y()}, level);
+    // Shown at once; the scene itself follows when the text has been built.
+    Snapshot moved;
+    if (m_snapshot) {
+        moved = *m_snapshot;
+    } else {
+        const State& start = m_pipeline->initialState();
+        moved.pose = start.pose;
+        moved.velocity = start.velocity;
+        moved.angularVelocity = start.angularVelocity;
+    }
+    if (m_grab->handle == BodyHandle::Centre)
+        moved.pose[m_grab->body].position = value;
+    else
+        moved.velocity[m_grab->body] = value;
+    showSnapshot(std::make_shared<const Snapshot>(std::move(moved)));
+    Q_EMIT dragged(value);
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - m_lastAt;
     if (!m_dragging && (event->position() - m_pressedAt).manhattanLength() < dragStarts) return;
+    if (m_grab && !m_dragging) Q_EMIT dragBegan(m_grab->body, m_grab->handle);
     m_dragging = true;
     m_lastAt = event->position();
+    if (m_grab) {
+        dragBody(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
+        return;
+    }
     switch (m_navigation->gesture(event->buttons(), event->modifiers())) {
     case Gesture::Orbit:
         orbit(m_camera, -orbitPerPixel * moved.x(), orbitPerPixel * moved.y());
@@ -286,6 +364,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    const bool held = std::exchange(m_grab, std::nullopt).has_value();
+    if (m_dragging && held) Q_EMIT dragEnded();
     if (m_dragging || event->button() != Qt::LeftButton) return;
     const Hit hit = hitAt(event->position());
     setSelectedBody(hit.body);

@@ -3,16 +3,20 @@
 
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
+#include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/room.h"
 
+#include <QImage>
 #include <QOpenGLWidget>
 #include <QPointF>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +27,8 @@ namespace carom {
 class Renderer;
 struct NavigationRow;
 
-/// Shows one scene in its newest state. Left drag orbits, right or middle drag pans, the wheel zooms at the
+/// Shows one scene in its newest state. Left drag orbits, or moves a body where that is
+/// allowed (with Ctrl at its height); right or middle drag pans, the wheel zooms at the
 /// cursor, a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the
 /// top, the front, the right, and 5 changes between perspective and orthographic.
 class Viewport : public QOpenGLWidget {
@@ -58,8 +63,16 @@ class Viewport : public QOpenGLWidget {
 
     const Camera& camera() const { return m_camera; }
     void setCamera(const Camera& camera);
+    /// World metres that a pixel covers at the camera's target.
+    double pixelSize() const { return m_camera.pixelSize(pictureSize()); }
+    /// Asked before a drag takes hold of a body instead of turning the view; by default nothing can be taken.
+    void setMayDrag(std::function<bool(BodyIndex, BodyHandle)> mayDrag) { m_mayDrag = std::move(mayDrag); }
     /// What a click at a point of the widget would select [px].
     Hit hitAt(const QPointF& position) const;
+
+    /// The view as a picture of any size [px], of the state on screen or of another one of this scene, with
+    /// what the overlays draw of it. Null where OpenGL does not work or the size is too much for it.
+    QImage picture(const QSize& size, const Snapshot* of = nullptr);
 
     std::int64_t framesRendered() const { return m_framesRendered; }
     double lastRenderTime() const { return m_lastRenderTime; } ///< [ms], until the picture was complete
@@ -74,6 +87,10 @@ class Viewport : public QOpenGLWidget {
   Q_SIGNALS:
     /// noBody: the background.
     void bodyClicked(carom::BodyIndex body);
+    /// A body, or the tip of its velocity, follows the mouse: its new position [m] or velocity [m/s].
+    void dragBegan(carom::BodyIndex body, carom::BodyHandle handle);
+    void dragged(const carom::Vec3& value);
+    void dragEnded();
     void frameRendered(double milliseconds);
     /// The picture cannot be drawn, and why.
     void failed(const QString& problem);
@@ -96,8 +113,11 @@ class Viewport : public QOpenGLWidget {
     void frameBox(const Aabb& box);
     void lookFrom(double yaw, double pitch);
     void placeBadge();
+    std::optional<BodyGrab> grabAt(const QPointF& position) const;
+    void dragBody(const QPointF& position, bool level);
     void dropRenderer();
     void moveCamera();
+    void prepareScene();
     void redraw();
 
     std::unique_ptr<Renderer> m_renderer;
@@ -119,6 +139,8 @@ class Viewport : public QOpenGLWidget {
     QTimer m_rest;
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
+    std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
+    std::optional<BodyGrab> m_grab; ///< between press and release
     bool m_dragging = false;
     const NavigationRow* m_navigation; ///< never null
     std::int64_t m_framesRendered = 0;

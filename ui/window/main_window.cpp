@@ -2,10 +2,13 @@
 #include "ui/window/main_window.h"
 
 #include "ui/docks/accuracy_dock.h"
+#include "ui/docks/breakpoints_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/outline_dock.h"
+#include "ui/docks/inspector_dock.h"
 #include "ui/docks/output_dock.h"
+#include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/find_bar.h"
@@ -46,6 +49,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
       m_viewport(new Viewport), m_timeline(new Timeline), m_transport(new TransportBar(*m_actions)),
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
       m_accuracy(new AccuracyDock), m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)),
+      m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
       m_output(new OutputDock), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -104,18 +108,25 @@ void MainWindow::placeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, m_problems);
     addDockWidget(Qt::BottomDockWidgetArea, m_timing);
     addDockWidget(Qt::BottomDockWidgetArea, m_broadphase);
+    addDockWidget(Qt::BottomDockWidgetArea, m_plots);
     addDockWidget(Qt::BottomDockWidgetArea, m_accuracy);
+    addDockWidget(Qt::BottomDockWidgetArea, m_breakpoints);
     addDockWidget(Qt::BottomDockWidgetArea, m_output);
     addDockWidget(Qt::RightDockWidgetArea, m_outline);
+    addDockWidget(Qt::RightDockWidgetArea, m_inspector);
     addDockWidget(Qt::RightDockWidgetArea, m_effects);
-    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase,
-                                                                 m_accuracy, m_output, m_outline, m_effects})
+    for (QDockWidget* dock :
+         std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_plots, m_accuracy,
+                                             m_breakpoints, m_output, m_outline, m_inspector, m_effects})
         dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
     tabifyDockWidget(m_problems, m_timing);
     tabifyDockWidget(m_timing, m_broadphase);
-    tabifyDockWidget(m_broadphase, m_accuracy);
-    tabifyDockWidget(m_accuracy, m_output);
-    tabifyDockWidget(m_outline, m_effects);
+    tabifyDockWidget(m_broadphase, m_plots);
+    tabifyDockWidget(m_plots, m_accuracy);
+    tabifyDockWidget(m_accuracy, m_breakpoints);
+    tabifyDockWidget(m_breakpoints, m_output);
+    tabifyDockWidget(m_outline, m_inspector);
+    tabifyDockWidget(m_inspector, m_effects);
     m_problems->raise();
     m_outline->raise();
     resizeDocks({m_problems}, {bottomHeight}, Qt::Vertical);
@@ -125,12 +136,14 @@ void MainWindow::placeDocks() {
 /// Alt+1 to Alt+9 show a panel and put the keyboard into it; where it is already, they hide the panel and go
 /// back to the text.
 void MainWindow::addDockToggles() {
-    const std::array<std::pair<QDockWidget*, const char*>, 7> docks = {{{m_problems, "problems"},
+    const std::array<std::pair<QDockWidget*, const char*>, 9> docks = {{{m_problems, "problems"},
                                                                         {m_timing, "timing"},
                                                                         {m_broadphase, "broadphase"},
+                                                                        {m_plots, "plots"},
                                                                         {m_accuracy, "accuracy"},
                                                                         {m_output, "output"},
                                                                         {m_outline, "outline"},
+                                                                        {m_inspector, "inspector"},
                                                                         {m_effects, "effects"}}};
     QMenu& view = m_actions->menu(MenuId::View);
     view.addSeparator();
@@ -184,6 +197,12 @@ void MainWindow::setTheme(const Theme& theme) {
 }
 
 void MainWindow::releaseKeys() { m_editor->releaseKeys(m_actions->shortcuts()); }
+
+void MainWindow::open(QDockWidget& dock) {
+    dock.show();
+    dock.raise();
+    dock.setFocus();
+}
 
 void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {
     m_caret->setText(tr("line %1, column %2").arg(line).arg(column));

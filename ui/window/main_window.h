@@ -15,11 +15,14 @@ namespace carom {
 
 class AccuracyDock;
 class Actions;
+class BreakpointsDock;
 class BroadphaseDock;
 class EffectsDock;
 class FindBar;
 class OutlineDock;
+class InspectorDock;
 class OutputDock;
+class PlotsDock;
 class ProblemsDock;
 class SceneEditor;
 class Settings;
@@ -55,11 +58,16 @@ class MainWindow : public QMainWindow {
     AccuracyDock& accuracy() const { return *m_accuracy; }
     OutlineDock& outline() const { return *m_outline; }
     EffectsDock& effects() const { return *m_effects; }
+    InspectorDock& inspector() const { return *m_inspector; }
+    BreakpointsDock& breakpoints() const { return *m_breakpoints; }
+    PlotsDock& plots() const { return *m_plots; }
     OutputDock& output() const { return *m_output; }
 
     void setTheme(const Theme& theme);
     /// Takes up the actions' keys anew: the editor gives up its own use of them.
     void releaseKeys();
+    /// In front, with the keyboard in it.
+    void open(QDockWidget& dock);
     void showCaret(std::uint32_t line, std::uint32_t column);
     void saveLayout(Settings& settings) const;
     /// Asked before the window closes; false keeps it open.
@@ -91,6 +99,9 @@ class MainWindow : public QMainWindow {
     AccuracyDock* m_accuracy;
     OutlineDock* m_outline;
     EffectsDock* m_effects;
+    InspectorDock* m_inspector;
+    PlotsDock* m_plots;
+    BreakpointsDock* m_breakpoints;
     OutputDock* m_output;
     QSplitter* m_splitter = nullptr;
     Workspaces* m_workspaces = nullptr;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/run_commands.h"
 
+#include "ui/docks/breakpoints_dock.h"
 #include "ui/docks/broadphase_dock.h"
+#include "ui/docks/inspector_dock.h"
+#include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/simulation/frame_log.h"
 #include "ui/simulation/simulation.h"
@@ -108,6 +111,16 @@ void RunCommands::connectPanels() {
     connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
     connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);
     connect(&m_simulation, &Simulation::restarted, &broadphase, &BroadphaseDock::clear);
+    connectBreakpoints();
+    InspectorDock& inspector = m_window.inspector();
+    connect(&m_preview, &LivePreview::shownChanged, &inspector,
+            [&inspector](const SharedBuild& shown) { inspector.showPipeline(shown->build.pipeline); });
+    connect(&m_simulation, &Simulation::snapshotArrived, &inspector, &InspectorDock::showSnapshot);
+    PlotsDock& plots = m_window.plots();
+    connect(&m_simulation, &Simulation::restarted, &plots,
+            [this, &plots] { plots.showPipeline(m_simulation.pipeline()); });
+    connect(&m_simulation, &Simulation::framesArrived, &plots,
+            [&plots](const std::vector<FrameStatistics>& frames) { plots.reach(frames.back().frame); });
     connect(&broadphase, &BroadphaseDock::algorithmChosen, this, [this](const BroadphaseRow* row) {
         m_simulation.useBroadphase(row);
         const std::string_view title = row != nullptr ? row->title : std::string_view("as the scene asks");
@@ -117,6 +130,33 @@ void RunCommands::connectPanels() {
     connect(&m_preview, &LivePreview::shownChanged, &broadphase,
             [&broadphase](const SharedBuild& shown) { broadphase.showPipeline(shown->build.pipeline); });
     connect(&m_preview, &LivePreview::noticeChanged, &m_window.transport(), &TransportBar::showNotice);
+}
+
+void RunCommands::connectBreakpoints() {
+    BreakpointsDock& breakpoints = m_window.breakpoints();
+    const Actions& actions = m_window.actions();
+    connect(&actions[ActionId::Breakpoint], &QAction::triggered, &breakpoints,
+            [this, &breakpoints] { m_window.open(breakpoints); });
+    connect(&actions[ActionId::FindBack], &QAction::triggered, &m_simulation, &Simulation::findBack);
+    connect(&breakpoints, &BreakpointsDock::backWanted, &m_simulation, &Simulation::findBack);
+    connect(&breakpoints, &BreakpointsDock::changed, &m_simulation, &Simulation::setBreakpoints);
+    connect(&m_simulation, &Simulation::restarted, &breakpoints,
+            [this, &breakpoints] { breakpoints.showPipeline(m_simulation.pipeline()); });
+    connect(
+        &m_simulation, &Simulation::broke, this, [this, &breakpoints](const std::optional<BreakHit>& hit) {
+            if (!hit) {
+                Q_EMIT reported(tr("No breakpoint held before this frame"));
+                return;
+            }
+            m_window.timeline().markHit(hit->frame);
+            const double time = static_cast<double>(hit->frame) * m_simulation.pipeline()->settings().step;
+            const QString sentence = tr("Frame %1, %2 s: %3")
+                                         .arg(hit->frame)
+                                         .arg(time, 0, 'f', 3)
+                                         .arg(breakpoints.titleOf(hit->breakpoint));
+            m_window.transport().showNotice(sentence);
+            Q_EMIT reported(sentence);
+        });
 }
 
 void RunCommands::showStatus(const RunStatus& status) {

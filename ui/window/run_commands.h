@@ -28,6 +28,7 @@ class RunCommands : public QObject {
     void connectActions();
     void connectFrames();
     void connectPanels();
+    void connectBreakpoints();
     void showStatus(const RunStatus& status);
 
     MainWindow& m_window;

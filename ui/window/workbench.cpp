@@ -6,7 +6,9 @@
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/outline_dock.h"
+#include "ui/docks/inspector_dock.h"
 #include "ui/docks/output_dock.h"
+#include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/diagnostic_marks.h"
@@ -16,12 +18,14 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/resources.h"
 #include "ui/window/actions.h"
+#include "ui/window/body_drag.h"
 #include "ui/window/edit_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_commands.h"
 #include "ui/window/language_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
+#include "ui/window/picture_commands.h"
 #include "ui/window/preferences.h"
 #include "ui/window/recovery.h"
 #include "ui/window/recovery_dialog.h"
@@ -52,6 +56,8 @@ Workbench::Workbench()
       m_runs(new RunCommands(*m_window, *m_simulation, *m_frames, *m_preview)),
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
+    new BodyDrag(m_window->editor(), m_window->viewport(), *m_simulation, *m_builds, *m_preview);
+    m_pictures = new PictureCommands(*m_window, *m_simulation, *m_builds, *m_preview);
     connectText();
     connectAccuracy();
     connectReports();
@@ -163,11 +169,16 @@ void Workbench::connectReports() {
     };
     connect(m_files, &FileCommands::reported, this, report);
     connect(m_runs, &RunCommands::reported, this, report);
+    connect(m_pictures, &PictureCommands::reported, this, report);
     connect(&m_window->timing(), &TimingDock::reported, this, report);
+    connect(&m_window->plots(), &PlotsDock::reported, this, report);
     connect(&m_window->broadphase(), &BroadphaseDock::reported, this, report);
     connect(&m_window->accuracy(), &AccuracyDock::reported, this, report);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
     connect(m_selection, &Selection::bodySelected, this, [this](const QString& name) {
+        const BodyIndex body = m_window->viewport().selectedBody();
+        m_window->inspector().showBody(body);
+        m_window->plots().offerBody(body);
         if (name.isEmpty())
             m_window->statusBar()->clearMessage();
         else

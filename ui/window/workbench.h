@@ -18,6 +18,7 @@ class HelpCommands;
 class LanguageCommands;
 class LivePreview;
 class MainWindow;
+class PictureCommands;
 class Recovery;
 class RunCommands;
 class Selection;
@@ -38,6 +39,7 @@ class Workbench : public QObject {
     FrameLog& frames() const { return *m_frames; }
     FileCommands& files() const { return *m_files; }
     const LivePreview& preview() const { return *m_preview; }
+    PictureCommands& pictures() const { return *m_pictures; }
 
     HelpCommands& help() const { return *m_help; }
 
@@ -74,6 +76,7 @@ class Workbench : public QObject {
     FileCommands* m_files;
     HelpCommands* m_help;
     RunCommands* m_runs;
+    PictureCommands* m_pictures = nullptr;
     Selection* m_selection;
 };
 

@@ -182,6 +182,44 @@ class SimulationTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!ghost.snapshot, patience);
     }
 
+    void aBreakpointStopsTheRunAndIsFoundBackwards() {
+        // 6 m/s between walls 4 m apart: a bounce every 30 frames.
+        const std::shared_ptr<const Pipeline> pipeline =
+            compiled("wall { normal 1,0,0 toOrig 2.5 } wall { normal -1,0,0 toOrig 2.5 }"
+                     "sphere { radius .5 mass 1 centre 0,0,0 vel 6,0,0 elastic 1 }");
+        Simulation simulation;
+        Witness witness(simulation);
+        std::vector<std::int64_t> hits;
+        int misses = 0;
+        QObject::connect(&simulation, &Simulation::broke, [&](const std::optional<BreakHit>& hit) {
+            if (hit)
+                hits.push_back(hit->frame);
+            else
+                ++misses;
+        });
+        simulation.setSpeed(std::nullopt);
+        simulation.load(pipeline);
+        simulation.setBreakpoints({{.kind = BreakKind::Contact, .a = 2}});
+        for (std::size_t stop = 1; stop <= 5; ++stop) {
+            simulation.play();
+            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning() && witness.frame() == hits.back(), patience);
+        }
+        QVERIFY(std::is_sorted(hits.begin(), hits.end()));
+        for (std::size_t stop = 1; stop < 5; ++stop) QVERIFY(hits[stop] - hits[stop - 1] > 25);
+
+        const std::vector<std::int64_t> forwards = std::exchange(hits, {});
+        for (std::size_t stop = 1; stop <= 4; ++stop) {
+            simulation.findBack();
+            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, patience);
+            QCOMPARE(hits.back(), forwards[4 - stop]);
+            QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), hits.back(), patience);
+        }
+        simulation.findBack();
+        QTRY_COMPARE_WITH_TIMEOUT(misses, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), forwards.front(), patience);
+    }
+
     void aRunThatStoppedCanBeTakenBack() {
         Simulation simulation;
         Witness witness(simulation);

@@ -189,7 +189,7 @@ class LanguageTest : public QObject {
     void theOutlineIsNarrowedByWhatOneWritesAboveIt() {
         Ide ide(tied);
         OutlineDock& outline = ide.bench.window().outline();
-        QTest::keyClick(&ide.bench.window(), Qt::Key_5, Qt::AltModifier);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_7, Qt::AltModifier);
         QLineEdit* filter = outline.findChild<QLineEdit*>(QStringLiteral("outlineFilter"));
         QTRY_VERIFY_WITH_TIMEOUT(filter->hasFocus(), patience);
         QTest::keyClicks(filter, QStringLiteral("RIGHT"));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/inspector_dock.h"
+
+#include "core/simulation/build.h"
+#include "core/simulation/world.h"
+
+#include <QApplication>
+#include <QTest>
+
+using namespace carom;
+
+namespace {
+
+constexpr int patience = 20000; // [ms]
+
+const char* const scene = "gravity { accel 0,-10,0 } wall { normal 0,1,0 toOrig 0 }\n"
+                          "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 elastic .5 }\n"
+                          "cuboid box { size 1,2,3 mass 12 centre 9,9,9 fixed yes }\n";
+
+} // namespace
+
+class InspectorDockTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyValueOfTheBodyIsThereWithItsUnit() {
+        InspectorDock dock;
+        dock.showPipeline(build(scene).pipeline);
+        dock.showBody(1);
+        QCOMPARE(dock.valueOf(QStringLiteral("radius")), QStringLiteral("0.25"));
+        QCOMPARE(dock.valueOf(QStringLiteral("mass")), QStringLiteral("2"));
+        QCOMPARE(dock.valueOf(QStringLiteral("elasticity")), QStringLiteral("0.5"));
+        QCOMPARE(dock.valueOf(QStringLiteral("position y")), QStringLiteral("5"));
+        QCOMPARE(dock.valueOf(QStringLiteral("kinetic energy")), QStringLiteral("9"));
+        QCOMPARE(dock.valueOf(QStringLiteral("potential energy")), QStringLiteral("100"));
+        dock.showBody(2);
+        QCOMPARE(dock.valueOf(QStringLiteral("size")), QStringLiteral("1, 2, 3"));
+        QCOMPARE(dock.valueOf(QStringLiteral("mass")), QStringLiteral("immobile"));
+        dock.showBody(0);
+        QCOMPARE(dock.valueOf(QStringLiteral("normal")), QStringLiteral("0, 1, 0"));
+    }
+
+    void theValuesFollowTheRun() {
+        InspectorDock dock;
+        World world(build(scene).pipeline);
+        dock.showPipeline(world.sharedPipeline());
+        dock.showBody(1);
+        dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
+        for (int frame = 0; frame < 6; ++frame) world.step();
+        dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
+        const QString x = QString::number(world.state().pose[1].position.x(), 'g', 7);
+        QTRY_COMPARE_WITH_TIMEOUT(dock.valueOf(QStringLiteral("position x")), x, patience);
+        QVERIFY(dock.valueOf(QStringLiteral("contact force")).toDouble() < 1e-6); // it is falling
+    }
+
+    void withoutABodyTheWholeIsShownAndAnEmptySceneSaysWhatToDo() {
+        InspectorDock dock;
+        dock.showPipeline(build(scene).pipeline);
+        QCOMPARE(dock.valueOf(QStringLiteral("centre of mass x")), QStringLiteral("1"));
+        QVERIFY(dock.valueOf(QStringLiteral("radius")).isEmpty());
+        dock.showBody(1);
+        dock.showPipeline(build("").pipeline); // the body is gone
+        QVERIFY(dock.valueOf(QStringLiteral("radius")).isEmpty());
+    }
+};
+
+QTEST_MAIN(InspectorDockTest)
+#include "inspector_dock_test.moc"

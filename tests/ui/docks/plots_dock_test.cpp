@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/plots_dock.h"
+
+#include "core/simulation/build.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QListWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+using namespace carom;
+
+namespace {
+
+constexpr int patience = 20000; // [ms]
+
+const std::string falling = "gravity { accel 0,-10,0 }\n"
+                            "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 }\n"
+                            "sphere { radius .25 mass 1 centre 9,5,0 }\n";
+
+struct Shown {
+    PlotsDock dock;
+
+    Shown() {
+        dock.resize(900, 300);
+        dock.show();
+        if (!QTest::qWaitForWindowExposed(&dock)) qFatal("the panel is not on screen");
+        dock.showPipeline(build(falling).pipeline);
+    }
+    template<class Widget>
+    Widget* named(const char* name) {
+        return dock.findChild<Widget*>(QLatin1StringView(name));
+    }
+    void add(const char* body, const char* quantity) {
+        QComboBox* bodies = named<QComboBox>("plotBody");
+        bodies->setCurrentIndex(bodies->findText(QLatin1StringView(body)));
+        QComboBox* quantities = named<QComboBox>("plotQuantity");
+        quantities->setCurrentIndex(quantities->findText(QLatin1StringView(quantity)));
+        QTest::mouseClick(named<QToolButton>("plotAdd"), Qt::LeftButton);
+    }
+    bool has(std::size_t curves, std::size_t points) const {
+        const std::vector<ChartSeries>& series = dock.chart().series;
+        return series.size() == curves && !series.empty() && series.back().y.size() == points;
+    }
+};
+
+QByteArray contents(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class PlotsDockTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void aCurveHasTheFigureOfEveryFrameFromTheStartAlsoWhenItIsAddedLate() {
+        Shown shown;
+        shown.dock.reach(30);
+        shown.add("ball", "position x");
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), patience);
+        const ChartSeries& series = shown.dock.chart().series.front();
+        for (std::size_t frame = 0; frame <= 30; ++frame) {
+            QCOMPARE(series.x[frame], static_cast<double>(frame) / 60);
+            QVERIFY(std::abs(series.y[frame] - (1 + 3 * series.x[frame])) < 1e-12);
+        }
+        QCOMPARE(shown.dock.chart().y.unit, QStringLiteral("m"));
+        shown.dock.reach(45); // the run goes on
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 46), patience);
+    }
+
+    void curvesOfDifferentUnitsNameThemAndTheWholeCanBePlotted() {
+        Shown shown;
+        shown.dock.reach(5);
+        shown.add("ball", "speed");
+        shown.add("the whole scene", "energy");
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(2, 6), patience);
+        QCOMPARE(shown.dock.chart().series[1].name, QStringLiteral("whole: energy [J]"));
+        QCOMPARE(shown.dock.chart().series[1].y.front(), 9.0 + 100 + 50);
+        QVERIFY(shown.dock.chart().y.unit.isEmpty());
+        shown.named<QListWidget>("")->setCurrentRow(0);
+        QTest::mouseClick(shown.named<QToolButton>("plotRemove"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        QCOMPARE(shown.dock.chart().y.unit, QStringLiteral("J"));
+    }
+
+    void anEditKeepsTheCurveOfTheBodyWithThatName() {
+        Shown shown;
+        shown.dock.reach(5);
+        shown.add("ball", "position x");
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        shown.dock.showPipeline(build("sphere { radius 1 mass 1 centre 7,7,7 }\n" + falling).pipeline);
+        shown.dock.reach(3);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4), patience);
+        QCOMPARE(shown.dock.chart().series.front().y.front(), 1.0);
+        shown.dock.showPipeline(build("sphere other { radius 1 mass 1 centre 7,7,7 }\n").pipeline);
+        shown.dock.reach(3);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4) && std::isnan(shown.dock.chart().series.front().y.front()),
+                                 patience);
+    }
+
+    void exportsAreFilesOfTheirKind() {
+        Shown shown;
+        QVERIFY(
+            shown.dock.exportTo(QStringLiteral("/nowhere/plot.csv")).contains(QStringLiteral("no curves")));
+        shown.dock.reach(5);
+        shown.add("ball", "position x");
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        const QTemporaryDir folder;
+        const QString csv = folder.filePath(QStringLiteral("plot.csv"));
+        QCOMPARE(shown.dock.exportTo(csv), QString());
+        const QList<QByteArray> lines = contents(csv).split('\n');
+        QCOMPARE(lines[0], QByteArray("time_s,\"ball: position x [m]\""));
+        QCOMPARE(lines[1], QByteArray("0,1"));
+        QCOMPARE(lines.size(), 8);
+        QCOMPARE(shown.dock.exportTo(folder.filePath(QStringLiteral("plot.png"))), QString());
+        QVERIFY(!QImage(folder.filePath(QStringLiteral("plot.png"))).isNull());
+        QCOMPARE(shown.dock.exportTo(folder.filePath(QStringLiteral("plot.svg"))), QString());
+        QVERIFY(contents(folder.filePath(QStringLiteral("plot.svg"))).contains("<svg"));
+        QCOMPARE(shown.dock.exportTo(folder.filePath(QStringLiteral("plot.pdf"))), QString());
+        QVERIFY(contents(folder.filePath(QStringLiteral("plot.pdf"))).startsWith("%PDF"));
+    }
+};
+
+QTEST_MAIN(PlotsDockTest)
+#include "plots_dock_test.moc"

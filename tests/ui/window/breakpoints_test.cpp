@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/whole_ide.h"
+
+#include "ui/docks/breakpoints_dock.h"
+#include "ui/widgets/timeline.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QSettings>
+#include <QToolButton>
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+struct Breaking : Ide {
+    BreakpointsDock& dock = bench.window().breakpoints();
+
+    template<class Widget>
+    Widget* named(const char* name) {
+        return dock.findChild<Widget*>(QLatin1StringView(name));
+    }
+    void choose(const char* box, const char* words) {
+        QComboBox* combo = named<QComboBox>(box);
+        const int index = combo->findText(QLatin1StringView(words));
+        if (index < 0) qFatal("no such choice: %s", words);
+        combo->setCurrentIndex(index);
+    }
+    void add() { QTest::mouseClick(named<QToolButton>("breakAdd"), Qt::LeftButton); }
+    bool hasStoppedAfter(std::int64_t before) { return !simulation.isRunning() && frame > before; }
+    void play() {
+        trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning() || frame > 0, patience);
+    }
+};
+
+} // namespace
+
+class BreakpointsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void f9OpensThePanelAndTheRunStopsWhenTheBallCrossesThePlane() {
+        Breaking ide;
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F9);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.named<QComboBox>("breakKind")->hasFocus(), patience);
+        ide.choose("breakKind", "plane crossed");
+        ide.choose("breakA", "left");
+        ide.choose("breakAxis", "y");
+        ide.named<QDoubleSpinBox>("breakLimit")->setValue(1.3); // starts at 1 m with 3 m/s upwards
+        ide.add();
+        ide.play();
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasStoppedAfter(4), patience);
+        const std::int64_t up = ide.frame;
+        QVERIFY2(up >= 6 && up <= 8, qPrintable(QString::number(up)));
+        QCOMPARE(ide.bench.window().timeline().hits(), std::vector<std::int64_t>{up});
+
+        ide.trigger(ActionId::Step);
+        ide.trigger(ActionId::Step);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up + 2, patience);
+        QTest::keyClick(&ide.bench.window(), Qt::Key_F9, Qt::ShiftModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up, patience);
+    }
+
+    void aBreakpointThatIsSwitchedOffOrRemovedDoesNotStop() {
+        Breaking ide;
+        ide.bench.window().open(ide.dock);
+        ide.choose("breakKind", "plane crossed");
+        ide.choose("breakA", "left");
+        ide.named<QDoubleSpinBox>("breakLimit")->setValue(1.3);
+        ide.add();
+        QListWidget* list = ide.dock.findChild<QListWidget*>();
+        QCOMPARE(list->item(0)->text(), QStringLiteral("left crosses x = 1.3 m"));
+        list->item(0)->setCheckState(Qt::Unchecked);
+        QVERIFY(ide.dock.empty());
+        list->item(0)->setCheckState(Qt::Checked);
+        QVERIFY(!ide.dock.empty());
+        list->setCurrentRow(0);
+        QTest::mouseClick(ide.named<QToolButton>("breakRemove"), Qt::LeftButton);
+        QVERIFY(ide.dock.empty());
+        QCOMPARE(list->count(), 0);
+    }
+
+    void aBreakpointSurvivesAnEditByTheNameOfItsBody() {
+        Breaking ide;
+        ide.bench.window().open(ide.dock);
+        ide.choose("breakKind", "speed");
+        ide.choose("breakA", "right");
+        ide.named<QDoubleSpinBox>("breakLimit")->setValue(5);
+        ide.add();
+        ide.editor.send(QsciScintillaBase::SCI_GOTOPOS, 0);
+        QTest::keyClicks(&ide.editor, QStringLiteral("sphere { radius .1 mass 1 centre 0,9,0 } "));
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QVERIFY(!ide.dock.empty());
+        QCOMPARE(ide.dock.titleOf(0), QStringLiteral("right faster than 5 m/s"));
+    }
+};
+
+CAROM_IDE_TEST_MAIN(BreakpointsTest)
+#include "breakpoints_test.moc"

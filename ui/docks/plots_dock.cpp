@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/plots_dock.h"
+
+#include "core/base/text.h"
+#include "ui/widgets/body_title.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/export_menu.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QSaveFile>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr int refreshInterval = 200; // [ms]
+constexpr int listWidth = 230;       // [px]
+
+QString text(std::string_view utf8) {
+    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QToolButton* button(const QString& words, const QString& tip) {
+    QToolButton* made = new QToolButton;
+    made->setText(words);
+    made->setToolTip(tip);
+    return made;
+}
+
+} // namespace
+
+PlotsDock::PlotsDock(QWidget* parent)
+    : QDockWidget(tr("Plots"), parent), m_bodies(new QComboBox), m_quantities(new QComboBox),
+      m_list(new QListWidget), m_add(button(tr("Add"), tr("Draw this quantity over time"))),
+      m_remove(button(tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
+      m_plot(new PlotWidget),
+      m_state(new EmptyState(m_plot, tr("Choose a body and a quantity at the left and "
+                                        "press Add to see it over time."))) {
+    setObjectName(QStringLiteral("plots"));
+    m_bodies->setObjectName(QStringLiteral("plotBody"));
+    m_quantities->setObjectName(QStringLiteral("plotQuantity"));
+    m_add->setObjectName(QStringLiteral("plotAdd"));
+    m_remove->setObjectName(QStringLiteral("plotRemove"));
+    m_bodies->setAccessibleName(tr("Body"));
+    m_quantities->setAccessibleName(tr("Quantity"));
+    m_list->setAccessibleName(tr("Curves"));
+    m_remove->setShortcut(QKeySequence(Qt::Key_Delete));
+    layOut();
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(refreshInterval);
+    connect(&m_refresh, &QTimer::timeout, this, &PlotsDock::redraw);
+    connect(&m_run, &ProbeRun::measured, this, &PlotsDock::take);
+    connect(m_bodies, &QComboBox::currentIndexChanged, this, &PlotsDock::fillQuantities);
+    connect(m_add, &QToolButton::clicked, this, &PlotsDock::addCurve);
+    connect(m_remove, &QToolButton::clicked, this, &PlotsDock::removeCurve);
+    connect(this, &QDockWidget::visibilityChanged, this, &PlotsDock::extend);
+    fillBodies();
+    redraw();
+}
+
+void PlotsDock::layOut() {
+    QHBoxLayout* buttons = new QHBoxLayout;
+    buttons->addWidget(m_add);
+    buttons->addWidget(m_remove);
+    buttons->addStretch();
+    ExportMenu* save = new ExportMenu;
+    connect(save, &ExportMenu::chosen, this, &PlotsDock::askForExport);
+    buttons->addWidget(save);
+    QVBoxLayout* column = new QVBoxLayout;
+    column->addWidget(m_bodies);
+    column->addWidget(m_quantities);
+    column->addLayout(buttons);
+    column->addWidget(m_list, 1);
+    QWidget* left = new QWidget;
+    left->setLayout(column);
+    left->setFixedWidth(listWidth);
+    column->setContentsMargins(0, 0, 0, 0);
+    QWidget* content = new QWidget;
+    QHBoxLayout* row = new QHBoxLayout(content);
+    row->setContentsMargins(6, 4, 6, 6);
+    row->addWidget(left);
+    row->addWidget(m_state, 1);
+    setWidget(content);
+    setFocusProxy(m_bodies);
+}
+
+void PlotsDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
+    if (pipeline == m_pipeline) return;
+    m_pipeline = std::move(pipeline);
+    m_reached = 0;
+    fillBodies();
+    restart();
+}
+
+void PlotsDock::reach(std::int64_t frame) {
+    m_reached = std::max(m_reached, frame);
+    extend();
+}
+
+/// Only what is looked at is measured.
+void PlotsDock::extend() {
+    if (isVisible()) m_run.extendTo(m_reached);
+}
+
+void PlotsDock::offerBody(BodyIndex body) {
+    const int index = body == noBody ? 0 : m_bodies->findData(body);
+    if (index >= 0) m_bodies->setCurrentIndex(index);
+}
+
+void PlotsDock::fillBodies() {
+    const QString before = m_bodies->currentText();
+    m_bodies->clear();
+    m_bodies->addItem(tr("the whole scene"), noBody);
+    if (m_pipeline)
+        for (const BodyIndex i : m_pipeline->bodies().bounded)
+            m_bodies->addItem(bodyTitle(m_pipeline->scene(), i), i);
+    m_bodies->setCurrentIndex(std::max(0, m_bodies->findText(before)));
+}
+
+void PlotsDock::fillQuantities() {
+    const QString before = m_quantities->currentText();
+    m_quantities->clear();
+    const bool whole = m_bodies->currentIndex() <= 0;
+    for (const QuantityRow& row : whole ? wholeQuantities() : bodyQuantities())
+        m_quantities->addItem(text(row.name));
+    m_quantities->setCurrentIndex(std::max(0, m_quantities->findText(before)));
+}
+
+void PlotsDock::addCurve() {
+    if (m_quantities->currentIndex() < 0) return;
+    const bool whole = m_bodies->currentIndex() <= 0;
+    const std::span<const QuantityRow> rows = whole ? wholeQuantities() : bodyQuantities();
+    const QuantityRow& row = rows[static_cast<std::size_t>(m_quantities->currentIndex())];
+    m_curves.push_back({&row, whole, whole ? QString() : m_bodies->currentText(), {}});
+    m_list->addItem(titleOf(m_curves.back()));
+    restart();
+}
+
+void PlotsDock::removeCurve() {
+    const int row = m_list->currentRow();
+    if (row < 0) return;
+    m_curves.erase(m_curves.begin() + row);
+    delete m_list->takeItem(row);
+    restart();
+}
+
+QString PlotsDock::titleOf(const Curve& curve) const {
+    const QString of = curve.ofWhole ? tr("whole") : curve.body;
+    return QStringLiteral("%1: %2").arg(of, text(curve.quantity->name));
+}
+
+/// All curves from the start: the same scene gives the same figures.
+void PlotsDock::restart() {
+    m_times.clear();
+    std::vector<Probe> probes;
+    for (Curve& curve : m_curves) {
+        curve.figures.clear();
+        BodyIndex body = noBody;
+        const int index = m_bodies->findText(curve.body);
+        if (!curve.ofWhole) // a body the scene no longer has stays in the list and has no figures
+            body = index > 0 ? m_bodies->itemData(index).value<BodyIndex>() : noBody - 1;
+        probes.push_back({curve.quantity, body});
+    }
+    m_run.start(m_pipeline, std::move(probes));
+    extend();
+    redraw();
+}
+
+void PlotsDock::take(const std::vector<ProbeRow>& rows) {
+    for (const ProbeRow& row : rows) {
+        m_times.push_back(row.time);
+        for (std::size_t i = 0; i < m_curves.size(); ++i) m_curves[i].figures.push_back(row.figures[i]);
+    }
+    if (!m_refresh.isActive()) m_refresh.start();
+}
+
+void PlotsDock::redraw() {
+    m_chart = {};
+    m_chart.x = {tr("time"), QStringLiteral("s"), false};
+    const bool sameUnit = std::all_of(m_curves.begin(), m_curves.end(), [this](const Curve& curve) {
+        return curve.quantity->unit == m_curves.front().quantity->unit;
+    });
+    if (!m_curves.empty()) {
+        const QuantityRow& first = *m_curves.front().quantity;
+        m_chart.y = {m_curves.size() == 1 ? titleOf(m_curves.front()) : tr("value"),
+                     sameUnit ? text(first.unit) : QString(), false};
+    }
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        const Curve& curve = m_curves[i];
+        QString name = titleOf(curve);
+        if (!sameUnit && !curve.quantity->unit.empty())
+            name += QStringLiteral(" [%1]").arg(text(curve.quantity->unit));
+        m_chart.series.push_back({name, m_times, curve.figures, SeriesStyle::Line, seriesColour(i)});
+        QPixmap square(10, 10);
+        square.fill(seriesColour(i));
+        m_list->item(static_cast<int>(i))->setIcon(QIcon(square));
+    }
+    m_plot->setChart(m_chart);
+    m_state->setEmpty(m_curves.empty());
+    m_remove->setEnabled(!m_curves.empty());
+}
+
+QString PlotsDock::writeCsv(const QString& path) const {
+    QByteArray lines = "time_s";
+    for (const Curve& curve : m_curves) {
+        QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), text(curve.quantity->unit));
+        lines += ",\"" + title.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"';
+    }
+    lines += '\n';
+    for (std::size_t k = 0; k < m_times.size(); ++k) {
+        lines += shortest(m_times[k]);
+        for (const Curve& curve : m_curves) {
+            lines += ',';
+            if (std::isfinite(curve.figures[k])) lines += shortest(curve.figures[k]);
+        }
+        lines += '\n';
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(lines) != lines.size() || !file.commit())
+        return tr("`%1` cannot be written: %2").arg(path, file.errorString());
+    return {};
+}
+
+QString PlotsDock::exportTo(const QString& path) const {
+    if (m_curves.empty()) return tr("there are no curves yet; add one first");
+    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
+        return writeCsv(path);
+    return writeChart(m_chart, path);
+}
+
+void PlotsDock::askForExport(const QString& ending) {
+    const QString path = askForExportPath(this, QStringLiteral("plot"), ending);
+    if (path.isEmpty()) return;
+    Q_EMIT reported(exportSentence(path, exportTo(path)));
+}
+
+} // namespace carom

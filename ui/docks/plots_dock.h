@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/quantities.h"
+#include "ui/simulation/probe_run.h"
+#include "ui/widgets/plot.h"
+
+#include <QDockWidget>
+#include <QTimer>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class QComboBox;
+class QListWidget;
+class QToolButton;
+
+namespace carom {
+
+class EmptyState;
+
+/// Curves over time: any quantity of any body or of the whole, from the start of the run to as far as it has
+/// come, also when they are asked for late. Bodies are remembered by name, so curves survive an edit.
+class PlotsDock : public QDockWidget {
+    Q_OBJECT
+
+  public:
+    explicit PlotsDock(QWidget* parent = nullptr);
+
+    /// The scene that runs; the same one again changes nothing.
+    void showPipeline(std::shared_ptr<const Pipeline> pipeline);
+    /// The run has come to this frame.
+    void reach(std::int64_t frame);
+    /// Offers this body first; noBody: the whole.
+    void offerBody(BodyIndex body);
+
+    const ChartSpec& chart() const { return m_chart; }
+    /// Writes .png, .svg, .pdf (the chart) or .csv (every figure of every frame) by the path's ending.
+    /// Returns what went wrong, or an empty text.
+    QString exportTo(const QString& path) const;
+
+  Q_SIGNALS:
+    /// What was written where, or why not: one sentence.
+    void reported(const QString& sentence);
+
+  private:
+    struct Curve {
+        const QuantityRow* quantity = nullptr;
+        bool ofWhole = true;
+        QString body; ///< name; empty for the whole
+        std::vector<double> figures;
+    };
+
+    void layOut();
+    void fillBodies();
+    void fillQuantities();
+    void addCurve();
+    void removeCurve();
+    void restart();
+    void extend();
+    void take(const std::vector<ProbeRow>& rows);
+    void redraw();
+    QString titleOf(const Curve& curve) const;
+    QString writeCsv(const QString& path) const;
+    void askForExport(const QString& ending);
+
+    std::shared_ptr<const Pipeline> m_pipeline;
+    std::vector<Curve> m_curves;
+    std::vector<double> m_times; ///< [s], of the figures
+    std::int64_t m_reached = 0;
+    ChartSpec m_chart;
+    ProbeRun m_run;
+    QTimer m_refresh; ///< a chart of thousands of frames takes 10 ms to draw: a few times a second
+    QComboBox* m_bodies;
+    QComboBox* m_quantities;
+    QListWidget* m_list;
+    QToolButton* m_add;
+    QToolButton* m_remove;
+    PlotWidget* m_plot;
+    EmptyState* m_state;
+};
+
+} // namespace carom

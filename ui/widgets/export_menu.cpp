@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/export_menu.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+
+namespace carom {
+namespace {
+
+QString say(const char* text) { return QCoreApplication::translate("Export", text); }
+
+} // namespace
+
+ExportMenu::ExportMenu(QWidget* parent) : QToolButton(parent) {
+    setText(tr("Export"));
+    setPopupMode(QToolButton::InstantPopup);
+    setToolTip(tr("Write the chart or its figures to a file"));
+    QMenu* menu = new QMenu(this);
+    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
+        const QString name = QLatin1StringView(ending);
+        QAction* action = menu->addAction(tr("%1…").arg(name.toUpper()));
+        connect(action, &QAction::triggered, this, [this, name] { Q_EMIT chosen(name); });
+    }
+    setMenu(menu);
+}
+
+QString askForExportPath(QWidget* parent, const QString& name, const QString& ending) {
+    QString path = QFileDialog::getSaveFileName(parent, say("Export"), name + u'.' + ending,
+                                                say("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += u'.' + ending;
+    return path;
+}
+
+QString exportSentence(const QString& path, const QString& problem) {
+    return problem.isEmpty() ? say("Written to %1").arg(QDir::toNativeSeparators(path))
+                             : say("Not exported: %1").arg(problem);
+}
+
+} // namespace carom
