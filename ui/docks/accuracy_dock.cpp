@@ -29,7 +29,8 @@ namespace {
 constexpr double reportInterval = 100; ///< [ms] between two reports of progress
 constexpr double chartInterval = 700;  ///< [ms] between two diagrams of a study under way
 constexpr int progressSteps = 1000;
-constexpr int pointWidth = 300; ///< [px] of what is said about a point
+constexpr int heightForLegend = 400; ///< [px] of the diagram
+constexpr int pointWidth = 300;      ///< [px] of what is said about a point
 
 QString textOf(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
@@ -279,6 +280,7 @@ void AccuracyDock::showChart() {
         compares ? comparedAccuracy(*m_kept, m_keptName, *m_result, m_studiedName) : m_chart.spec;
     if (compares) m_chart.points.clear();
     shown.title.clear();
+    shown.legend = m_plot->height() > heightForLegend; // where there is none, the mouse over a point tells
     m_plot->setChart(shown);
 }
 

@@ -2,10 +2,12 @@
 #include "ui/widgets/accuracy_chart.h"
 
 #include "core/base/figures.h"
+#include "core/integrators/integrator.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <optional>
 
 namespace carom {
 namespace {
@@ -47,21 +49,31 @@ ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour
             .inOrder = true};
 }
 
-/// A line a family; `points` gets the place of each in the study.
-void addFamilies(const AccuracyStudy& study, const QString& prefix, bool dashed, ChartSpec& chart,
-                 std::vector<std::vector<std::size_t>>& points) {
-    std::size_t colour = 0;
+/// The same colour for an integrator in every chart; exact events and contacts to a tight tolerance have
+/// their own.
+QColor colourOf(const AccuracySetting& setting) {
+    constexpr double tight = 1e-8;
+    if (setting.integrator == nullptr) return seriesColour(6);
+    if (setting.tolerance > 0 && setting.tolerance < tight) return seriesColour(5);
+    return seriesColour(static_cast<std::size_t>(setting.integrator - integrators().data()));
+}
+
+/// A line a family, dashed for the method that counts collisions, or as told; `points` gets the place of each
+/// in the study.
+void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optional<bool> dashed,
+                 ChartSpec& chart, std::vector<std::vector<std::size_t>>& points) {
     for (const AccuracyFamily& family : familiesOf(study)) {
         QString name = prefix + text(family.name);
         if (const std::optional<double> order = orderOf(family, study.resolution()))
             name += say(" (order %1)").arg(*order, 0, 'f', 1);
+        const bool counting = family.points.front()->setting.method->name == "microcollisions";
         ChartSeries series{.name = name,
                            .x = {},
                            .y = {},
                            .style = SeriesStyle::LineAndMarks,
-                           .colour = seriesColour(colour++),
+                           .colour = colourOf(family.points.front()->setting),
                            .mark = SeriesMark::Disc,
-                           .dashed = dashed,
+                           .dashed = dashed.value_or(counting),
                            .inOrder = true};
         std::vector<std::size_t> places;
         for (const AccuracyPoint* point : family.points) {
@@ -132,7 +144,7 @@ QString describe(const AccuracyPoint& point) {
 
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
     AccuracyChart chart{.spec = emptyChart(title), .points = {}};
-    addFamilies(study, {}, false, chart.spec, chart.points);
+    addFamilies(study, {}, std::nullopt, chart.spec, chart.points);
     addFront(study, chart.spec);
     addVerdicts(study, chart.spec);
     return chart;

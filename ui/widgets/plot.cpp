@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
+#include <QFontMetrics>
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
@@ -173,6 +174,16 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
     }
 }
 
+/// As many columns of the legend as the longest name leaves room for.
+int legendColumns(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr int mark = 50, most = 6; // [px] of a mark with its margins
+    int longest = 1;
+    const QFontMetrics metrics(plot.legend->font());
+    for (const ChartSeries& series : spec.series)
+        if (series.inLegend) longest = std::max(longest, metrics.horizontalAdvance(series.name));
+    return std::clamp(plot.width() / (longest + mark), 1, most);
+}
+
 void fit(QCustomPlot& plot, const ChartSpec& spec) {
     plot.rescaleAxes();
     const bool stacked = std::any_of(spec.series.begin(), spec.series.end(), [](const ChartSeries& series) {
@@ -225,8 +236,8 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     plot.legend->setBrush(Qt::NoBrush);
     plot.legend->setBorderPen(Qt::NoPen);
     plot.legend->setTextColor(colours.text);
-    plot.legend->setFillOrder(QCPLegend::foColumnsFirst);
-    plot.legend->setWrap(6);
+    plot.legend->setWrap(legendColumns(plot, spec));
+    plot.legend->setFillOrder(QCPLegend::foColumnsFirst); // places the entries anew
     plot.legend->setRowSpacing(0);
     grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
     plot.legend->setVisible(spec.legend && spec.series.size() > 1);
