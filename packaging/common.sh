@@ -42,16 +42,16 @@ install_missing() {
     rm -f "$log"
 }
 
-# build_preset PRESET: configures where needed and builds; prints the compiler's words only if it fails.
+# build_preset PRESET [TARGET]: configures where needed and builds; prints the compiler's words only if it fails.
 build_preset() {
-    local preset=$1 log="$top/build/$1.log"
+    local preset=$1 target=${2:-all} log="$top/build/$1.log"
     mkdir -p "$top/build"
     say "building build/$preset"
     cd "$top"
     if [ ! -f "build/$preset/build.ninja" ]; then
         cmake --preset "$preset" >"$log" 2>&1 || { tail -30 "$log" >&2; fail "cmake could not configure $preset (build/$preset.log)"; }
     fi
-    cmake --build --preset "$preset" >"$log" 2>&1 || {
+    cmake --build --preset "$preset" --target "$target" >"$log" 2>&1 || {
         grep -nE 'error|FAILED|warning' -A3 "$log" | head -60 >&2
         fail "the build of $preset failed (build/$preset.log)"
     }

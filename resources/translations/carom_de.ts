@@ -1863,8 +1863,8 @@ a breakpoint held</source>
         <translation>Willkommen bei Carom</translation>
     </message>
     <message>
-        <source>Show this when the program starts without a scene</source>
-        <translation>Dies zeigen, wenn das Programm ohne Szene startet</translation>
+        <source>Show this at the start when there is no scene to go on with</source>
+        <translation>Dies beim Start zeigen, wenn es keine Szene gibt, mit der es weitergeht</translation>
     </message>
     <message>
         <source>&amp;Close</source>

@@ -51,7 +51,7 @@ Welcome::Welcome(Settings& settings, QWidget* parent) : QDialog(parent) {
     row->setSpacing(20);
     row->addWidget(startColumn(settings));
     row->addWidget(gallery(), 1);
-    QCheckBox* atStart = new QCheckBox(tr("Show this when the program starts without a scene"));
+    QCheckBox* atStart = new QCheckBox(tr("Show this at the start when there is no scene to go on with"));
     atStart->setChecked(settings.welcomeAtStart());
     connect(atStart, &QCheckBox::toggled, this,
             [&settings](bool shown) { settings.setWelcomeAtStart(shown); });
