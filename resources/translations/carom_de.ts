@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Charts</name>
+    <message>
+        <source>What accuracy costs: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ComparisonCharts</name>
     <message>
         <source>Broad-phase in each frame</source>
@@ -49,6 +56,156 @@
     <message>
         <source>render</source>
         <translation>zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>carom::AccuracyDock</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Run it</source>
+        <translation>Damit laufen</translation>
+    </message>
+    <message>
+        <source>Use this setting</source>
+        <translation>Einstellung übernehmen</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which methods and integrators are compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>How long the scene is simulated in each run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Show this study together with the next one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Ausgeben</translation>
+    </message>
+    <message>
+        <source>Write the diagram or the figures to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the scene with this setting, from its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write this setting into the scene&apos;s `simulation` declaration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A study runs the scene with every method, integrator and number of substeps and shows what each error costs in time.
+The simulation above goes on meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>running with %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is now the scene&apos;s own setting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Integrators</source>
+        <translation>Integratoren</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation type="unfinished">%1 …</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished">Anhalten</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Untersuchen</translation>
+    </message>
+    <message>
+        <source>Show what was computed so far</source>
+        <translation type="unfinished">Zeigen, was bisher gerechnet wurde</translation>
+    </message>
+    <message>
+        <source>Run the scene with every setting chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing in the scene can move</source>
+        <translation>Nichts in der Szene kann sich bewegen</translation>
+    </message>
+    <message>
+        <source>looking for the truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %, about %2 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>
+
+Click a point to choose it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accuracy of %1 studied in %2 s: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing was studied yet; choose Study first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`%1` cannot be written: %2</source>
+        <translation type="unfinished">„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>Export the study</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation type="unfinished">Nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation type="unfinished">Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -619,27 +776,154 @@
     </message>
     <message>
         <source>&amp;Trails</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Spuren</translation>
     </message>
     <message>
         <source>Draw the way each body has come in the last states shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Weg zeichnen, den jeder Körper zuletzt genommen hat</translation>
     </message>
     <message>
         <source>Centre of &amp;mass</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schwerpunkt</translation>
     </message>
     <message>
         <source>Mark the centre of mass of everything that moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Schwerpunkt von allem Beweglichen zeigen</translation>
     </message>
     <message>
         <source>G&amp;host of the run before</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chatten des vorigen Laufs</translation>
     </message>
     <message>
         <source>After an edit in the middle of a run, draw where the bodies were before it</source>
+        <translation>Nach einer Änderung mitten im Lauf zeigen, wo die Körper vorher waren</translation>
+    </message>
+    <message>
+        <source>Save the &amp;view…</source>
+        <translation>&amp;Ansicht speichern …</translation>
+    </message>
+    <message>
+        <source>Save the picture of the scene as a PNG file of any size</source>
+        <translation>Das Bild der Szene als PNG-Datei beliebiger Größe speichern</translation>
+    </message>
+    <message>
+        <source>Record a fil&amp;m…</source>
+        <translation>&amp;Film aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Record the run as an animated picture, a film or single pictures</source>
+        <translation>Den Lauf als bewegtes Bild, Film oder einzelne Bilder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Stop &amp;when…</source>
+        <translation>A&amp;nhalten, wenn …</translation>
+    </message>
+    <message>
+        <source>Choose an event at which the run stops: a contact, a speed, a plane crossed</source>
+        <translation>Ein Ereignis wählen, bei dem der Lauf anhält: ein Kontakt, eine Geschwindigkeit, eine Ebene</translation>
+    </message>
+    <message>
+        <source>Back to the last e&amp;vent</source>
+        <translation>Zum letzten E&amp;reignis zurück</translation>
+    </message>
+    <message>
+        <source>Go back to the last frame at which a breakpoint held</source>
+        <translation>Zum letzten Bild zurück, bei dem ein Haltepunkt galt</translation>
+    </message>
+    <message>
+        <source>Camera into the &amp;scene</source>
+        <translation>&amp;Kamera in die Szene</translation>
+    </message>
+    <message>
+        <source>Write the present view into the camera declaration of the text</source>
+        <translation>Die jetzige Ansicht in die Kamera des Textes schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>carom::BreakpointsDock</name>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Haltepunkte</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Stop the run when this happens</source>
+        <translation>Den Lauf anhalten, wenn dies geschieht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the selected breakpoint</source>
+        <translation>Den gewählten Haltepunkt vergessen</translation>
+    </message>
+    <message>
+        <source>Back to the last one</source>
+        <translation>Zum letzten zurück</translation>
+    </message>
+    <message>
+        <source>Go back to the last frame before this one at which a breakpoint held (Shift+F9)</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Other body</source>
+        <translation>Anderer Körper</translation>
+    </message>
+    <message>
+        <source>stop at</source>
+        <translation>anhalten bei</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>any body</source>
+        <translation>irgendein Körper</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>contact of %1 and %2</source>
+        <translation>Kontakt von %1 und %2</translation>
+    </message>
+    <message>
+        <source>penetration over %1 m</source>
+        <translation>Eindringen über %1 m</translation>
+    </message>
+    <message>
+        <source>energy drift over %1</source>
+        <translation>Energiefehler über %1</translation>
+    </message>
+    <message>
+        <source>%1 faster than %2 m/s</source>
+        <translation>%1 schneller als %2 m/s</translation>
+    </message>
+    <message>
+        <source>%1 crosses %2 = %3 m</source>
+        <translation>%1 kreuzt %2 = %3 m</translation>
     </message>
 </context>
 <context>
@@ -854,7 +1138,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Cells or nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen oder Knoten</translation>
     </message>
     <message>
         <source>Cells of a grid or nodes of a tree visited</source>
@@ -1011,6 +1295,21 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
 </context>
 <context>
+    <name>carom::ExportMenu</name>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Ausgeben</translation>
+    </message>
+    <message>
+        <source>Write the chart or its figures to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation type="unfinished">%1 …</translation>
+    </message>
+</context>
+<context>
     <name>carom::FileCommands</name>
     <message>
         <source>opened %1</source>
@@ -1083,6 +1382,17 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>Carom</source>
         <translation>Carom</translation>
+    </message>
+</context>
+<context>
+    <name>carom::Film</name>
+    <message>
+        <source>the film was cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the run stopped at %1 s</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1194,18 +1504,6 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Ausgeben</translation>
-    </message>
-    <message>
-        <source>Write the graph or its figures to a file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1…</source>
-        <translation>%1 …</translation>
-    </message>
-    <message>
         <source>%1 [ms]</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1241,22 +1539,6 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <source>there are no frames yet; run the simulation first</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Export the timing graph</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written to %1</source>
-        <translation>Nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>Nicht ausgegeben: %1</translation>
-    </message>
 </context>
 <context>
     <name>carom::HelpCommands</name>
@@ -1267,6 +1549,86 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>&lt;h3&gt;Carom %1&lt;/h3&gt;&lt;p&gt;Scenes of rigid bodies: written, watched, measured.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Carom %1&lt;/h3&gt;&lt;p&gt;Szenen starrer Körper: schreiben, ansehen, messen.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder später.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>carom::InspectorDock</name>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>The scene is empty.
+Click a body, or put the caret into its declaration, to see its values here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Values of the selected body</source>
+        <translation>Werte des gewählten Körpers</translation>
+    </message>
+    <message>
+        <source>The whole scene now</source>
+        <translation>Die ganze Szene jetzt</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>moments of inertia</source>
+        <translation>Trägheitsmomente</translation>
+    </message>
+    <message>
+        <source>immobile</source>
+        <translation>unbeweglich</translation>
+    </message>
+    <message>
+        <source>elasticity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>rolling resistance</source>
+        <translation>Rollwiderstand</translation>
     </message>
 </context>
 <context>
@@ -1320,7 +1682,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
     <message>
         <source>Simulating the changed scene to %1 s…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geänderte Szene wird bis %1 s simuliert …</translation>
     </message>
 </context>
 <context>
@@ -1473,6 +1835,156 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>What is opened, built, run and saved is noted here, with times.</source>
         <translation>Was geöffnet, gebaut, gerechnet und gespeichert wird, steht hier mit der Zeit.</translation>
+    </message>
+</context>
+<context>
+    <name>carom::PictureCommands</name>
+    <message>
+        <source>Save the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation type="unfinished">Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>saved %1</source>
+        <translation type="unfinished">%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be written</source>
+        <translation type="unfinished">„%1“ kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Record a film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> pictures a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> × real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished">Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture %1 of %2, %3 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the camera is in the scene now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>carom::PlotsDock</name>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Draw this quantity over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected curve off the chart (Delete)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a body and a quantity at the left and press Add to see it over time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the whole scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation type="unfinished">Zeit</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>`%1` cannot be written: %2</source>
+        <translation type="unfinished">„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>there are no curves yet; add one first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1712,6 +2224,14 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     </message>
     <message>
         <source>Stopped at frame %1: the %2 of %3 is no longer a finite number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No breakpoint held before this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1, %2 s: %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

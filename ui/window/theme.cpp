@@ -73,7 +73,12 @@ QSplitter::handle { background: @border; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox { background: @button; border: 1px solid @border;
             border-radius: 4px; padding: 3px 6px; min-height: 18px; selection-background-color: @accent;
             selection-color: @accentText; }
-QLineEdit:focus, QComboBox:focus { border-color: @accent; }
+QLineEdit:focus, QComboBox:focus, QAbstractSpinBox:focus { border-color: @accent; }
+QComboBox::drop-down { border: none; width: 22px; }
+QComboBox::down-arrow { image: url(:/icons/arrow_down.svg); width: 14px; height: 14px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { border: none; background: transparent; width: 20px; }
+QAbstractSpinBox::up-arrow { image: url(:/icons/arrow_up.svg); width: 10px; height: 10px; }
+QAbstractSpinBox::down-arrow { image: url(:/icons/arrow_down.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; selection-background-color: @selection;
             selection-color: @text; }
 QPushButton { background: @button; border: 1px solid @border; border-radius: 4px; padding: 4px 12px; }
