@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Ausgeben</translation>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Write the diagram or the figures to a file</source>
@@ -139,11 +139,11 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished">%1 …</translation>
+        <translation>%1 …</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Anhalten</translation>
+        <translation>Anhalten</translation>
     </message>
     <message>
         <source>Study</source>
@@ -151,7 +151,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Show what was computed so far</source>
-        <translation type="unfinished">Zeigen, was bisher gerechnet wurde</translation>
+        <translation>Zeigen, was bisher gerechnet wurde</translation>
     </message>
     <message>
         <source>Run the scene with every setting chosen</source>
@@ -189,7 +189,7 @@ Click a point to choose it.</source>
     </message>
     <message>
         <source>`%1` cannot be written: %2</source>
-        <translation type="unfinished">„%1“ kann nicht geschrieben werden: %2</translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
         <source>Export the study</source>
@@ -201,11 +201,11 @@ Click a point to choose it.</source>
     </message>
     <message>
         <source>Written to %1</source>
-        <translation type="unfinished">Nach %1 geschrieben</translation>
+        <translation>Nach %1 geschrieben</translation>
     </message>
     <message>
         <source>Not exported: %1</source>
-        <translation type="unfinished">Nicht ausgegeben: %1</translation>
+        <translation>Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -1298,7 +1298,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <name>carom::ExportMenu</name>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Ausgeben</translation>
+        <translation>Ausgeben</translation>
     </message>
     <message>
         <source>Write the chart or its figures to a file</source>
@@ -1306,7 +1306,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished">%1 …</translation>
+        <translation>%1 …</translation>
     </message>
 </context>
 <context>
@@ -1853,15 +1853,15 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished">Bilder (*.png)</translation>
+        <translation>Bilder (*.png)</translation>
     </message>
     <message>
         <source>saved %1</source>
-        <translation type="unfinished">%1 gespeichert</translation>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>“%1” cannot be written</source>
-        <translation type="unfinished">„%1“ kann nicht geschrieben werden</translation>
+        <translation>„%1“ kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>Record a film</source>
@@ -1893,7 +1893,7 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished">Geschwindigkeit</translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)</source>
@@ -1972,7 +1972,7 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished">Zeit</translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>value</source>
@@ -1980,7 +1980,7 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>`%1` cannot be written: %2</source>
-        <translation type="unfinished">„%1“ kann nicht geschrieben werden: %2</translation>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
     </message>
     <message>
         <source>there are no curves yet; add one first</source>
