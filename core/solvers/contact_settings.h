@@ -51,6 +51,10 @@ inline constexpr int mostStepsAccurate = 5000, mostStepsMoving = 20000, mostStep
 inline constexpr std::uint16_t patience = 15;
 /// Nearly at rest: no body is faster than this times |g| h.
 inline constexpr double nearlyResting = 10;
+/// The same for spheres: each has many neighbours, the matrix fills, and grains that still move regroup.
+/// Small piles of them take so many sweeps at most instead, which mostly reach the tolerance.
+inline constexpr double grainsResting = 0.1;
+inline constexpr int smallPileSweeps = 100;
 
 /// Contact tolerance below which a run counts as accurate: stops are located too, and every island is solved
 /// by Newton's method.

@@ -128,6 +128,12 @@ bool Contacts::shareReach(const Bodies& bodies, const State& state) {
     m_reach.resize(bodies.count());
     for (BodyIndex i = 0; i < bodies.count(); ++i) m_reach[i] = m_neighbours.reach(i);
     bool covered = true;
+    const auto room = [&](BodyIndex i) {
+        return m_reach[i] + Neighbours::leastMargin * bodies.boundingRadius[i];
+    };
+    for (const BodyIndex i : bodies.mobileBodies)
+        if (!flies(i)) covered = m_neighbours.covers(i, room(i)) && covered;
+    if (!covered) return false;
     for (const BodyPair pair : m_neighbours.pairs()) {
         if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) continue;
         if (flies(pair.a) || flies(pair.b)) continue;
@@ -137,8 +143,7 @@ bool Contacts::shareReach(const Bodies& bodies, const State& state) {
         const double reach = std::max(reachA, reachB);
         if (!(m_reach[slower] < reach)) continue;
         m_reach[slower] = reach;
-        const double room = reach + Neighbours::leastMargin * bodies.boundingRadius[slower];
-        covered = m_neighbours.covers(slower, room) && covered;
+        covered = m_neighbours.covers(slower, room(slower)) && covered;
     }
     return covered;
 }

@@ -24,7 +24,7 @@ double rimSpeed(const ContactBody& body) {
 void IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found,
                            ContactSet& kept) {
     load(input, island, found);
-    if (bounce(input, island)) {
+    if (bounce(input, island) || movePile(input, island)) {
         keep(kept);
         return;
     }
@@ -84,9 +84,11 @@ int IslandMotion::newtonSteps(const MotionInput& input, const Island& island) co
     if (points > mostNewtonResting) return 0;
     for (const ContactPair& pair : m_contacts.pairs)
         if (pair.patience > 0) return 0;
-    if (points <= mostNewtonMoving) return mostStepsMoving / points;
     double fastest = 0;
     for (const BodyIndex i : island.bodies) fastest = std::max(fastest, input.state.velocity[i].norm());
+    if (PileMotion::treats(input.bodies, island.bodies, m_contacts))
+        return fastest <= grainsResting * m_scale ? mostStepsResting : 0;
+    if (points <= mostNewtonMoving) return mostStepsMoving / points;
     return fastest <= nearlyResting * m_scale ? mostStepsResting : 0;
 }
 
@@ -94,6 +96,25 @@ int IslandMotion::newtonSteps(const MotionInput& input, const Island& island) co
 void IslandMotion::countPatience() {
     for (ContactPair& pair : m_contacts.pairs)
         pair.patience = m_failed ? patience : static_cast<std::uint16_t>(std::max(0, pair.patience - 1));
+}
+
+// A big moving pile of spheres.
+bool IslandMotion::movePile(const MotionInput& input, const Island& island) {
+    if (m_newtonSteps > 0 || !m_springs.empty() || input.settings.simultaneous ||
+        !PileMotion::treats(input.bodies, island.bodies, m_contacts))
+        return false;
+    const int points = static_cast<int>(m_contacts.points.size());
+    const PileInput pile{.bodies = input.bodies,
+                         .gravity = input.gravity,
+                         .substep = input.substep,
+                         .tolerance = input.settings.tolerance * m_scale,
+                         .sweeps = points <= mostNewtonMoving ? smallPileSweeps : input.settings.iterations,
+                         .state = input.state};
+    const double residual = m_pile.advance(pile, island.bodies, m_contacts);
+    if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
+    report.impacts += static_cast<int>(m_pile.impacts());
+    countPatience();
+    return true;
 }
 
 void IslandMotion::recollide(const MotionInput& input) {

@@ -10,6 +10,7 @@
 #include "core/solvers/impacts.h"
 #include "core/solvers/islands.h"
 #include "core/solvers/newton.h"
+#include "core/solvers/pile_motion.h"
 #include "core/solvers/solver.h"
 
 #include <vector>
@@ -66,6 +67,7 @@ class IslandMotion {
     void countPatience();
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     bool bounce(const MotionInput& input, const Island& island);
+    bool movePile(const MotionInput& input, const Island& island);
     void recollide(const MotionInput& input);
     void loadBodies(const MotionInput& input, const Island& island);
     void part(const MotionInput& input, const Island& island);
@@ -119,6 +121,7 @@ class IslandMotion {
     NewtonSolver m_newton;
     GaussSeidelSolver m_gaussSeidel;
     ImpactSolver m_impacts;
+    PileMotion m_pile;
 };
 
 } // namespace carom

@@ -8,9 +8,8 @@
 namespace carom {
 namespace {
 
-/// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs;
-/// between 2 and 4 the time of a gas at 5 % packing changes little.
-constexpr double roominess = 3;
+/// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs.
+constexpr double roominess = 2;
 
 /// How far any point of a body is from where the same point was.
 double displacement(const Pose& from, const Pose& to, double radius, bool round) {
@@ -33,12 +32,12 @@ double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
-    : m_boxes(bodies.bounded.size()), m_reach(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
+    : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
       m_skin(bodies.count(), -1.0), m_origin(bodies.count()), m_first(bodies.count() + 1, 0) {
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
 }
 
-bool Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
+void Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
                         Broadphase& broadphase) {
     const double fall = 0.5 * gravity.norm() * substep * substep;
     double sum = 0;
@@ -47,17 +46,16 @@ bool Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gr
         const bool round = std::holds_alternative<Sphere>(bodies.shape[i]);
         const double radius = bodies.boundingRadius[i];
         const double rim = round ? 0 : state.angularVelocity[i].norm() * radius;
-        m_reach[i] = reachFactor * ((state.velocity[i].norm() + rim) * substep + fall);
+        m_path[i] = (state.velocity[i].norm() + rim) * substep + fall;
         m_moved[i] = displacement(m_origin[i], state.pose[i], radius, round);
-        const double needed = m_reach[i] + leastMargin * radius;
+        const double needed = m_path[i] + leastMargin * radius;
         serves = serves && m_moved[i] + needed <= m_skin[i];
         sum += needed * needed;
     }
-    if (serves) return false;
+    if (serves) return;
     m_typical = std::sqrt(sum / static_cast<double>(bodies.mobileBodies.size()));
     std::fill(m_skin.begin(), m_skin.end(), 0.0);
     search(bodies, state, broadphase);
-    return true;
 }
 
 bool Neighbours::covers(BodyIndex body, double room) {
@@ -69,7 +67,7 @@ bool Neighbours::covers(BodyIndex body, double room) {
 void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     for (const BodyIndex i : bodies.mobileBodies) {
-        const double needed = m_reach[i] + leastMargin * bodies.boundingRadius[i];
+        const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
         m_skin[i] = std::max(m_skin[i], roominess * std::max(needed, m_typical));
         m_moved[i] = 0;
         m_origin[i] = state.pose[i];

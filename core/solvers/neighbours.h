@@ -13,10 +13,10 @@
 // body has used its skin up (L. Verlet, "Computer experiments on classical fluids", 1967):
 //
 //        ______________
-//       /  ____   skin \         serves while   moved + reach <= skin   for every body
-//      |  /body\___>    |        where reach is how far the body can come in the substep at hand
+//       /  ____   skin \         serves while   moved + path <= skin   for every body
+//      |  /body\___>    |        where path is what it needs in the substep at hand;
 //      |  \____/  moved |
-//       \______________/
+//       \______________/                more, for what may be hit on the way, is asked for by covers()
 //
 // Whoever uses the list tests its pairs for what they are now: what happens depends neither on the skins nor
 // on when they were renewed, only the time it takes does.
@@ -30,22 +30,22 @@ class Neighbours {
   public:
     explicit Neighbours(const Bodies& bodies);
 
-    /// Takes note of where the bodies are and how far each can come within the substep: `reachFactor` times
-    /// its path under its velocity and gravity. Searches if the list could miss a pair, and says so.
-    bool update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
+    /// Takes note of where the bodies are and how far each comes within the substep under its velocity and
+    /// gravity. Searches if the list could miss a pair.
+    void update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
                 Broadphase& broadphase);
-    /// Searches with a skin of at least `room` [m] round the bodies for which ask() was called.
+    /// Searches, with wider skins where covers() was answered no.
     void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
 
-    /// Makes sure of `room` [m] round a body; false if the list does not cover it, and search() must be
-    /// called.
+    /// Whether the list has all pairs that a body can meet within `room` [m] of where it is now. If not it is
+    /// remembered, and search() must be called.
     bool covers(BodyIndex body, double room);
 
     /// How often it has searched.
     std::uint64_t searches() const { return m_searches; }
 
     /// How far a body's surface can come in the substep [m].
-    double reach(BodyIndex body) const { return m_reach[body]; }
+    double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
 
     /// All pairs, walls among them, a < b, ascending.
     std::span<const BodyPair> pairs() const { return m_pairs; }
@@ -66,7 +66,7 @@ class Neighbours {
 
     std::vector<std::uint8_t> m_mobile; // of bodies.bounded
     std::vector<Aabb> m_boxes;          // of bodies.bounded
-    std::vector<double> m_reach;        // by body [m]
+    std::vector<double> m_path;         // by body: how far it comes if nothing hits it [m]
     std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
     std::vector<double> m_skin;         // by body [m]
     std::vector<Pose> m_origin;         // by body: where the list found it

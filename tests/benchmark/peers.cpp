@@ -204,15 +204,15 @@ void compareBroadphases(const GeneratorRow& scene, std::int64_t n) {
 
 int comparePeers(std::span<const std::string> words) {
     const std::vector<OptionRow> options = {
-        {"scene", 0, "LIST", "generators, separated by commas (default brownian,pool_breaks,pyramid)"},
-        {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 1000,10000)"},
+        {"scene", 0, "LIST", "generators, separated by commas (default brownian,pool_breaks,pyramid,pile)"},
+        {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 1000,2000,10000)"},
         {"frames", 0, "F", "frames of each run (default 120)"},
     };
     const Arguments arguments = readArguments(words, options);
     if (arguments.has("help")) return printOut(describe(options)), exitcode::done;
     const std::int64_t frames = arguments.wholeNumber("frames", 1, 100'000).value_or(120);
     std::vector<std::int64_t> counts;
-    for (const std::string& word : wordsOf(arguments.text("n").value_or("1000,10000"))) {
+    for (const std::string& word : wordsOf(arguments.text("n").value_or("1000,2000,10000"))) {
         const std::optional<long long> count = wholeNumberIn(word);
         if (!count || *count < 1)
             throw UsageError("`-n` has `" + word + "`; it must be a whole number from 1 on");
@@ -220,7 +220,7 @@ int comparePeers(std::span<const std::string> words) {
     }
     std::vector<const GeneratorRow*> scenes;
     for (const std::string& name :
-         wordsOf(arguments.text("scene").value_or("brownian,pool_breaks,pyramid"))) {
+         wordsOf(arguments.text("scene").value_or("brownian,pool_breaks,pyramid,pile"))) {
         scenes.push_back(findGenerator(name));
         if (!scenes.back()) throw UsageError("there is no generator `" + name + "`");
     }

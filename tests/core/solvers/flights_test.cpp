@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/generators/generator.h"
+#include "core/math/random.h"
+#include "core/simulation/build.h"
+#include "core/simulation/touching.h"
+#include "core/solvers/neighbours.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+// The parts of `contacts` that serve many bodies: the list of neighbours, flights from impact to impact, and
+// sweeps over piles.
+
+namespace carom {
+namespace {
+
+using test::run;
+using test::sceneOf;
+using test::sphere;
+using test::wall;
+using test::worldOf;
+
+const Vec3 down(0, -9.81, 0);
+
+double energyOf(const World& world) { return world.statistics().kinetic + world.statistics().potential; }
+
+std::shared_ptr<const Pipeline> pipelineOf(std::string_view generator, std::int64_t n,
+                                           std::string_view method) {
+    GeneratorRequest request;
+    request.n = n;
+    SimulationSettings options;
+    options.method = std::string(method);
+    return build(generate(*findGenerator(generator), request), options).pipeline;
+}
+
+/// The deepest overlap relative to the smaller radius.
+double deepestOverlap(const World& world) {
+    const Bodies& bodies = world.pipeline().bodies();
+    double deepest = 0;
+    for (const TouchingPair& pair : touchingPairs(bodies, world.state())) {
+        double radius = std::numeric_limits<double>::infinity();
+        for (const BodyIndex i : {pair.pair.a, pair.pair.b})
+            if (!isWall(bodies.shape[i])) radius = std::min(radius, bodies.boundingRadius[i]);
+        deepest = std::max(deepest, -pair.manifold.deepest().separation / radius);
+    }
+    return deepest;
+}
+
+class FlightsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void theListOfNeighboursHasEveryPairWithinReachWhileBodiesMove();
+    void aGasMovesAsTheExactMethodMovesIt();
+    void rollingStartsAsMomentumAndCoulombSayWhenASpinningBallHitsTheFloor();
+    void ballsThatSlideOnATableStayOnItAndCollideAsOnAPlane();
+    void aPileOfSpheresComesToRestWithoutOverlap();
+};
+
+void FlightsTest::theListOfNeighboursHasEveryPairWithinReachWhileBodiesMove() {
+    constexpr std::uint64_t seed = 411;
+    qInfo("seed %llu", static_cast<unsigned long long>(seed));
+    Random random(seed);
+    constexpr double h = 0.01;
+    Scene scene = sceneOf({wall(Vec3::UnitY(), 0)}, down);
+    for (int i = 0; i < 60; ++i) {
+        const auto component = [&](double range) { return random.uniform(-range, range); };
+        scene.bodies.push_back(sphere(random.uniform(0.02, 0.2), 1,
+                                      Vec3(component(1), 1 + component(1), component(1)),
+                                      Vec3(component(3), component(3), component(3))));
+    }
+    const Bodies bodies = bodiesOf(scene);
+    State state = initialStateOf(scene);
+    Neighbours neighbours(bodies);
+    const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+    std::size_t met = 0;
+    for (int step = 0; step < 200; ++step) {
+        neighbours.update(bodies, state, down, h, *broadphase);
+        const std::span<const BodyPair> pairs = neighbours.pairs();
+        QVERIFY(std::is_sorted(pairs.begin(), pairs.end()));
+        for (BodyIndex a = 0; a < bodies.count(); ++a)
+            for (BodyIndex b = a + 1; b < bodies.count(); ++b) {
+                // reach is a multiple of the path; the list promises the path
+                const double paths = (neighbours.reach(a) + neighbours.reach(b)) / Neighbours::reachFactor;
+                if (boundingGap(bodies, state, {a, b}) > paths) continue;
+                ++met;
+                QVERIFY(std::binary_search(pairs.begin(), pairs.end(), BodyPair{a, b}));
+                const std::span<const BodyIndex> around = neighbours.around(a);
+                QVERIFY(std::find(around.begin(), around.end(), b) != around.end());
+            }
+        for (const BodyIndex i : bodies.mobileBodies) {
+            state.pose[i].position += h * state.velocity[i];
+            if (random.below(20) == 0) state.velocity[i] = -state.velocity[i];
+        }
+    }
+    QVERIFY(met > 1000);
+    QVERIFY(neighbours.searches() < 200); // lists did serve more than one step
+}
+
+void FlightsTest::aGasMovesAsTheExactMethodMovesIt() {
+    // Every collision of a ball multiplies what rounding left by the free path over the radius, five or so,
+    // and the busiest balls have five in these frames. A missed or late impact would show as millimetres.
+    constexpr double same = 1e-9; // [m]
+    constexpr int frames = 10;
+    World stepped(pipelineOf("brownian", 400, "contacts")), exact(pipelineOf("brownian", 400, "events"));
+    const double energy = energyOf(stepped);
+    run(stepped, frames);
+    run(exact, frames);
+    double furthest = 0;
+    for (std::size_t i = 0; i < stepped.state().pose.size(); ++i)
+        furthest =
+            std::max(furthest, (stepped.state().pose[i].position - exact.state().pose[i].position).norm());
+    qInfo("furthest apart %g m", furthest);
+    QVERIFY(furthest < same);
+    QVERIFY(stepped.statistics().contacts > 0);
+    QVERIFY(std::abs(energyOf(stepped) / energy - 1) < 1e-12);
+    QVERIFY(deepestOverlap(stepped) < 1e-12);
+}
+
+// A ball that slides through an impact gets mu times the normal impulse across; one that grips ends up
+// rolling: v = r w, of which the angular momentum about the point of contact says v' = 5/7 v.
+void FlightsTest::rollingStartsAsMomentumAndCoulombSayWhenASpinningBallHitsTheFloor() {
+    constexpr double rounding = 1e-13;
+    for (const double friction : {0.01, 10.0}) {
+        constexpr double radius = 0.1, speed = 2, fall = 3, e = 0.5;
+        Body ball = sphere(radius, 0.7, Vec3(0, radius + 0.01, 0), Vec3(speed, -fall, 0));
+        Body floor = wall(Vec3::UnitY(), 0);
+        ball.friction = floor.friction = friction;
+        ball.elastic = floor.elastic = e;
+        SimulationSettings options;
+        options.method = "contacts";
+        World world = worldOf(sceneOf({ball, floor}), options); // no gravity: one impact
+        run(world, 1);
+        const double across = std::min(friction * (1 + e) * fall, speed * 2 / 7);
+        const Vec3 velocity = world.state().velocity[0];
+        QVERIFY((velocity - Vec3(speed - across, e * fall, 0)).norm() < rounding * fall);
+        const Vec3 spin = world.state().angularVelocity[0];
+        QVERIFY((spin - Vec3(0, 0, -2.5 * across / radius)).norm() < rounding * speed / radius);
+    }
+}
+
+void FlightsTest::ballsThatSlideOnATableStayOnItAndCollideAsOnAPlane() {
+    constexpr double radius = 0.03;
+    Body cue = sphere(radius, 0.2, Vec3(0, radius, 0.01), Vec3(3, 0, 0));
+    Body target = sphere(radius, 0.2, Vec3(0.2, radius, 0));
+    Body table = wall(Vec3::UnitY(), 0);
+    cue.elastic = target.elastic = 1;
+    table.elastic = 0;
+    SimulationSettings options;
+    options.method = "contacts";
+    World world = worldOf(sceneOf({cue, target, table}, down), options);
+    run(world, 30);
+    const State& state = world.state();
+    QCOMPARE(state.pose[0].position.y(), radius);
+    QCOMPARE(state.pose[1].position.y(), radius);
+    // Equal masses, e = 1: they part at a right angle, and no energy is lost.
+    QVERIFY(std::abs(state.velocity[0].dot(state.velocity[1])) < 1e-12);
+    const double squares = state.velocity[0].squaredNorm() + state.velocity[1].squaredNorm();
+    QVERIFY(std::abs(squares - 9) < 1e-12);
+    QVERIFY(state.velocity[1].norm() > 1);
+}
+
+void FlightsTest::aPileOfSpheresComesToRestWithoutOverlap() {
+    constexpr double allowed = 0.01; // of the radius
+    World world(pipelineOf("pile", 200, "contacts"));
+    double energy = energyOf(world), before = energy;
+    for (int frame = 0; frame < 180; ++frame) {
+        run(world, 1);
+        // Parting may lift spheres by what they overlapped, never more.
+        QVERIFY(energyOf(world) <= before + 1e-3 * std::abs(energy));
+        before = energyOf(world);
+    }
+    QVERIFY(deepestOverlap(world) < allowed);
+    QVERIFY(world.statistics().kinetic < 1e-3 * energy);
+}
+
+} // namespace
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::FlightsTest)
+#include "flights_test.moc"
