@@ -16,8 +16,11 @@ constexpr double interval = 200;  ///< [ms] between lines
 Progress::Progress(std::int64_t total, std::string_view things)
     : m_total(total), m_things(things), m_nextShow(patience), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
 
-Progress::~Progress() {
+Progress::~Progress() { pause(); }
+
+void Progress::pause() {
     if (m_shown) std::fputs("\r\x1b[K", stderr);
+    m_shown = false;
 }
 
 void Progress::update(std::int64_t done) {

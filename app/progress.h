@@ -18,6 +18,8 @@ class Progress {
     ~Progress(); ///< wipes the line
 
     void update(std::int64_t done);
+    /// Wipes the line until the next update, so that something else can be printed.
+    void pause();
 
   private:
     Stopwatch m_watch;

@@ -67,20 +67,27 @@ int runStudy(const Arguments& arguments) {
     const auto total = static_cast<std::int64_t>(plan.cases.size() * plan.columns.size());
     auto progress = std::make_unique<Progress>(total, "trials");
     std::int64_t done = 0;
+    std::string report;
     StabilityListener listener;
     listener.goOn = [&] {
         progress->update(done);
         return !interrupted();
     };
-    listener.ends = [&](const TrialResult&) { progress->update(++done); };
+    listener.ends = [&](const TrialResult& result) {
+        const std::string lines = describe(result);
+        progress->pause();
+        printOut(lines);
+        report += lines;
+        progress->update(++done);
+    };
     const StabilityStudy study = runStability(plan, listener);
     progress.reset();
 
-    const std::string summary = summaryOf(study);
+    const std::string summary = "\n" + summaryOf(study);
     printOut(summary);
     if (folder) {
         writeFile(*folder, "stability.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
-        writeFile(*folder, "summary.txt", summary);
+        writeFile(*folder, "summary.txt", report + summary);
     }
     if (!study.complete) return exitcode::interrupted;
     return study.allHold() ? exitcode::done : exitcode::stabilityFailed;

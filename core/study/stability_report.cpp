@@ -30,22 +30,19 @@ std::string tallyOf(const StabilityStudy& study, StudyColumn column) {
            " hold";
 }
 
+std::string describe(const TrialResult& result) {
+    if (result.verdict == Verdict::NotApplicable) return {};
+    const HardCase& hardCase = *result.hardCase;
+    std::string text = std::to_string(hardCase.number) + " ";
+    text.append(hardCase.name).append(", ").append(nameOf(result.column)).append(": ");
+    text.append(nameOf(result.verdict)).append(" (").append(figure(result.seconds, 2)).append(" s)\n");
+    for (const Figure& figure : result.figures)
+        text.append(figure.holds() ? "      " : "    ! ").append(describe(figure)).append("\n");
+    return text;
+}
+
 std::string summaryOf(const StabilityStudy& study) {
     std::string summary;
-    const HardCase* last = nullptr;
-    for (const TrialResult& result : study.results) {
-        if (result.hardCase != last) {
-            last = result.hardCase;
-            summary += std::to_string(last->number) + " " + std::string(last->name) + ": " +
-                       std::string(last->title) + "\n";
-        }
-        if (result.verdict == Verdict::NotApplicable) continue;
-        summary.append("    ").append(nameOf(result.column)).append(" ");
-        summary.append(nameOf(result.verdict)).append(" (").append(figure(result.seconds, 2)).append(" s)\n");
-        for (const Figure& figure : result.figures)
-            summary.append(figure.holds() ? "        " : "      ! ").append(describe(figure)).append("\n");
-    }
-    summary += '\n';
     for (const StudyColumn column : study.plan.columns) summary += tallyOf(study, column) + "\n";
     return summary;
 }

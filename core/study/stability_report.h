@@ -10,10 +10,12 @@
 
 namespace carom {
 
-/// "holds: energy error 3.2e-14, limit 1e-05", one line a figure.
+/// "energy error 3.2e-14, limit 1e-05".
 std::string describe(const Figure& figure);
 
-/// For people: two lines or more a case, then a sentence a column: how many hold.
+/// For people: the case, its verdict and a line a figure; nothing where the case does not apply.
+std::string describe(const TrialResult& result);
+/// A sentence a column: how many hold.
 std::string summaryOf(const StabilityStudy& study);
 /// "default: 21 of 24 hold".
 std::string tallyOf(const StabilityStudy& study, StudyColumn column);

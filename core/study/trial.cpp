@@ -9,11 +9,10 @@
 namespace carom {
 
 std::string simulationOf(StudyColumn column, std::string_view further) {
-    static constexpr std::array<std::string_view, 3> settings = {
-        "method contacts", "method contacts  preset accurate", "method events"};
-    std::string text = "simulation { ";
-    text.append(settings[static_cast<std::size_t>(column)]).append("  ").append(further).append(" }\n");
-    return text;
+    static constexpr std::array<std::string_view, 3> settings = {"", "preset accurate", "method events"};
+    const std::string_view own = settings[static_cast<std::size_t>(column)];
+    if (own.empty() && further.empty()) return {};
+    return std::string("simulation { ").append(own).append("  ").append(further).append(" }\n");
 }
 
 Trial::Trial(const HardCase& hardCase, StudyColumn column, StudyLength length, std::function<bool()> goOn)
@@ -21,16 +20,17 @@ Trial::Trial(const HardCase& hardCase, StudyColumn column, StudyLength length, s
 
 World Trial::world(const std::string& declarations, std::string_view simulation) const {
     const Build built = build(declarations + simulationOf(m_column, simulation));
-    ASSERT(!built.hasErrors()); // a case is written by us
+    ASSERT(!built.hasErrors()); // cases are written by us
     return World(built.pipeline);
 }
 
+bool Trial::goesOn() {
+    m_stopped = m_stopped || (m_goOn && !m_goOn());
+    return !m_stopped;
+}
+
 bool Trial::step(World& world) {
-    if (m_stopped || !world.health().finite) return false;
-    if (m_goOn && !m_goOn()) {
-        m_stopped = true;
-        return false;
-    }
+    if (!world.health().finite || !goesOn()) return false;
     world.step();
     if (!world.health().finite) expectNone("lost states", 1);
     return world.health().finite;

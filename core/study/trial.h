@@ -20,7 +20,7 @@ struct Limits {
     double byDefault = 0, accurate = 0;
 };
 
-/// The `simulation` declaration of a column with further parameters.
+/// The `simulation` declaration of a column with further parameters; none where there is nothing to say.
 std::string simulationOf(StudyColumn column, std::string_view further);
 
 class Trial {
@@ -46,6 +46,8 @@ class Trial {
     /// So many frames, and what `each` looks at after every one.
     void run(World& world, std::int64_t frames, const std::function<void()>& each = {});
     bool stopped() const { return m_stopped; }
+    /// Asks whether to go on, for what does not step worlds.
+    bool goesOn();
 
     /// The figure must be at most the limit of the column.
     void expect(std::string name, double value, Limits limits, std::string_view unit = {});

@@ -61,7 +61,7 @@ void runStiff(Trial& trial) {
     for (double phase = 0.1; phase <= most * 1.01; phase *= 10) {
         const double h = trial.world(stiff(1)).pipeline().settings().substep();
         World world = trial.world(stiff(std::pow(phase / h, 2)));
-        trial.run(world, trial.shortOrLong(600, 6000),
+        trial.run(world, trial.shortOrLong(300, 6000),
                   [&] { furthest = std::max(furthest, world.state().pose[0].position.norm()); });
         for (const std::string_view integrator : {"euler", "symplectic", "verlet"}) {
             const std::string explicitly =

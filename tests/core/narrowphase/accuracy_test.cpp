@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/point_distance.h"
-#include "tests/core/narrowphase/random_pairs.h"
-#include "tests/core/narrowphase/support_oracle.h"
+#include "core/study/cases/random_pairs.h"
+#include "core/study/cases/support_oracle.h"
 
 #include <QtTest/QTest>
 
@@ -51,7 +51,7 @@ fcl::CollisionObjectd placed(const Shape& shape, const Pose& pose) {
     return {geometryOf(shape), turn.toRotationMatrix(), pose.position};
 }
 
-double distanceByFcl(const Pair& pair) {
+double distanceByFcl(const ShapePair& pair) {
     const fcl::CollisionObjectd a = placed(pair.shapeA, pair.poseA);
     const fcl::CollisionObjectd b = placed(pair.shapeB, pair.poseB);
     fcl::DistanceRequestd request;
@@ -65,7 +65,7 @@ double distanceByFcl(const Pair& pair) {
 
 // The depth FCL reports, the greatest of its contacts; its own signed distance is not asked for, because
 // libfcl 0.7 aborts in an assertion on the first overlapping pair.
-std::optional<double> depthByFcl(const Pair& pair) {
+std::optional<double> depthByFcl(const ShapePair& pair) {
     const fcl::CollisionObjectd a = placed(pair.shapeA, pair.poseA);
     const fcl::CollisionObjectd b = placed(pair.shapeB, pair.poseB);
     fcl::CollisionRequestd request(8, true);
@@ -118,8 +118,8 @@ class AccuracyTest : public QObject {
         double worst = 0;
         for (int i = 0; i < trials(1000); ++i) {
             const double spread = i % 7 == 0 ? 30 : 3; // aspect ratios to 900
-            const Pair pair = randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
-                                         allPoses[i % 5], spread);
+            const ShapePair pair = randomPair(random, static_cast<ShapeKind>(kindA),
+                                              static_cast<ShapeKind>(kindB), allPoses[i % 5], spread);
             const double found = proximityOf(pair.a(), pair.b()).distance;
             const double best = greatestGap(pair.a(), pair.b());
             worst = std::max(worst, (best - found) / pair.size());
@@ -139,8 +139,9 @@ class AccuracyTest : public QObject {
         double worst = 0;
         double worstWitness = 0;
         for (int i = 0; i < trials(100000); ++i) {
-            const Pair pair = randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
-                                         allPoses[i % 5], i % 7 == 0 ? 30 : 3);
+            const ShapePair pair =
+                randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
+                           allPoses[i % 5], i % 7 == 0 ? 30 : 3);
             const Proximity found = proximityOf(pair.a(), pair.b());
             const double gap = gapBySupport(pair.a(), pair.b(), found.normal);
             const QByteArray name = nameOfTrial(i, found.distance, gap);
@@ -167,8 +168,9 @@ class AccuracyTest : public QObject {
         double worst = 0;
         int compared = 0;
         for (int i = 0; i < trials(5000); ++i) {
-            const Pair pair = randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
-                                         i % 2 == 0 ? Poses::Random : Poses::Parallel);
+            const ShapePair pair =
+                randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
+                           i % 2 == 0 ? Poses::Random : Poses::Parallel);
             const double found = proximityOf(pair.a(), pair.b()).distance;
             if (found <= 0) continue;
             const double expected = distanceByFcl(pair);
@@ -192,8 +194,9 @@ class AccuracyTest : public QObject {
         double mean = 0;
         int compared = 0;
         for (int i = 0; i < trials(5000); ++i) {
-            const Pair pair = randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
-                                         i % 2 == 0 ? Poses::Random : Poses::Parallel);
+            const ShapePair pair =
+                randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
+                           i % 2 == 0 ? Poses::Random : Poses::Parallel);
             const double found = -proximityOf(pair.a(), pair.b()).distance;
             if (found <= 0) continue;
             const std::optional<double> expected = depthByFcl(pair);

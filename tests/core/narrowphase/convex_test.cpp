@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/convex.h"
 
-#include "tests/core/narrowphase/random_pairs.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
 
@@ -19,7 +19,7 @@ void check(ShapeKind kindA, ShapeKind kindB) {
     Random random(seed, static_cast<std::uint64_t>(kindA) * 8 + static_cast<std::uint64_t>(kindB));
     double worst = 0;
     for (int i = 0; i < trials; ++i) {
-        const Pair pair = randomPair(random, kindA, kindB, allPoses[i % 5]);
+        const ShapePair pair = randomPair(random, kindA, kindB, allPoses[i % 5]);
         const Proximity special = proximityOf(pair.a(), pair.b());
         const Proximity generic = proximityConvex(pair.a(), pair.b());
         const double error = std::abs(special.distance - generic.distance) / pair.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/point_distance.h"
-#include "tests/core/narrowphase/random_pairs.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
 
@@ -166,7 +166,7 @@ class ManifoldTest : public QObject {
             const ShapeKind kindA = kinds[random.below(4)];
             const ShapeKind kindB = kinds[random.below(4)];
             if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) continue;
-            const Pair pair = randomPair(random, kindA, kindB, allPoses[i % 5]);
+            const ShapePair pair = randomPair(random, kindA, kindB, allPoses[i % 5]);
             const double size = pair.size();
             const double margin = 0.01 * size;
             const Proximity nearest = proximityOf(pair.a(), pair.b());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/separating_axis.h"
 
-#include "tests/core/narrowphase/random_pairs.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
 
@@ -22,7 +22,7 @@ class SeparatingAxisTest : public QObject {
     void theGapAlongAnyDirectionIsAtMostTheDistance() {
         Random random(seed);
         for (int i = 0; i < 20000; ++i) {
-            const Pair pair = randomPair(random, solid[i % 2], solid[i / 2 % 2], allPoses[i % 5]);
+            const ShapePair pair = randomPair(random, solid[i % 2], solid[i / 2 % 2], allPoses[i % 5]);
             const Proximity found = proximityOf(pair.a(), pair.b());
             const double limit = found.distance + tolerance * pair.size();
             QVERIFY(gapAlong(randomDirection(random), pair.a(), pair.b()) <= limit);
@@ -35,7 +35,7 @@ class SeparatingAxisTest : public QObject {
         Random random(seed, 1);
         int apart = 0;
         for (int i = 0; i < 20000; ++i) {
-            const Pair pair = randomPair(random, solid[i % 2], solid[i / 2 % 2], allPoses[i % 5]);
+            const ShapePair pair = randomPair(random, solid[i % 2], solid[i / 2 % 2], allPoses[i % 5]);
             Manifold manifold;
             if (collide(pair.a(), pair.b(), 0, manifold)) continue;
             QVERIFY(gapAlong(manifold.normal, pair.a(), pair.b()) > -tolerance * pair.size());
@@ -47,7 +47,7 @@ class SeparatingAxisTest : public QObject {
     void rememberingAxesChangesNoAnswerAndSparesMostTests() {
         Random random(seed, 2);
         constexpr std::size_t count = 200;
-        std::vector<Pair> pairs;
+        std::vector<ShapePair> pairs;
         std::vector<Vec3> velocities;
         for (std::size_t i = 0; i < count; ++i) {
             pairs.push_back(randomPair(random, solid[i % 2], solid[i / 2 % 2], Poses::Random));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/core/narrowphase/random_pairs.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
 
@@ -26,8 +26,8 @@ Shape scaled(const Shape& shape, double factor) {
     return Cuboid{factor * std::get_if<Cuboid>(&shape)->halfSize};
 }
 
-Pair scaled(const Pair& pair, double factor) {
-    Pair result = pair;
+ShapePair scaled(const ShapePair& pair, double factor) {
+    ShapePair result = pair;
     result.shapeA = scaled(pair.shapeA, factor);
     result.shapeB = scaled(pair.shapeB, factor);
     result.poseA.position *= factor;
@@ -35,8 +35,8 @@ Pair scaled(const Pair& pair, double factor) {
     return result;
 }
 
-Pair turned(const Pair& pair, const Quat& turn) {
-    Pair result = pair;
+ShapePair turned(const ShapePair& pair, const Quat& turn) {
+    ShapePair result = pair;
     for (Shape* shape : {&result.shapeA, &result.shapeB})
         if (Wall* wall = std::get_if<Wall>(shape)) wall->normal = turn * wall->normal;
     if (!isWall(pair.shapeA)) result.poseA = {turn * pair.poseA.position, turn * pair.poseA.orientation};
@@ -74,7 +74,7 @@ class SymmetryTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void exchangingAAndBChangesNoBitButTheNormalsSign() {
-        forAllPairs([](const Pair& pair, const QString& name) {
+        forAllPairs([](const ShapePair& pair, const QString& name) {
             const double margin = 0.05 * pair.size();
             const Proximity there = proximityOf(pair.a(), pair.b());
             const Proximity back = proximityOf(pair.b(), pair.a());
@@ -99,12 +99,12 @@ class SymmetryTest : public QObject {
     }
 
     void scalingByAPowerOfTwoScalesEveryBit() {
-        forAllPairs([](const Pair& pair, const QString& name) {
+        forAllPairs([](const ShapePair& pair, const QString& name) {
             const double margin = 0.05 * pair.size();
             Manifold small;
             const bool found = collide(pair.a(), pair.b(), margin, small);
             for (const double factor : {0x1p-20, 0x1p20}) { // a millionth and a million
-                const Pair large = scaled(pair, factor);
+                const ShapePair large = scaled(pair, factor);
                 const Proximity p = proximityOf(pair.a(), pair.b());
                 const Proximity q = proximityOf(large.a(), large.b());
                 QVERIFY2(sameBits(q.distance, factor * p.distance) && sameBits(q.normal, p.normal) &&
@@ -126,8 +126,8 @@ class SymmetryTest : public QObject {
     void turningTheWholeSceneKeepsTheDistance() {
         Random turns(seed, 100);
         double worst = 0;
-        forAllPairs([&](const Pair& pair, const QString& name) {
-            const Pair other = turned(pair, randomOrientation(turns));
+        forAllPairs([&](const ShapePair& pair, const QString& name) {
+            const ShapePair other = turned(pair, randomOrientation(turns));
             const double before = proximityOf(pair.a(), pair.b()).distance;
             const double after = proximityOf(other.a(), other.b()).distance;
             worst = std::max(worst, std::abs(after - before) / pair.size());
@@ -137,9 +137,9 @@ class SymmetryTest : public QObject {
     }
 
     void shapesWithOneCentreHaveAFiniteContactThatIsTheSameEachTime() {
-        forAllPairs([](const Pair& pair, const QString& name) {
+        forAllPairs([](const ShapePair& pair, const QString& name) {
             if (isWall(pair.shapeA) || isWall(pair.shapeB)) return;
-            Pair together = pair;
+            ShapePair together = pair;
             together.poseB.position = pair.poseA.position;
             Manifold first;
             Manifold second;

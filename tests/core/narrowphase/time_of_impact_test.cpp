@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/time_of_impact.h"
 
-#include "tests/core/narrowphase/random_pairs.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
 
@@ -133,7 +133,8 @@ class TimeOfImpactTest : public QObject {
         constexpr int steps = 2000;
         int met = 0;
         for (int i = 0; i < 300; ++i) {
-            Pair pair = randomPair(random, kinds[random.below(3)], kinds[random.below(3)], Poses::Random);
+            ShapePair pair =
+                randomPair(random, kinds[random.below(3)], kinds[random.below(3)], Poses::Random);
             if (proximityOf(pair.a(), pair.b()).distance <= 0) continue;
             const Vec3 towards = (pair.poseA.position - pair.poseB.position).normalized();
             MovingShape a =

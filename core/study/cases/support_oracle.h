@@ -14,7 +14,7 @@
 // directions, by trying many and walking uphill from the best. It knows nothing of a shape but its support
 // function, and every value it returns is the gap along some direction, hence never too large.
 
-namespace carom::testing {
+namespace carom {
 
 inline double gapBySupport(const PlacedShape& a, const PlacedShape& b, const Vec3& n) {
     const Vec3 onA = a.pose->directionToWorld(supportOf(*a.shape, a.pose->directionToBody(n)));
@@ -82,4 +82,4 @@ inline double greatestGap(const PlacedShape& a, const PlacedShape& b) {
     return best;
 }
 
-} // namespace carom::testing
+} // namespace carom

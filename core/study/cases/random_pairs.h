@@ -8,16 +8,16 @@
 #include <cmath>
 #include <numbers>
 
-// Random pairs of placed shapes for the narrow phase's tests: any sizes, any poses, and the poses that break
+// Random pairs of placed shapes: any sizes, any poses, and the poses that break
 // programs: parallel, nearly parallel, one centre, edge to edge.
 
-namespace carom::testing {
+namespace carom {
 
 enum class Poses { Random, Parallel, NearlyParallel, OneCentre, Touching };
 inline constexpr Poses allPoses[] = {Poses::Random, Poses::Parallel, Poses::NearlyParallel, Poses::OneCentre,
                                      Poses::Touching};
 
-struct Pair {
+struct ShapePair {
     Shape shapeA, shapeB;
     Pose poseA, poseB;
 
@@ -65,8 +65,9 @@ inline Shape randomShape(Random& random, ShapeKind kind, double spread) {
 }
 
 /// Two shapes whose extents differ by up to spread², near enough to touch about half of the time.
-inline Pair randomPair(Random& random, ShapeKind kindA, ShapeKind kindB, Poses poses, double spread = 3) {
-    Pair pair;
+inline ShapePair randomPair(Random& random, ShapeKind kindA, ShapeKind kindB, Poses poses,
+                            double spread = 3) {
+    ShapePair pair;
     pair.shapeA = randomShape(random, kindA, spread);
     pair.shapeB = randomShape(random, kindB, spread);
     pair.poseA.orientation = randomOrientation(random);
@@ -99,4 +100,4 @@ inline Pair randomPair(Random& random, ShapeKind kindA, ShapeKind kindB, Poses p
     return pair;
 }
 
-} // namespace carom::testing
+} // namespace carom
