@@ -2,6 +2,7 @@
 #include "ui/docks/breakpoints_dock.h"
 
 #include "ui/widgets/body_title.h"
+#include "ui/widgets/empty_state.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -38,7 +39,9 @@ BreakpointsDock::BreakpointsDock(QWidget* parent)
       m_remove(button("breakRemove", tr("Remove"), tr("Forget the selected breakpoint"))),
       m_back(button("breakBack", tr("Back to the last one"),
                     tr("Go back to the last frame before this one at which a breakpoint held (Shift+F9)"))),
-      m_list(new QListWidget) {
+      m_list(new QListWidget),
+      m_state(new EmptyState(m_list, tr("Choose an event at the left and press Add: the run stops when it "
+                                        "happens.\nShift+F9 finds the last one backwards."))) {
     setObjectName(QStringLiteral("breakpoints"));
     m_kind->setObjectName(QStringLiteral("breakKind"));
     m_a->setObjectName(QStringLiteral("breakA"));
@@ -62,6 +65,7 @@ BreakpointsDock::BreakpointsDock(QWidget* parent)
     connect(m_list, &QListWidget::itemChanged, this, &BreakpointsDock::report);
     fillBodies();
     showFields();
+    m_state->setEmpty(true);
 }
 
 void BreakpointsDock::layOut() {
@@ -89,7 +93,7 @@ void BreakpointsDock::layOut() {
     QHBoxLayout* row = new QHBoxLayout(content);
     row->setContentsMargins(6, 4, 6, 6);
     row->addWidget(left);
-    row->addWidget(m_list, 1);
+    row->addWidget(m_state, 1);
     setWidget(content);
     setFocusProxy(m_kind);
 }
@@ -169,6 +173,7 @@ void BreakpointsDock::report() {
     }
     m_back->setEnabled(!active.empty());
     m_remove->setEnabled(!m_entries.empty());
+    m_state->setEmpty(m_entries.empty());
     Q_EMIT changed(active);
 }
 

@@ -17,6 +17,8 @@ class QToolButton;
 
 namespace carom {
 
+class EmptyState;
+
 /// The events at which a run stops: a contact, a depth, a drift of energy, a speed, a plane crossed. Each can
 /// be switched off. Bodies are remembered by name, so breakpoints survive an edit.
 class BreakpointsDock : public QDockWidget {
@@ -65,6 +67,7 @@ class BreakpointsDock : public QDockWidget {
     QToolButton* m_remove;
     QToolButton* m_back;
     QListWidget* m_list;
+    EmptyState* m_state;
 };
 
 } // namespace carom

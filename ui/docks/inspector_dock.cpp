@@ -13,10 +13,13 @@
 namespace carom {
 namespace {
 
-enum Column : int { Name, Value, Unit };
+enum Column : int { Name, Value };
+
+/// Of the value's cell: the figure without its unit, and the unit.
+constexpr int figureRole = Qt::UserRole, unitRole = Qt::UserRole + 1;
 
 constexpr int refreshInterval = 100; // [ms]
-constexpr int digits = 7;            // significant: more change too quickly to be read
+constexpr int digits = 6;            // significant: more change too quickly to be read
 
 QString text(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
@@ -24,6 +27,12 @@ QString text(std::string_view utf8) {
 
 QString figure(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', digits) : QStringLiteral("–");
+}
+
+void setFigure(QTreeWidgetItem& row, const QString& value) {
+    const QString unit = row.data(Value, unitRole).toString();
+    row.setData(Value, figureRole, value);
+    row.setText(Value, unit.isEmpty() || value.isEmpty() ? value : value + u' ' + unit);
 }
 
 QString triple(const Vec3& v) {
@@ -37,15 +46,14 @@ InspectorDock::InspectorDock(QWidget* parent)
       m_state(new EmptyState(m_tree, tr("The scene is empty.\nClick a body, or put the caret into its "
                                         "declaration, to see its values here."))) {
     setObjectName(QStringLiteral("inspector"));
-    m_tree->setHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit")});
+    m_tree->setHeaderLabels({tr("Quantity"), tr("Value")});
     m_tree->setRootIsDecorated(false);
     m_tree->setIndentation(10);
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setAccessibleName(tr("Values of the selected body"));
-    m_tree->header()->setSectionResizeMode(Name, QHeaderView::ResizeToContents);
-    m_tree->header()->setSectionResizeMode(Value, QHeaderView::Stretch);
-    m_tree->header()->setSectionResizeMode(Unit, QHeaderView::ResizeToContents);
+    m_tree->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(Value, QHeaderView::ResizeToContents);
     m_tree->header()->setStretchLastSection(false);
     setWidget(m_state);
     setFocusProxy(m_tree);
@@ -78,7 +86,7 @@ void InspectorDock::showBody(BodyIndex body) {
 
 QString InspectorDock::valueOf(const QString& name) const {
     for (QTreeWidgetItem* item : m_tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, Name))
-        return item->text(Value);
+        return item->data(Value, figureRole).toString();
     return {};
 }
 
@@ -94,7 +102,10 @@ QTreeWidgetItem* InspectorDock::addGroup(const QString& title) {
 
 void InspectorDock::addRow(QTreeWidgetItem* group, const QString& name, const QString& value,
                            const QString& unit) {
-    QTreeWidgetItem* row = new QTreeWidgetItem(group, {name, value, unit});
+    QTreeWidgetItem* row = new QTreeWidgetItem(group, {name});
+    row->setToolTip(Name, name);
+    row->setData(Value, unitRole, unit);
+    setFigure(*row, value);
     row->setTextAlignment(Value, Qt::AlignRight | Qt::AlignVCenter);
 }
 
@@ -159,7 +170,7 @@ void InspectorDock::refresh() {
     }
     const std::span<const QuantityRow> rows = m_body == noBody ? wholeQuantities() : bodyQuantities();
     for (int i = 0; i < m_live->childCount(); ++i)
-        m_live->child(i)->setText(Value, figure(rows[static_cast<std::size_t>(i)].measure(moment, m_body)));
+        setFigure(*m_live->child(i), figure(rows[static_cast<std::size_t>(i)].measure(moment, m_body)));
 }
 
 } // namespace carom

@@ -81,6 +81,7 @@ void LivePreview::show(SharedBuild result) {
 }
 
 void LivePreview::land() {
+    if (!m_coming) return; // somebody else exchanged the scene for itself
     m_shown = std::move(m_coming);
     m_coming.reset();
     m_viewport.showPipeline(m_shown->build.pipeline);

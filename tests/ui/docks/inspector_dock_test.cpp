@@ -48,7 +48,7 @@ class InspectorDockTest : public QObject {
         dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
         for (int frame = 0; frame < 6; ++frame) world.step();
         dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
-        const QString x = QString::number(world.state().pose[1].position.x(), 'g', 7);
+        const QString x = QString::number(world.state().pose[1].position.x(), 'g', 6);
         QTRY_COMPARE_WITH_TIMEOUT(dock.valueOf(QStringLiteral("position x")), x, patience);
         QVERIFY(dock.valueOf(QStringLiteral("contact force")).toDouble() < 1e-6); // it is falling
     }
