@@ -177,7 +177,8 @@ void Flights::strikeWall(const FlightInput& input, BodyIndex ball, std::uint32_t
     const double closing = -plane.normal.dot(stamp.velocity);
     const bool pulled = plane.normal.dot(input.gravity) < 0;
     const bool comesToRest = pulled && (law.restitution == 0 || closing <= law.leastImpact);
-    if (comesToRest && (law.friction > 0 || m_support[ball] != 0)) {
+    // A series of bounces that ends within the substep has a closed form there (bounce_train.h).
+    if (comesToRest && (law.friction > 0 || law.restitution > 0 || m_support[ball] != 0)) {
         m_grounded[ball] = 1;
         return;
     }
