@@ -250,7 +250,8 @@ bool IslandMotion::findStop(Braked& first) const {
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
         const ContactRow& row = m_problem.rows[i];
         const double normal = row.impulse.x();
-        if (!(normal > 0)) continue;
+        // Where a body turns about a corner that sticks, the corner's speed over a part is that of turning.
+        if (!(normal > 0) || m_stuck[i] != 0) continue;
         Vec3 slip = Vec3::Zero();
         Vec2 roll = Vec2::Zero();
         const auto add = [&](int body, const Mat36& jacobian, double sign) {

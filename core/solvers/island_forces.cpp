@@ -15,6 +15,9 @@ constexpr double shortestMemory = 0.1;
 /// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
 constexpr int rescueSweeps = 200;
 
+/// A friction force nearer to the edge of its cone than this part of it is at the edge: the contact slides.
+constexpr double coneEdge = 1e-6;
+
 } // namespace
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
@@ -51,6 +54,7 @@ double IslandMotion::gentleClosing(const ContactPair& pair) const {
 void IslandMotion::chooseRows(double duration, bool locating) {
     m_problem.rows.clear();
     m_rowPoint.clear();
+    m_stuck.clear();
     m_waits.assign(m_contacts.points.size(), 0);
     for (std::uint32_t i = 0; i < m_contacts.points.size(); ++i) {
         ContactConstraint& point = m_contacts.points[i];
@@ -71,6 +75,9 @@ void IslandMotion::chooseRows(double duration, bool locating) {
         row.rollingImpulse = duration * point.rollingTorque;
         m_problem.rows.push_back(row);
         m_rowPoint.push_back(i);
+        const double most = (1 - coneEdge) * point.force.x();
+        m_stuck.push_back(point.force.tail<2>().norm() < row.friction * most &&
+                          (row.rolling == 0 || point.rollingTorque.norm() < row.rolling * most));
     }
 }
 

@@ -113,6 +113,7 @@ class IslandMotion {
     std::vector<Vec6> m_lastVelocity;      // by body of m_problem, of the round before
     std::vector<Start> m_start;            // by body of m_problem
     std::vector<std::uint32_t> m_rowPoint; // by row, the point of m_contacts
+    std::vector<std::uint8_t> m_stuck;     // by row, 1: it neither slid nor rolled when last solved for
     std::vector<std::uint8_t> m_waits;     // by point, 1: open, and may close hard within the substep
     std::vector<std::uint8_t> m_held;      // by pair, 1: a contact force acts in it
     std::vector<std::uint8_t> m_pushed;    // by body of m_problem, 1: something besides gravity acts on it
