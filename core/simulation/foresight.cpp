@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/foresight.h"
 
+#include "core/simulation/mend.h"
+
 #include "core/integrators/integrator.h"
 
 #include "core/broadphase/broadphase.h"
 #include "core/broadphase/crowding.h"
 #include "core/narrowphase/narrowphase.h"
+#include "core/solvers/contact_settings.h"
 
 #include "core/base/figures.h"
 
@@ -40,10 +43,13 @@ constexpr std::size_t mostWallPairs = 10'000'000;
 constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
 
-// Bodies behind walls and overlaps, each found at most so often.
-class Overlaps {
+/// Mass ratio in contact up to which a run that does not solve for the forces exactly still holds.
+constexpr double mostRatio = 1000;
+
+// What touches what at the start: bodies behind walls, overlaps and mass ratios, each found at most so often.
+class Touches {
   public:
-    explicit Overlaps(const Scene& scene) : m_scene(scene) {}
+    Touches(const Scene& scene, const RunSettings& settings) : m_scene(scene), m_settings(settings) {}
 
     void findAll() {
         const Bodies bodies = bodiesOf(m_scene);
@@ -52,7 +58,9 @@ class Overlaps {
         std::vector<Aabb> boxes;
         std::vector<std::uint8_t> mobile;
         for (const BodyIndex i : bodies.bounded) {
-            boxes.push_back(boundsOf(bodies.shape[i], m_scene.bodies[i].pose));
+            // A little grown: bodies that stand on each other may be a rounding apart.
+            boxes.push_back(grown(boundsOf(bodies.shape[i], m_scene.bodies[i].pose),
+                                  touching * bodies.boundingRadius[i]));
             mobile.push_back(bodies.mobile[i]);
         }
         std::size_t looked = boxes.size();
@@ -62,6 +70,7 @@ class Overlaps {
         const std::unique_ptr<Broadphase> broadphase = chooseBroadphase(input).row->create();
         broadphase->update(input);
         for (const BodyPair pair : broadphase->pairs()) between(pair.a, pair.b);
+        sayRatios();
     }
 
     std::vector<Diagnostic> diagnostics;
@@ -95,12 +104,13 @@ class Overlaps {
     }
 
     void between(BodyIndex a, BodyIndex b) {
-        if (m_overlaps >= mostOfAKind) return;
         const Body& bodyA = m_scene.bodies[a];
         const Body& bodyB = m_scene.bodies[b];
-        if (!collide({&bodyA.shape, &bodyA.pose}, {&bodyB.shape, &bodyB.pose}, 0, m_manifold)) return;
+        const double slop = touching * std::min(thicknessOf(m_scene, a), thicknessOf(m_scene, b));
+        if (!collide({&bodyA.shape, &bodyA.pose}, {&bodyB.shape, &bodyB.pose}, slop, m_manifold)) return;
+        noteRatio(a, b);
         const double depth = -m_manifold.deepest().separation;
-        if (depth <= touching * std::min(thicknessOf(m_scene, a), thicknessOf(m_scene, b))) return;
+        if (depth <= slop || m_overlaps >= mostOfAKind) return;
         ++m_overlaps;
         // The later one of the text is named first: it is the one that was put into the other.
         const BodyIndex later = isWall(bodyB.shape) ? a : b;
@@ -111,11 +121,66 @@ class Overlaps {
              .message = m_scene.nameOf(later) + " overlaps " + m_scene.nameOf(earlier) + " by " +
                         figure(depth) + " m at the start; move them apart by at least that",
              .notes = {{m_scene.bodies[earlier].source.type, m_scene.nameOf(earlier) + " is here"}},
-             .fixIt = {}});
+             .fixIt = movedApart(later, (later == b ? depth : -depth) * m_manifold.normal)});
+    }
+
+    // The centre moved by the overlap and a millionth more, which is what nine digits round away.
+    std::optional<FixIt> movedApart(BodyIndex body, const Vec3& overlap) const {
+        constexpr double more = 1e-6;
+        constexpr int digits = 9;
+        const Body& moved = m_scene.bodies[body];
+        const Vec3 room = more * thicknessOf(m_scene, body) * overlap.normalized();
+        const Vec3 centre = moved.pose.position + overlap + room;
+        std::string text;
+        for (Eigen::Index k = 0; k < 3; ++k)
+            text.append(k == 0 ? "" : ", ").append(figure(centre[k] == 0 ? 0.0 : centre[k], digits));
+        return valueFixIt(m_scene, moved.source, "centre", text);
+    }
+
+    void noteRatio(BodyIndex a, BodyIndex b) {
+        m_points += m_manifold.count;
+        if (!m_scene.bodies[a].mobile() || !m_scene.bodies[b].mobile() || m_ratios.size() >= mostOfAKind)
+            return;
+        const bool aIsHeavy = m_scene.bodies[a].mass > m_scene.bodies[b].mass;
+        const Ratio ratio{aIsHeavy ? a : b, aIsHeavy ? b : a};
+        if (ratioOf(ratio) > mostRatio) m_ratios.push_back(ratio);
+    }
+
+    // Small islands are solved exactly by `contacts`, larger ones only to the accurate tolerance.
+    void sayRatios() {
+        const bool sweeps = m_settings.iterations > 0 && m_points > mostNewtonMoving &&
+                            m_settings.tolerance >= accurateTolerance;
+        const bool pairByPair = m_settings.iterations == 0 && !m_settings.method->abilities.locatesImpacts;
+        if (!sweeps && !pairByPair) return;
+        const std::string why =
+            sweeps
+                ? "; " + std::to_string(m_settings.iterations) +
+                      " iterations over a pile of this size may not hold that, `preset accurate` would"
+                : "; `" + std::string(m_settings.method->name) +
+                      "` meets each pair once a substep and lets it sink in, `method contacts` would hold it";
+        for (const Ratio& ratio : m_ratios)
+            diagnostics.push_back(
+                {.code = DiagnosticCode::MassRatio,
+                 .range = placeOf(m_scene, ratio.heavy, "mass"),
+                 .message = m_scene.nameOf(ratio.heavy) + " is " + figure(ratioOf(ratio)) +
+                            " times as heavy as " + m_scene.nameOf(ratio.light) + ", which it touches" + why,
+                 .notes = {{placeOf(m_scene, ratio.light, "mass"), m_scene.nameOf(ratio.light) + " is here"}},
+                 .fixIt = sweeps ? settingFixIt(m_scene, "preset", "accurate")
+                                 : settingFixIt(m_scene, "method", "contacts")});
+    }
+
+    struct Ratio {
+        BodyIndex heavy = noBody, light = noBody;
+    };
+    double ratioOf(const Ratio& ratio) const {
+        return m_scene.bodies[ratio.heavy].mass / m_scene.bodies[ratio.light].mass;
     }
 
     const Scene& m_scene;
+    const RunSettings& m_settings;
     Manifold m_manifold;
+    std::vector<Ratio> m_ratios;
+    int m_points = 0; // of contact at the start
     std::size_t m_overlaps = 0;
     std::size_t m_behind = 0;
 };
@@ -132,19 +197,23 @@ std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settin
         const double passed = body.velocity.norm() * settings.substep();
         if (passed <= half) continue;
         const double factor = std::ceil(passed / half); // of substeps that are needed
+        std::optional<FixIt> fixIt;
         std::string message = scene.nameOf(i) + " moves " + figure(passed) +
                               " m a substep, more than its half-extent of " + figure(half) +
                               " m, and may pass through what it meets; ";
         constexpr double mostSubsteps = 10000; // beyond, nobody would run it
-        if (std::isfinite(factor) && factor * settings.substeps <= mostSubsteps)
-            message += "`substeps " + figure(factor * settings.substeps, 6) + "` would hold it";
-        else
+        if (std::isfinite(factor) && factor * settings.substeps <= mostSubsteps) {
+            const std::string substeps = figure(factor * settings.substeps, 6);
+            message += "`substeps " + substeps + "` would hold it";
+            fixIt = settingFixIt(scene, "substeps", substeps);
+        } else {
             message += "it is too fast for any sensible step";
+        }
         found.push_back({.code = DiagnosticCode::Tunnelling,
                          .range = placeOf(scene, i, "vel"),
                          .message = std::move(message),
                          .notes = {},
-                         .fixIt = {}});
+                         .fixIt = std::move(fixIt)});
     }
     return found;
 }
@@ -191,9 +260,9 @@ std::vector<Diagnostic> instability(const Scene& scene, const RunSettings& setti
 std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found = tunnelling(scene, settings);
     for (Diagnostic& diagnostic : instability(scene, settings)) found.push_back(std::move(diagnostic));
-    Overlaps overlaps(scene);
-    overlaps.findAll();
-    for (Diagnostic& diagnostic : overlaps.diagnostics) found.push_back(std::move(diagnostic));
+    Touches touches(scene, settings);
+    touches.findAll();
+    for (Diagnostic& diagnostic : touches.diagnostics) found.push_back(std::move(diagnostic));
     return found;
 }
 

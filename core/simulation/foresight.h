@@ -11,7 +11,8 @@ namespace carom {
 
 /// What can be said before the run about what would go wrong in it, as warnings with the figures that trigger
 /// them: bodies that overlap at the start, bodies behind a wall, bodies that pass their own half-extent in a
-/// substep and so may tunnel, springs too stiff for the integrator. At most fifty of a kind.
+/// substep and so may tunnel, springs too stiff for the integrator, mass ratios in contact that the method
+/// does not hold. At most fifty of a kind.
 std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings);
 
 } // namespace carom

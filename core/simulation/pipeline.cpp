@@ -2,6 +2,7 @@
 #include "core/simulation/pipeline.h"
 
 #include "core/simulation/foresight.h"
+#include "core/simulation/without_effect.h"
 
 #include <algorithm>
 
@@ -25,6 +26,23 @@ void warnOfUnmet(const EffectRow& row, const EffectDecision& decision, std::vect
     }
 }
 
+// Warnings and declarations both ascend, so one pass over the bodies finds all.
+std::vector<BodyIndex> bodiesIn(const Scene& scene, const std::vector<Diagnostic>& warnings) {
+    std::vector<BodyIndex> found;
+    std::size_t next = 0;
+    for (BodyIndex i = 0; i < scene.bodies.size(); ++i) {
+        const SourceRange declaration = scene.bodies[i].source.declaration;
+        while (next < warnings.size() && warnings[next].range.offset < declaration.offset) ++next;
+        for (std::size_t k = next; k < warnings.size() && declaration.contains(warnings[k].range.offset);
+             ++k) {
+            if (warnings[k].severity() == Severity::Hint || warnings[k].range.length == 0) continue;
+            found.push_back(i);
+            break;
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
@@ -37,9 +55,11 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
         warnOfUnmet(row, m_effects.back(), m_warnings);
     }
     for (Diagnostic& warning : foreseen(m_scene, m_settings)) m_warnings.push_back(std::move(warning));
+    for (Diagnostic& hint : withoutEffect(m_scene)) m_warnings.push_back(std::move(hint));
     std::stable_sort(m_warnings.begin(), m_warnings.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return a.range.offset < b.range.offset;
     });
+    m_warnedBodies = bodiesIn(m_scene, m_warnings);
 }
 
 bool Pipeline::simulates(std::string_view effect) const {

@@ -32,6 +32,8 @@ class Pipeline {
     /// What the scene asks for and this version does not do, and what would go wrong in the run, as warnings
     /// at the lines in question.
     const std::vector<Diagnostic>& warnings() const { return m_warnings; }
+    /// The bodies in whose declarations those stand, ascending; what is only hinted at does not count.
+    const std::vector<BodyIndex>& warnedBodies() const { return m_warnedBodies; }
 
   private:
     std::vector<Diagnostic> m_warnings; // first: the others add to it while they are made
@@ -40,6 +42,7 @@ class Pipeline {
     Bodies m_bodies;
     State m_initialState;
     std::vector<EffectDecision> m_effects;
+    std::vector<BodyIndex> m_warnedBodies;
 };
 
 } // namespace carom

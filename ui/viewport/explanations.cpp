@@ -45,7 +45,8 @@ std::vector<std::vector<Vec3>> Explanations::trails() const {
 }
 
 std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snapshot* snapshot) const {
-    if (m_overlays == 0 && !m_ghost.snapshot) return {};
+    const std::vector<BodyIndex>& warned = pipeline.warnedBodies();
+    if (m_overlays == 0 && !m_ghost.snapshot && warned.empty()) return {};
     State state = pipeline.initialState();
     if (snapshot != nullptr) {
         state.pose = snapshot->pose;
@@ -71,6 +72,7 @@ std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snap
                          .trails = passed,
                          .ghost = ghost,
                          .boxes = pipeline.bodies().boxes,
+                         .warned = warned,
                          .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm()});
 }
 

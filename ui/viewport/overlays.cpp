@@ -12,7 +12,7 @@ namespace {
 
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
     pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
-    trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30);
+    trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30), warningColour(1.00, 0.70, 0.15);
 
 /// Two states of one body that differ less than this, relative to its size, are one picture.
 constexpr double sameWithin = 1e-6;
@@ -95,6 +95,9 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
             for (std::size_t i = 1; i < trail.size(); ++i) pen.line(trail[i - 1], trail[i], trailColour);
     if (holds(overlays, Overlay::CentreOfMass)) drawCentreOfMass(pen, state);
     if (state.ghost.scene != nullptr) drawGhost(pen, state.ghost, state);
+    for (const BodyIndex i : state.warned)
+        if (!isWall(state.scene.bodies[i].shape) && state.poses[i].position.allFinite())
+            pen.outline(state.scene.bodies[i].shape, state.poses[i], warningColour);
     if (holds(overlays, Overlay::Structure))
         for (const Aabb& box : state.structure) pen.box(box, structureColour);
     return lines;

@@ -52,6 +52,7 @@ struct OverlayState {
     std::span<const std::vector<Vec3>> trails = {}; ///< needed for Trails only; positions, oldest first [m]
     GhostState ghost = {};                          ///< drawn where there is one
     BoxKind boxes = BoxKind::Tight;                 ///< that the broad-phase works on
+    std::span<const BodyIndex> warned = {};         ///< drawn in the colour of warnings
     double size = 1;                                ///< of the scene [m]: axes are a quarter of it long
 };
 

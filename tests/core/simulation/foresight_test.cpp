@@ -3,12 +3,32 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 // Warnings before the run, each with the figure that triggers it, at the value that does.
 
 namespace carom {
 namespace {
 
 QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+/// The text after the first fix-it of this code, or nothing where there is none.
+QString mended(const char* text, DiagnosticCode code) {
+    const Build built = build(text);
+    for (const Diagnostic& diagnostic : built.diagnostics) {
+        if (diagnostic.code != code || !diagnostic.fixIt) continue;
+        const TextEdit& edit = diagnostic.fixIt->edit;
+        std::string result = built.analysis.text;
+        result.replace(edit.range.offset, edit.range.length, edit.text);
+        return q(result);
+    }
+    return {};
+}
+
+bool says(const QString& text, DiagnosticCode code) {
+    const Build built = build(text.toStdString());
+    return std::ranges::count(built.diagnostics, code, &Diagnostic::code) > 0;
+}
 
 QStringList warningsOf(const char* text) {
     const Build built = build(text);
@@ -107,6 +127,113 @@ class ForesightTest : public QObject {
 
     void aLoneBodyMayBeAsFastAsItLikes() {
         QCOMPARE(warningsOf("sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 1e9, 0, 0 }"), QStringList());
+    }
+
+    void everyMendLeavesNothingToMend_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("code");
+        const auto add = [](const char* name, const char* text, DiagnosticCode code) {
+            QTest::newRow(name) << QByteArray(text) << static_cast<int>(code);
+        };
+        add("overlap of spheres",
+            "sphere { radius 1 mass 1 centre 0, 0, 0 }\nsphere { radius 1 mass 1 centre 0.3, 1.7, 1000 }\n"
+            "sphere { radius 1 mass 1 centre 0.3, 1.1, 1000 }\n",
+            DiagnosticCode::OverlapAtStart);
+        add("overlap with a wall",
+            "cuboid { size 1, 1, 1 mass 1 centre 0, 0.3, 0 rotation 10, 20, 30 }\nwall { normal 0, 1, 0 "
+            "toOrig 0 }",
+            DiagnosticCode::OverlapAtStart);
+        const char* fast = "sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 60, 0, 0 }\n"
+                           "sphere { radius 1 mass 1 centre 5, 0, 0 }\n";
+        static std::string texts[3];
+        texts[0] = std::string("simulation { method microcollisions }\n") + fast;
+        texts[1] = std::string("simulation { method microcollisions  substeps 2 }\n") + fast;
+        add("fast, no substeps", texts[0].c_str(), DiagnosticCode::Tunnelling);
+        add("fast, too few substeps", texts[1].c_str(), DiagnosticCode::Tunnelling);
+        add("heavy on light",
+            "simulation { method microcollisions }\nsphere { radius 1 mass 1 centre 0, 0, 0 }\n"
+            "sphere { radius 1 mass 5000 centre 0, 2, 0 }\n",
+            DiagnosticCode::MassRatio);
+        texts[2] = "wall { normal 0, 1, 0 toOrig 0 }\nsphere { radius 1 mass 1e6 centre 0, 201, 0 }\n";
+        for (int i = 0; i < 100; ++i)
+            texts[2] += "sphere { radius 1 mass 1 centre 0, " + std::to_string(2 * i + 1) + ", 0 }\n";
+        texts[2] += "simulation { method contacts }";
+        add("heavy on a pile", texts[2].c_str(), DiagnosticCode::MassRatio);
+        add("fixed and moving",
+            "cylinder { radius 1 height 1 axis 0, 1, 0 centre 0, 0, 0 fixed yes vel 1, 0, 0 }",
+            DiagnosticCode::WithoutEffect);
+    }
+    void everyMendLeavesNothingToMend() {
+        QFETCH(QByteArray, text);
+        QFETCH(int, code);
+        const auto wanted = static_cast<DiagnosticCode>(code);
+        QVERIFY(says(QString::fromUtf8(text), wanted));
+        const QString after = mended(text.constData(), wanted);
+        QVERIFY(!after.isEmpty());
+        const Build built = build(after.toStdString());
+        QVERIFY2(built.analysis.diagnostics.empty(), qPrintable(after));
+        QVERIFY2(!says(after, wanted), qPrintable(after));
+    }
+
+    void settingsAreWrittenWhereTheyBelong() {
+        const char* fast = "// fast\nsphere { radius 0.1 mass 1 centre 0, 0, 0 vel 60, 0, 0 }\n"
+                           "sphere { radius 1 mass 1 centre 5, 0, 0 }\n%1";
+        const auto after = [&](const char* simulation) {
+            const QByteArray text =
+                QString(QLatin1StringView(fast)).arg(QLatin1StringView(simulation)).toUtf8();
+            return mended(text.constData(), DiagnosticCode::Tunnelling).section('\n', -1);
+        };
+        QCOMPARE(after("simulation { method microcollisions }"),
+                 QStringLiteral("simulation { method microcollisions  substeps 10 }"));
+        QCOMPARE(after("simulation { substeps 3 method microcollisions }"),
+                 QStringLiteral("simulation { substeps 12 method microcollisions }"));
+    }
+
+    void aHeavyBodyOnALightOneIsToldWhatHoldsIt() {
+        QCOMPARE(
+            warningsOf("simulation { method microcollisions }\n"
+                       "sphere light { radius 1 mass 1 centre 0, 0, 0 }\n"
+                       "sphere heavy { radius 1 mass 2500 centre 0, 2, 0 }\n"),
+            QStringList(QStringLiteral(
+                "sdl-mass-ratio `2500`: `heavy` is 2.5e+03 times as heavy as `light`, which it touches; "
+                "`microcollisions` meets each pair once a substep and lets it sink in, `method contacts` "
+                "would hold it")));
+        QCOMPARE(warningsOf("simulation { method microcollisions }\n"
+                            "sphere light { radius 1 mass 1 centre 0, 0, 0 }\n"
+                            "sphere heavy { radius 1 mass 2500 centre 0, 2.01, 0 }\n"),
+                 QStringList());
+        QCOMPARE(warningsOf("simulation { method contacts }\n"
+                            "sphere light { radius 1 mass 1 centre 0, 0, 0 }\n"
+                            "sphere heavy { radius 1 mass 2500 centre 0, 2, 0 }\n"),
+                 QStringList());
+    }
+
+    void whatIsSaidInVainIsHintedAt() {
+        QCOMPARE(
+            warningsOf("sphere post { radius 1 centre 0, 0, 0 fixed yes vel 1, 0, 0 }\n"),
+            QStringList(QStringLiteral("sdl-without-effect `1, 0, 0`: `vel` has no effect: `post` is fixed; "
+                                       "only what is not fixed moves")));
+        QCOMPARE(
+            warningsOf("wall { normal 0, 1, 0 toOrig 0 }\n"
+                       "sphere ball { radius 1 mass 1 centre 0, 2, 0 friction 0.5 }\n"),
+            QStringList(QStringLiteral(
+                "sdl-without-effect `0.5`: `friction` has no effect: a pair has the geometric mean of its "
+                "two, and no body that `ball` can meet has any; give the others friction too")));
+        QCOMPARE(
+            warningsOf("sphere post { radius 1 centre 0, 0, 0 fixed yes }\n"
+                       "spring { from world to post stiffness 1 fromAt 0, 5, 0 }\n"),
+            QStringList(QStringLiteral("sdl-without-effect `spring`: this spring has no effect: neither of "
+                                       "its ends can move; tie it to a body that is not fixed")));
+    }
+
+    void theBodiesThatWarningsStandAtAreKnown() {
+        const Build built = build("wall { normal 0, 1, 0 toOrig 0 }\n"
+                                  "sphere { radius 1 mass 1 centre 9, 5, 0 }\n"
+                                  "sphere { radius 1 mass 1 centre 0, 5, 0 }\n"
+                                  "sphere { radius 1 mass 1 centre 0, 6, 0 }\n"
+                                  "sphere { radius 1 centre 20, 5, 0 fixed yes vel 1, 0, 0 }\n"
+                                  "sphere { radius 1 mass 1 centre 0, -5, 0 }\n");
+        QVERIFY(built.pipeline->warnedBodies() == (std::vector<BodyIndex>{3, 5}));
     }
 
     // Ten thousand bodies in one place have fifty million pairs.

@@ -70,6 +70,22 @@ class OverlaysTest : public QObject {
         for (const LineVertex& vertex : ghostOf(smaller)) QVERIFY(at(vertex).norm() < 0.5 + inFloats);
     }
 
+    void aBodyWithAWarningIsOutlinedAndOthersAreNot() {
+        const Scene scene =
+            sceneOf({sphere(1, 1, {0, 0, 0}), cuboid({2, 2, 2}, 1, {9, 0, 0}), wall(Vec3::UnitY(), -9)});
+        const State state = Pipeline(scene).initialState();
+        const std::vector<BodyIndex> warned = {1, 2};
+        const std::vector<LineVertex> edges = overlayLines(0, {.scene = scene,
+                                                               .poses = state.pose,
+                                                               .velocities = {},
+                                                               .touching = {},
+                                                               .overlapping = {},
+                                                               .structure = {},
+                                                               .warned = warned});
+        QCOMPARE(edges.size(), 24U); // the cuboid's; a wall has no outline
+        for (const LineVertex& vertex : edges) QVERIFY((at(vertex) - Vec3(9, 0, 0)).norm() < 2);
+    }
+
     void trailsJoinThePlacesPassedAndTheCentreOfMassIsMarked() {
         const Scene scene = sceneOf({sphere(1, 3, {0, 0, 0}), sphere(1, 1, {8, 0, 0})});
         const State state = Pipeline(scene).initialState();

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/scene/scene.h"
+
+#include <vector>
+
+namespace carom {
+
+/// What the text says in vain, as hints: the velocity of a body that is fixed, friction that no other body
+/// answers, a spring between ends that cannot move. At most fifty of a kind.
+std::vector<Diagnostic> withoutEffect(const Scene& scene);
+
+} // namespace carom
