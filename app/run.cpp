@@ -65,6 +65,7 @@ int runScene(const Arguments& arguments) {
     Recorders recorders(recording);
 
     World world(built.pipeline);
+    world.keepLedger(true);
     RunSummary summary(displayName(path), built, world);
     const std::int64_t frames = wanted.value_or(defaultFrames(built.pipeline->settings()));
     catchInterrupts();

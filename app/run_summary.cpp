@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_summary.h"
 
+#include "core/base/figures.h"
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/broadphase/broadphase.h"
@@ -52,6 +53,8 @@ void RunSummary::add(const FrameStatistics& frame) {
     m_sumOfDeepest += frame.maxPenetration;
     m_sumOfPairs += static_cast<double>(frame.broad.pairs);
     m_sumOfContacts += static_cast<double>(frame.contacts);
+    m_ledger.add(frame.ledger);
+    m_worstUnexplained = std::max(m_worstUnexplained, std::abs(frame.unexplained.energy));
 }
 
 void RunSummary::finish(const World& world) {
@@ -90,6 +93,21 @@ std::vector<std::string_view> RunSummary::effectsSimulated() const {
     return names;
 }
 
+// The accounts that moved anything, in the order of the ledger.
+std::string RunSummary::ledgerText() const {
+    std::string text;
+    for (std::size_t i = 0; i < ledgerAccounts; ++i) {
+        const double energy = m_ledger.entries[i].energy;
+        if (energy == 0) continue;
+        text.append(text.empty() ? "" : ", ").append(nameOf(static_cast<LedgerAccount>(i)));
+        text.append(" ").append(figure(energy)).append(" J");
+    }
+    return text.append(text.empty() ? "" : "; ")
+        .append("at most ")
+        .append(figure(m_worstUnexplained))
+        .append(" J a frame unexplained");
+}
+
 std::string RunSummary::asText() const {
     const RunSettings& settings = m_pipeline->settings();
     const Times time = times();
@@ -121,6 +139,7 @@ std::string RunSummary::asText() const {
     line("energy", "initial " + shortest(m_initialEnergy) + " J, final " + shortest(m_finalEnergy) +
                        " J, relative drift " +
                        (drift ? shortest(*drift) : "undefined: no energy at the start"));
+    line("ledger", ledgerText());
     line("momentum", "initial (" + vectorText(m_initialMomentum) + "), final (" +
                          vectorText(m_finalMomentum) + ") kg m/s");
     line("penetration",
@@ -174,6 +193,10 @@ std::string RunSummary::asJson() const {
         .value(perFrame(m_sumOfPairs))
         .key("contacts_mean")
         .value(perFrame(m_sumOfContacts));
+    json.key("ledger").beginObject();
+    for (std::size_t i = 0; i < ledgerAccounts; ++i)
+        json.key(nameOf(static_cast<LedgerAccount>(i))).value(m_ledger.entries[i].energy);
+    json.key("unexplained_max").value(m_worstUnexplained).endObject();
     json.key("effects").beginArray();
     for (const std::string_view name : effectsSimulated()) json.value(name);
     json.endArray().key("state_hash").value(hexadecimal(m_hash)).endObject();

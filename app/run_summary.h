@@ -36,6 +36,7 @@ class RunSummary {
     std::optional<double> relativeDrift() const;
     double perFrame(double total) const;
     std::vector<std::string_view> effectsSimulated() const;
+    std::string ledgerText() const;
 
     std::string m_sceneName;
     std::shared_ptr<const Pipeline> m_pipeline;
@@ -45,7 +46,9 @@ class RunSummary {
     Vec3 m_initialMomentum, m_finalMomentum;
     double m_deepest = 0, m_sumOfDeepest = 0; ///< [m]
     double m_sumOfPairs = 0, m_sumOfContacts = 0;
-    double m_time = 0; ///< simulated [s]
+    Ledger m_ledger;               ///< of all frames
+    double m_worstUnexplained = 0; ///< of any frame [J]
+    double m_time = 0;             ///< simulated [s]
     std::uint64_t m_hash = 0;
 };
 

@@ -25,7 +25,7 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
     (wall ? bodies.walls : bodies.bounded).push_back(index);
     if (!mobile) return;
     bodies.mobileBodies.push_back(index);
-    if (rotates) bodies.rotating.push_back(index);
+    if (rotates || body.friction > 0) bodies.rotating.push_back(index);
 }
 
 } // namespace

@@ -32,7 +32,8 @@ struct Bodies {
     std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
     /// Mobile bodies whose orientation can change, ascending: those that spin at the start, those that are no
     /// spheres and can be hit, and those that a spring pulls beside their centre. A frictionless impulse
-    /// passes through a sphere's centre and never turns it.
+    /// passes through a sphere's centre and never turns it; friction may, so bodies that have some are here
+    /// too.
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move

@@ -1,21 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/energy.h"
 
-namespace carom {
+#include "core/dynamics/ledger.h"
 
-Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity) {
+namespace carom {
+namespace {
+
+/// Without rotation.
+Invariants moved(const Bodies& bodies, std::span<const BodyIndex> list, const State& state,
+                 const Vec3& gravity) {
     Invariants sum;
-    for (const BodyIndex i : bodies.mobileBodies) {
+    for (const BodyIndex i : list) {
         const double mass = bodies.mass[i];
         const Vec3& velocity = state.velocity[i];
         sum.kinetic += 0.5 * mass * velocity.squaredNorm();
         sum.potential -= mass * gravity.dot(state.pose[i].position);
         sum.momentum += mass * velocity;
     }
-    for (const BodyIndex i : bodies.rotating) {
-        const Vec3 spin = state.pose[i].directionToBody(state.angularVelocity[i]);
-        sum.kinetic += 0.5 * spin.dot(bodies.inertia[i].cwiseProduct(spin));
-    }
+    return sum;
+}
+
+} // namespace
+
+Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity) {
+    Invariants sum = moved(bodies, bodies.mobileBodies, state, gravity);
+    for (const BodyIndex i : bodies.rotating) sum.kinetic += spinEnergy(bodies, i, state);
+    return sum;
+}
+
+Invariants invariantsOf(const Bodies& bodies, std::span<const BodyIndex> list, const State& state,
+                        const Vec3& gravity) {
+    Invariants sum = moved(bodies, list, state, gravity);
+    for (const BodyIndex i : list) sum.kinetic += spinEnergy(bodies, i, state);
     return sum;
 }
 

@@ -4,6 +4,8 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 
+#include <span>
+
 namespace carom {
 
 /// What a closed system keeps, summed over mobile bodies.
@@ -15,6 +17,10 @@ struct Invariants {
 
 /// `gravity` is the acceleration g [m/s²]. Summed in the order of the bodies: the same bits every time.
 Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity);
+
+/// The same of `list`, mobile bodies that may all turn.
+Invariants invariantsOf(const Bodies& bodies, std::span<const BodyIndex> list, const State& state,
+                        const Vec3& gravity);
 
 /// Angular momentum about the world's origin [kg m²/s] = Σ x × m v + Iω.
 Vec3 angularMomentumOf(const Bodies& bodies, const State& state);

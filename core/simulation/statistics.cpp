@@ -6,9 +6,15 @@
 namespace carom {
 
 std::string_view statisticsColumns() {
-    return "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,pairs,contacts,swaps,"
-           "kinetic,potential,momentum_x,momentum_y,momentum_z,max_penetration,"
-           "events,axes_tried,axes_spared";
+    static const std::string columns = [] {
+        std::string text = "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,"
+                           "pairs,contacts,swaps,kinetic,potential,momentum_x,momentum_y,momentum_z,"
+                           "max_penetration,events,axes_tried,axes_spared";
+        for (std::size_t i = 0; i < ledgerAccounts; ++i)
+            text.append(",energy_by_").append(nameOf(static_cast<LedgerAccount>(i)));
+        return text + ",energy_unexplained,momentum_unexplained";
+    }();
+    return columns;
 }
 
 std::string statisticsRow(const FrameStatistics& frame) {
@@ -25,6 +31,9 @@ std::string statisticsRow(const FrameStatistics& frame) {
     add(frame.maxPenetration);
     for (const std::uint64_t count : {frame.events, frame.axesTried, frame.axesSpared})
         row.append(",").append(std::to_string(count));
+    for (const LedgerEntry& entry : frame.ledger.entries) add(entry.energy);
+    add(frame.unexplained.energy);
+    add(frame.unexplained.momentum.norm());
     return row;
 }
 

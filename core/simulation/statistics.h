@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/broadphase/broadphase.h"
+#include "core/dynamics/ledger.h"
 #include "core/math/types.h"
 
 #include <cstdint>
@@ -32,6 +33,11 @@ struct FrameStatistics {
     double potential = 0;         ///< [J] of gravity and springs; height measured from the world's origin
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies
     double maxPenetration = 0;    ///< [m], the deepest overlap the narrow phase met in this frame
+
+    /// Where the world keeps one (World::keepLedger): what each part of the motion gave and took in this
+    /// frame.
+    Ledger ledger;
+    LedgerEntry unexplained; ///< change of the state's energy and momentum that nothing has booked
 };
 
 /// The columns that statisticsRow() fills, as a line of CSV without its end. Scripts depend on them: one may

@@ -32,6 +32,20 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.broad.cells += broad.cells;
 }
 
+// Potential energy belongs to gravity, to springs and to corrected positions; what is then left of the change
+// of the state is unexplained.
+void closeLedger(const Invariants& before, double stored, FrameStatistics& frame) {
+    Ledger& ledger = frame.ledger;
+    const double rise = frame.potential - before.potential - stored;
+    ledger[LedgerAccount::Gravity].energy += rise - ledger.lifted;
+    ledger[LedgerAccount::Parting].energy += ledger.lifted;
+    ledger[LedgerAccount::Spring].energy += stored;
+    const LedgerEntry total = ledger.total();
+    frame.unexplained.energy =
+        frame.kinetic - before.kinetic + (frame.potential - before.potential) - total.energy;
+    frame.unexplained.momentum = frame.momentum - before.momentum - total.momentum;
+}
+
 } // namespace
 
 void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame) {
@@ -64,7 +78,9 @@ void stepWorld(World& world) {
                             .substep = settings.substep(),
                             .broadphase = *world.m_broadphase,
                             .workers = world.m_workers,
-                            .state = state};
+                            .state = state,
+                            .ledger = world.m_keepsLedger ? &frame.ledger : nullptr};
+    const double stored = world.m_keepsLedger ? springEnergy(pipeline.bodies().springs, state) : 0;
     Loss loss;
     for (int substep = 0; substep < settings.substeps && !loss; ++substep) {
         const SolverReport report = world.m_solver->advance(input);
@@ -77,8 +93,11 @@ void stepWorld(World& world) {
         frame.kinetic = before.kinetic;
         frame.potential = before.potential;
         frame.momentum = before.momentum;
+        frame.ledger = {};
     } else {
         account(pipeline, state, frame);
+        if (world.m_keepsLedger)
+            closeLedger(before, springEnergy(pipeline.bodies().springs, state) - stored, frame);
     }
     frame.simulate = wholeStep.elapsed();
 }

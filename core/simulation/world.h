@@ -49,6 +49,10 @@ class World {
     /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
     std::uint64_t stateHash() const;
 
+    /// Whether the frames to come book who gives and takes energy and momentum (FrameStatistics::ledger).
+    /// It costs a percent or two, and the motion is the same to the bit.
+    void keepLedger(bool keep) { m_keepsLedger = keep; }
+
     /// Goes on with another broad-phase from the next step; the motion is the same to the bit.
     void useBroadphase(const BroadphaseRow& row);
     const BroadphaseRow& broadphaseRow() const { return *m_broadphaseRow; }
@@ -68,6 +72,7 @@ class World {
     std::unique_ptr<Broadphase> m_broadphase;
     std::unique_ptr<Solver> m_solver;
     Workers m_workers;
+    bool m_keepsLedger = false;
 };
 
 } // namespace carom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
+#include "core/dynamics/energy.h"
 #include "core/solvers/flights.h"
 #include "core/solvers/island_motion.h"
 #include "core/solvers/islands.h"
@@ -173,17 +174,31 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
     m_kept.clear();
     m_free.clear();
     m_motion.report = {};
-    const MotionInput motion{input.bodies, m_settings, input.gravity, input.substep, input.state};
+    Ledger ledger; // of one island
+    const MotionInput motion{.bodies = input.bodies,
+                             .settings = m_settings,
+                             .gravity = input.gravity,
+                             .substep = input.substep,
+                             .state = input.state,
+                             .ledger = input.ledger != nullptr ? &ledger : nullptr};
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
+        if (input.ledger != nullptr) ledger = {};
         if (island.pairs.empty() && island.links.empty()) {
             m_free.push_back(island.bodies.front());
         } else if (island.pairs.empty() && input.motion.swing != nullptr) {
             SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, m_swingRoom};
+            const Invariants before = motion.ledger != nullptr ? invariantsOf(input.bodies, island.bodies,
+                                                                              input.state, input.gravity)
+                                                               : Invariants{};
             input.motion.swing(network, input.substep, input.state);
+            if (motion.ledger != nullptr)
+                bookSwing(input.bodies, island.bodies, before, {input.gravity, input.gravity, input.substep},
+                          input.state, ledger);
         } else {
             m_motion.advance(motion, island, m_found, m_kept);
         }
+        if (input.ledger != nullptr) input.ledger->add(ledger);
     }
     report.maxPenetration = m_motion.report.maxPenetration;
 
@@ -202,12 +217,22 @@ void Contacts::fly(const SolverInput& input) {
     coast(input, m_free, input.gravity);
     if (m_settings.simultaneous) return;
     for (const Course& course : m_flights.courses()) coast(input, course.bodies, course.acceleration);
+    if (input.ledger != nullptr)
+        m_flights.book(input.bodies, input.gravity, input.substep, input.state, *input.ledger);
     m_flights.land(input.substep, input.state);
 }
 
 void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration) {
+    const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
+    if (input.ledger != nullptr)
+        bookFlight(input.bodies, bodies, {input.gravity, acceleration, input.substep}, input.state,
+                   *input.ledger);
     input.motion.move(bodies, acceleration, input.substep, input.state);
     input.motion.tumble(input.bodies, bodies, input.substep, input.state);
+    // Bodies with unequal moments keep their energy as well as the integrator can.
+    if (input.ledger != nullptr)
+        (*input.ledger)[LedgerAccount::Rotation].energy +=
+            spinEnergy(input.bodies, bodies, input.state) - spinBefore;
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {

@@ -3,6 +3,7 @@
 #include "core/solvers/solver.h"
 
 #include "core/base/clock.h"
+#include "core/dynamics/energy.h"
 
 #include <optional>
 
@@ -43,6 +44,8 @@ SolverReport Events::advance(const SolverInput& input) {
     Stopwatch watch;
     if (!m_progress.gas) m_progress.gas.emplace(input.bodies, input.state, input.gravity);
     EventGas& gas = *m_progress.gas;
+    const Invariants atStart =
+        input.ledger != nullptr ? invariantsOf(input.bodies, input.state, input.gravity) : Invariants{};
     const EventCounts before = gas.counts();
     report.loss = gas.advanceTo(static_cast<double>(++m_progress.substeps) * input.substep);
     const EventCounts& after = gas.counts();
@@ -53,6 +56,11 @@ SolverReport Events::advance(const SolverInput& input) {
     gas.write(input.state);
     turnBySpin(input.bodies.rotating, input.substep, input.state);
     if (!report.loss) report.loss = findLoss(input.bodies, input.state);
+    // Flight is a closed form: nothing but gravity and the impacts can act.
+    if (input.ledger != nullptr)
+        bookDifference(atStart, invariantsOf(input.bodies, input.state, input.gravity),
+                       weightOf(input.bodies, input.bodies.mobileBodies, input.substep * input.gravity),
+                       LedgerAccount::Restitution, *input.ledger);
     report.integrate = watch.lap();
     return report;
 }

@@ -157,6 +157,7 @@ void Flights::strike(const FlightInput& input, BodyIndex a, BodyIndex b) {
         const double most = law.friction * change * massA * partA, stop = slip.norm() / across;
         if (stop > 0) {
             const Vec3 impulse = -(std::min(most, stop) / (stop * across)) * slip; // on B
+            m_logs[logA].rubbed += impulse.dot(slip + (0.5 * across) * impulse);
             ballA.velocity -= impulse / massA;
             ballB.velocity += impulse / massB;
             setSpin(a, m_logs[logA].spin - (ballA.radius / inertiaA) * normal.cross(impulse));
@@ -199,6 +200,8 @@ void Flights::strikeWall(const FlightInput& input, BodyIndex ball, std::uint32_t
         const double most = law.friction * change * mass, stop = slip.norm() / across;
         if (stop > 0) {
             const Vec3 impulse = -(std::min(most, stop) / (stop * across)) * slip;
+            log.rubbed += impulse.dot(slip + (0.5 * across) * impulse);
+            log.held += impulse;
             stamp.velocity += impulse / mass;
             setSpin(ball, log.spin - (stamp.radius / inertia) * normal.cross(impulse));
         }

@@ -192,6 +192,32 @@ bool Flights::covered(const FlightInput& input) const {
     return all;
 }
 
+void Flights::book(const Bodies& bodies, const Vec3& gravity, double substep, const State& state,
+                   Ledger& ledger) const {
+    LedgerEntry& fall = ledger[LedgerAccount::Gravity];
+    LedgerEntry& impacts = ledger[LedgerAccount::Restitution];
+    LedgerEntry& friction = ledger[LedgerAccount::Friction];
+    for (const Log& log : m_logs) {
+        if (!flies(log.body)) continue;
+        const BodyIndex i = log.body;
+        const Stamp& stamp = m_stamps[i];
+        const Vec3 velocity = velocityAt(stamp, accelerationOf(i), substep);
+        const Vec3 way = positionAt(stamp, accelerationOf(i), substep) - state.pose[i].position;
+        const double mass = bodies.mass[i];
+        const double gained =
+            0.5 * mass * (velocity.squaredNorm() - state.velocity[i].squaredNorm()) +
+            0.5 * bodies.inertia[i].x() * (log.spin.squaredNorm() - state.angularVelocity[i].squaredNorm());
+        const double fallen = mass * gravity.dot(way);
+        const Vec3 weight = (mass * substep) * gravity;
+        fall.energy += fallen;
+        fall.momentum += weight;
+        friction.energy += log.rubbed;
+        friction.momentum += log.held;
+        impacts.energy += gained - fallen - log.rubbed;
+        impacts.momentum += mass * (velocity - state.velocity[i]) - weight - log.held;
+    }
+}
+
 void Flights::land(double substep, State& state) const {
     for (const Log& log : m_logs) {
         if (!flies(log.body)) continue;

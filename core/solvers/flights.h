@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/ledger.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/event_times.h"
 #include "core/solvers/neighbours.h"
@@ -46,6 +47,10 @@ class Flights {
     /// Finds out who flies and where to, and changes nothing. False if the neighbours do not cover the paths:
     /// they must search, and the plan be made again.
     bool plan(const FlightInput& input);
+    /// Books what those that meet somebody go through within the substep; before they land. Friction from its
+    /// impulses; along the normal, where nothing but gravity and the impacts acts, by the difference.
+    void book(const Bodies& bodies, const Vec3& gravity, double substep, const State& state,
+              Ledger& ledger) const;
     /// Moves those that meet somebody within the substep to its end.
     void land(double substep, State& state) const;
 
@@ -71,8 +76,10 @@ class Flights {
         BodyIndex body = noBody, last = noBody; // whom it met last
         std::uint32_t group = 0;                // index of a log, its own at the root
         int impacts = 0;
-        double path = 0;   // [m]
-        double turned = 0; // time up to which the orientation is known [s]
+        double path = 0;          // [m]
+        double turned = 0;        // time up to which the orientation is known [s]
+        double rubbed = 0;        // work of friction [J]; of two spheres, in the log of the first
+        Vec3 held = Vec3::Zero(); // momentum that the friction of walls gave [kg m/s]
         Vec3 spin = Vec3::Zero();
         Quat orientation = Quat::Identity();
     };

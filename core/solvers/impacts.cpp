@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/impacts.h"
 
+#include "core/solvers/bookings.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -169,6 +171,12 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
     if (!(impulse.minCoeff() >= 0)) return false;
     for (Eigen::Index i = 0; i < size; ++i)
         applyNormal(problem, problem.rows[m_group[static_cast<std::size_t>(i)]], impulse[i]);
+    if (ledger == nullptr) return true;
+    for (std::size_t i = 0; i < count; ++i) {
+        const ContactRow& row = problem.rows[m_group[i]];
+        const double mean = 0.5 * (relativeVelocity(problem, row).x() - m_closing[m_group[i]]);
+        bookNormal(row, impulse[static_cast<Eigen::Index>(i)], mean, LedgerAccount::Restitution, *ledger);
+    }
     return true;
 }
 
@@ -206,6 +214,11 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
         const ContactBody& solved = m_groupProblem.bodies[static_cast<std::size_t>(m_local[body])];
         problem.bodies[body].velocity += part * (solved.velocity - solved.freeVelocity);
     }
+    if (ledger == nullptr) return;
+    m_mean.clear();
+    for (const ContactBody& body : m_groupProblem.bodies)
+        m_mean.push_back(body.freeVelocity + (0.5 * part) * (body.velocity - body.freeVelocity));
+    bookRows(m_groupProblem, m_mean, part, LedgerAccount::Restitution, *ledger);
 }
 
 } // namespace carom

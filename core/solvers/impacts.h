@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dynamics/ledger.h"
 #include "core/solvers/contact_problem.h"
 #include "core/solvers/gauss_seidel.h"
 #include "core/solvers/newton.h"
@@ -41,6 +42,8 @@ class ImpactSolver {
     /// factorisations, or by sweeps where these do not do.
     int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous, int newtonSteps);
 
+    Ledger* ledger = nullptr; ///< books what impacts do, where somebody keeps one
+
   private:
     void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
     void gather(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t largest);
@@ -54,6 +57,7 @@ class ImpactSolver {
     std::vector<int> m_local; // by body, its index in the group's problem
     ContactProblem m_groupProblem;
     int m_newtonSteps = 0;
+    std::vector<Vec6> m_mean; // by body of m_groupProblem; for the ledger only
     NewtonSolver m_newton;
     GaussSeidelSolver m_gaussSeidel;
 };

@@ -4,6 +4,7 @@
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
+#include "core/solvers/bookings.h"
 #include "core/solvers/contact_settings.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
                 ++events;
             }
         }
+        if (input.ledger != nullptr) bookForces(input, duration);
         if (duration == left) {
             settle(input);
             countPatience();
@@ -189,6 +191,8 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
             m_parting.rows.push_back(row);
         }
     }
+    const double spinBefore =
+        input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
     const double tolerance = 1e-3 * touchingGap * size;
     if (!m_newton.solve(m_parting, tolerance, m_newtonSteps).solved)
         m_gaussSeidel.solve(m_parting, tolerance, 2 * input.settings.iterations);
@@ -199,6 +203,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
         if (displacement.tail<3>() != Vec3::Zero())
             pose.orientation = (fromRotationVector(displacement.tail<3>()) * pose.orientation).normalized();
     }
+    if (input.ledger != nullptr) bookParting(input, island, spinBefore);
     recollide(input);
 }
 
@@ -223,6 +228,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
             any = any || (touching && closing > threshold);
         }
     }
+    m_impacts.ledger = input.ledger;
     if (any)
         report.impacts +=
             m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating, m_newtonSteps);
@@ -243,6 +249,7 @@ void IslandMotion::settle(const MotionInput& input) {
         const double was = std::max(before.head<3>().norm(), before.tail<3>().norm() * body.gyration);
         if (rimSpeed(body) > still || was > still) return;
     }
+    if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
     for (ContactBody& body : m_problem.bodies) body.velocity.setZero();
 }
 
@@ -255,6 +262,7 @@ void IslandMotion::commit(const MotionInput& input, const Island& island, double
         input.state.velocity[body] = after.head<3>();
         rotateBetween(input.bodies, body, before.tail<3>(), after.tail<3>(), duration, input.state);
     }
+    if (input.ledger != nullptr) bookTurning(input, island);
 }
 
 void IslandMotion::keep(ContactSet& kept) const {

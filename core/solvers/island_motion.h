@@ -36,6 +36,7 @@ struct MotionInput {
     Vec3 gravity;       ///< [m/s²]
     double substep = 0; ///< [s]
     State& state;
+    Ledger* ledger = nullptr;
 };
 
 /// What the motion of islands met in one substep.
@@ -84,6 +85,11 @@ class IslandMotion {
     void settle(const MotionInput& input);
     void keep(ContactSet& kept) const;
 
+    void bookForces(const MotionInput& input, double duration);
+    void bookTurning(const MotionInput& input, const Island& island);
+    void bookParting(const MotionInput& input, const Island& island, double spinBefore);
+    void bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
+
     struct Braked;
     bool findStop(Braked& first) const;
     double speedOf(const Braked& braked) const;
@@ -118,6 +124,7 @@ class IslandMotion {
     std::vector<std::uint8_t> m_held;      // by pair, 1: a contact force acts in it
     std::vector<std::uint8_t> m_pushed;    // by body of m_problem, 1: something besides gravity acts on it
     std::vector<std::uint32_t> m_pairOf;   // by point, the pair of m_contacts
+    std::vector<Vec6> m_mean;              // by body of m_problem, the mean velocity; for the ledger only
     std::vector<ImpactRow> m_impactRows;
     NewtonSolver m_newton;
     GaussSeidelSolver m_gaussSeidel;

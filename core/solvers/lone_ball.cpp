@@ -58,6 +58,8 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     across -= normal.dot(across) * normal;
     input.state.pose[ball].position += across + (after.gap - point.separation) * normal;
     velocity = end;
+    body.velocity.head<3>() = end;
+    if (input.ledger != nullptr) bookBounce(input, before, normal, after.gap - point.separation);
     rotateBetween(input.bodies, ball, before.tail<3>(), body.velocity.tail<3>(), h, input.state);
     point.force.setZero();
     return true;

@@ -4,6 +4,7 @@
 #include "core/solvers/solver.h"
 
 #include "core/base/clock.h"
+#include "core/dynamics/energy.h"
 
 #include <algorithm>
 #include <numeric>
@@ -85,6 +86,8 @@ class Microcollisions final : public Solver {
 
   private:
     void moveSmoothly(const SolverInput& input);
+    void bookSpin(const SolverInput& input, double sign);
+    void book(const SolverInput& input, const Impact& impact, double speed, const Vec3& displacement);
     void updateBoxes(const SolverInput& input);
     void meetPairsInOrder(const SolverInput& input);
     void meetWall(const SolverInput& input, std::size_t wall, BodyIndex body);
@@ -153,7 +156,18 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
     return m_report;
 }
 
+// Angular velocities are constant, so the energy of turning is not where moments are unequal.
+void Microcollisions::bookSpin(const SolverInput& input, double sign) {
+    (*input.ledger)[LedgerAccount::Rotation].energy +=
+        sign * spinEnergy(input.bodies, m_turning, input.state);
+}
+
 void Microcollisions::moveSmoothly(const SolverInput& input) {
+    if (input.ledger != nullptr) {
+        bookFlight(input.bodies, m_free, {input.gravity, input.gravity, input.substep}, input.state,
+                   *input.ledger);
+        bookSpin(input, -1);
+    }
     const std::span<const BodyIndex> free = m_free;
     input.workers.forRanges(free.size(), [&](std::size_t begin, std::size_t end) {
         input.motion.move(free.subspan(begin, end - begin), input.gravity, input.substep, input.state);
@@ -162,9 +176,16 @@ void Microcollisions::moveSmoothly(const SolverInput& input) {
     input.workers.forRanges(turning.size(), [&](std::size_t begin, std::size_t end) {
         input.motion.turn(turning.subspan(begin, end - begin), input.substep, input.state);
     });
+    if (input.ledger != nullptr) bookSpin(input, 1);
     if (m_springs.empty()) return;
     SpringNetwork network{input.bodies, m_swinging, m_springs, input.gravity, m_swingRoom};
+    const Invariants before = input.ledger != nullptr
+                                  ? invariantsOf(input.bodies, m_swinging, input.state, input.gravity)
+                                  : Invariants{};
     input.motion.swing(network, input.substep, input.state);
+    if (input.ledger != nullptr)
+        bookSwing(input.bodies, m_swinging, before, {input.gravity, input.gravity, input.substep},
+                  input.state, *input.ledger);
 }
 
 void Microcollisions::updateBoxes(const SolverInput& input) {
@@ -262,7 +283,24 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
     if (bodies.mobile[a] != 0) input.state.pose[a].position -= displacement;
     if (bodies.mobile[b] != 0) input.state.pose[b].position += displacement;
 
+    if (input.ledger != nullptr) book(input, impact, speed, displacement);
     apply(impact, speed, std::min(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
+}
+
+// Before the impact is applied: its impulse j is known, and the speeds on both sides of it are u and −e u.
+void Microcollisions::book(const SolverInput& input, const Impact& impact, double speed,
+                           const Vec3& displacement) {
+    const Bodies& bodies = input.bodies;
+    const bool aMoves = bodies.mobile[impact.a] != 0, bMoves = bodies.mobile[impact.b] != 0;
+    const double e = std::min(bodies.elastic[impact.a], bodies.elastic[impact.b]);
+    const double j = -(1 + e) * speed / impact.inverseMass;
+    LedgerEntry& entry = (*input.ledger)[LedgerAccount::Restitution];
+    entry.energy += j * 0.5 * (speed - e * speed);
+    if (!aMoves) entry.momentum += j * impact.normal;
+    if (!bMoves) entry.momentum -= j * impact.normal;
+    const double lifted = input.gravity.dot(displacement);
+    if (aMoves) input.ledger->lifted += bodies.mass[impact.a] * lifted;
+    if (bMoves) input.ledger->lifted -= bodies.mass[impact.b] * lifted;
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings&) {

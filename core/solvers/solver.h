@@ -4,6 +4,7 @@
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/ledger.h"
 #include "core/dynamics/parallel.h"
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
@@ -46,7 +47,8 @@ struct SolverInput {
     double substep = 0; ///< [s]
     Broadphase& broadphase;
     Workers& workers;
-    State& state; ///< changed in place
+    State& state;             ///< changed in place
+    Ledger* ledger = nullptr; ///< books what is done, where somebody keeps one
 };
 
 /// How carefully a solver works; what it does not need it ignores.

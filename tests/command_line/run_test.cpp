@@ -19,7 +19,10 @@ const char* const traceColumns = "frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,
 const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase_ms,narrowphase_ms,respond_"
                                  "ms,pairs,contacts,swaps,kinetic,"
                                  "potential,momentum_x,momentum_y,momentum_z,max_penetration,"
-                                 "events,axes_tried,axes_spared";
+                                 "events,axes_tried,axes_spared,energy_by_gravity,energy_by_restitution,"
+                                 "energy_by_contact,energy_by_friction,energy_by_rolling,energy_by_spring,"
+                                 "energy_by_rotation,energy_by_parting,energy_by_rest,energy_unexplained,"
+                                 "momentum_unexplained";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
 const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125 }\n"
@@ -88,6 +91,8 @@ void RunTest::theJsonSummaryHasEveryFieldInOrder() {
                               ",\"penetration\":{\"max\":0,\"mean\":0}",
                               ",\"pairs_mean\":0",
                               ",\"contacts_mean\":0",
+                              ",\"ledger\":{\"gravity\":0,\"restitution\":0,\"contact\":0,",
+                              "\"unexplained_max\":0}",
                               ",\"effects\":[",
                               "],\"state_hash\":\""}) {
         const qsizetype found = text.indexOf(QLatin1String(field), at);
@@ -105,7 +110,8 @@ void RunTest::theTextSummarySaysTheSame() {
     QCOMPARE(ended.err, QString());
     for (const char* part : {"<stdin>: 3 bodies, 2 mobile; 0 diagnostics", "contacts, verlet, all_pairs",
                              "4 of 0.125 s in 4 substeps", "initial 1 J, final 1 J, relative drift 0",
-                             "initial (2, 0, 0), final (2, 0, 0) kg m/s", "max 0 m, mean 0 m"})
+                             "at most 0 J a frame unexplained", "initial (2, 0, 0), final (2, 0, 0) kg m/s",
+                             "max 0 m, mean 0 m"})
         QVERIFY2(ended.out.contains(QLatin1String(part)), part);
     QVERIFY(ended.out.contains(summary({"-n", "4"}, glide)["state_hash"].toString()));
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/ledger.h"
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/state.h"
+
+namespace carom {
+
+std::string_view nameOf(LedgerAccount account) {
+    static constexpr std::array<std::string_view, ledgerAccounts> names = {
+        "gravity", "restitution", "contact", "friction", "rolling", "spring", "rotation", "parting", "rest"};
+    return names[static_cast<std::size_t>(account)];
+}
+
+void Ledger::add(const Ledger& other) {
+    lifted += other.lifted;
+    for (std::size_t i = 0; i < ledgerAccounts; ++i) {
+        entries[i].energy += other.entries[i].energy;
+        entries[i].momentum += other.entries[i].momentum;
+    }
+}
+
+LedgerEntry Ledger::total() const {
+    LedgerEntry sum;
+    for (const LedgerEntry& entry : entries) {
+        sum.energy += entry.energy;
+        sum.momentum += entry.momentum;
+    }
+    return sum;
+}
+
+void bookFlight(const Bodies& bodies, std::span<const BodyIndex> list, const Flight& flight,
+                const State& state, Ledger& ledger) {
+    LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
+    LedgerEntry& wall = ledger[LedgerAccount::Contact];
+    const double h = flight.duration;
+    for (const BodyIndex i : list) {
+        const Vec3 mean = state.velocity[i] + (0.5 * h) * flight.acceleration;
+        const Vec3 weight = (bodies.mass[i] * h) * flight.gravity;
+        const Vec3 borne = (bodies.mass[i] * h) * (flight.acceleration - flight.gravity);
+        gravity.momentum += weight;
+        gravity.energy += weight.dot(mean);
+        wall.momentum += borne;
+        wall.energy += borne.dot(mean);
+    }
+}
+
+Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change) {
+    Vec3 sum = Vec3::Zero();
+    for (const BodyIndex i : list) sum += bodies.mass[i] * change;
+    return sum;
+}
+
+void bookDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
+                    LedgerAccount account, Ledger& ledger) {
+    const double fallen = before.potential - after.potential;
+    ledger[LedgerAccount::Gravity].energy += fallen;
+    ledger[LedgerAccount::Gravity].momentum += weight;
+    ledger[account].energy += after.kinetic - before.kinetic - fallen;
+    ledger[account].momentum += after.momentum - before.momentum - weight;
+}
+
+void bookSwing(const Bodies& bodies, std::span<const BodyIndex> list, const Invariants& before,
+               const Flight& flight, const State& state, Ledger& ledger) {
+    bookDifference(before, invariantsOf(bodies, list, state, flight.gravity),
+                   weightOf(bodies, list, flight.duration * flight.gravity), LedgerAccount::Spring, ledger);
+}
+
+double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state) {
+    const Vec3 spin = state.pose[body].directionToBody(state.angularVelocity[body]);
+    return 0.5 * spin.dot(bodies.inertia[body].cwiseProduct(spin));
+}
+
+double spinEnergy(const Bodies& bodies, std::span<const BodyIndex> list, const State& state) {
+    double sum = 0;
+    for (const BodyIndex i : list) sum += spinEnergy(bodies, i, state);
+    return sum;
+}
+
+} // namespace carom

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index.h"
+#include "core/math/types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+// Who gives and takes energy and momentum. Each part of the motion books what it did, from the impulses it
+// applied and the velocities on both sides of them, never from the energy of the state:
+//
+//     impulse p at a point that moves with u before and u' after      work  p · (u + u')/2
+//
+// which is exact for any number of impulses at one instant. So the bookings of a frame add up to the change
+// of the state's energy and momentum, within rounding, if and only if the motion did nothing else.
+
+namespace carom {
+
+struct Bodies;
+struct Invariants;
+struct State;
+
+/// What is booked apart, in the order of ledger names.
+enum class LedgerAccount : std::uint8_t {
+    Gravity,     ///< work and loss of height together: 0 where its motion is exact
+    Restitution, ///< impacts, and what they lose along the normal
+    Contact,     ///< forces of bodies that stay in touch, along the normal
+    Friction,    ///< tangential forces and impacts
+    Rolling,     ///< rolling resistance
+    Spring,      ///< springs with what they store: what their dampers take
+    Rotation,    ///< turning of bodies with unequal moments, over a finite time
+    Parting,     ///< positions corrected where bodies overlapped
+    Rest,        ///< what is left of a motion too slow to be one
+};
+inline constexpr std::size_t ledgerAccounts = 9;
+
+/// "gravity", "restitution", ...: as columns name them.
+std::string_view nameOf(LedgerAccount account);
+
+struct LedgerEntry {
+    double energy = 0;            ///< [J] given to the bodies, potential energy included
+    Vec3 momentum = Vec3::Zero(); ///< [kg m/s] given to the mobile bodies together
+};
+
+struct Ledger {
+    std::array<LedgerEntry, ledgerAccounts> entries{};
+    double lifted = 0; ///< height [J] that corrected positions gave; the frame books it to Parting
+
+    LedgerEntry& operator[](LedgerAccount account) { return entries[static_cast<std::size_t>(account)]; }
+    const LedgerEntry& operator[](LedgerAccount account) const {
+        return entries[static_cast<std::size_t>(account)];
+    }
+    void add(const Ledger& other);
+    LedgerEntry total() const;
+};
+
+/// How bodies fly: under gravity alone, or along a wall that bears a part of their weight.
+struct Flight {
+    Vec3 gravity;      ///< [m/s²]
+    Vec3 acceleration; ///< that they really have [m/s²]; the wall gives the difference
+    double duration;   ///< [s]
+};
+
+/// Books the flight of `list`: to be called before it, as the velocities at its start are needed. Gravity's
+/// momentum and work on kinetic energy; its potential energy is booked by the frame, for all bodies at once.
+void bookFlight(const Bodies& bodies, std::span<const BodyIndex> list, const Flight& flight,
+                const State& state, Ledger& ledger);
+
+/// Momentum that `change` of velocity gives to `list`: of gravity's, their weight times the time.
+Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change);
+
+/// Books a motion that only gravity and one other thing can have made, by what it changed: gravity by the
+/// height lost and the momentum of the weight, `account` by the rest.
+void bookDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
+                    LedgerAccount account, Ledger& ledger);
+/// The same for bodies at the ends of springs, from `before` to the state.
+void bookSwing(const Bodies& bodies, std::span<const BodyIndex> list, const Invariants& before,
+               const Flight& flight, const State& state, Ledger& ledger);
+
+/// Kinetic energy of rotation of a body [J].
+double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state);
+/// The same of `list`, to be booked as the difference of two.
+double spinEnergy(const Bodies& bodies, std::span<const BodyIndex> list, const State& state);
+
+} // namespace carom
