@@ -51,6 +51,8 @@ BreakpointsDock::BreakpointsDock(QWidget* parent)
     m_kind->setAccessibleName(tr("Event"));
     m_a->setAccessibleName(tr("Body"));
     m_b->setAccessibleName(tr("Other body"));
+    m_axis->setAccessibleName(tr("Axis"));
+    m_limit->setAccessibleName(tr("Limit"));
     m_list->setAccessibleName(tr("Breakpoints"));
     for (const BreakKindRow& row : breakKinds()) m_kind->addItem(text(row.name));
     for (const char* axis : {"x", "y", "z"}) m_axis->addItem(QLatin1StringView(axis));

@@ -65,7 +65,7 @@ class SettingsTest : public QObject {
         QCOMPARE(settings.step, 1.0 / 60);
         QCOMPARE(settings.substeps, 4);
         QCOMPARE(q(settings.method->name), QStringLiteral("contacts"));
-        QCOMPARE(q(settings.integrator->name), QStringLiteral("verlet"));
+        QCOMPARE(q(settings.integrator->name), QStringLiteral("midpoint"));
         QCOMPARE(settings.tolerance, 1e-6);
         QVERIFY(settings.broadphase != nullptr && !settings.broadphaseReason.empty());
         QCOMPARE(settings.threads, 1);

@@ -19,9 +19,12 @@
 namespace carom {
 namespace {
 
+// By a method that searches in every frame.
 std::shared_ptr<const Pipeline> gasOf(std::int64_t n) {
     const GeneratorRow& brownian = *findGenerator("brownian");
-    return build(generate(brownian, requestFor(brownian, n))).pipeline;
+    SimulationSettings options;
+    options.method = "microcollisions";
+    return build(generate(brownian, requestFor(brownian, n)), options).pipeline;
 }
 
 constexpr int patience = 60'000; // [ms], only a hang takes that long
