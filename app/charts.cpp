@@ -4,6 +4,7 @@
 #include "app/errors.h"
 #include "ui/widgets/accuracy_chart.h"
 #include "ui/widgets/benchmark_charts.h"
+#include "ui/widgets/gas_charts.h"
 
 #include <QApplication>
 
@@ -37,6 +38,10 @@ void draw(const std::vector<NamedChart>& charts, std::initializer_list<const cha
 
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder) {
     draw(chartsOf(benchmark), {".svg", ".png"}, folder);
+}
+
+void drawGas(const GasStudy& study, const std::string& folder) {
+    draw(chartsOf(study), {".svg", ".png"}, folder);
 }
 
 void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder) {

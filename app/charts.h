@@ -3,6 +3,7 @@
 
 #include "core/study/accuracy.h"
 #include "core/study/benchmark.h"
+#include "core/study/gas.h"
 
 #include <string>
 
@@ -14,6 +15,7 @@ struct ChartDrawer {
     /// `scene` is the title; as PDF, too.
     void (*accuracy)(const AccuracyStudy& study, const std::string& scene,
                      const std::string& folder) = nullptr;
+    void (*gas)(const GasStudy& study, const std::string& folder) = nullptr;
 };
 
 /// The drawer of this build. It needs Qt, which the subcommands do without, so main sets it; empty in a build
@@ -23,5 +25,6 @@ ChartDrawer& chartDrawer();
 /// In app/charts.cpp, which knows Qt.
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder);
 void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder);
+void drawGas(const GasStudy& study, const std::string& folder);
 
 } // namespace carom

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
 #ifdef CAROM_CHARTS
     carom::chartDrawer().benchmark = carom::drawBenchmark;
     carom::chartDrawer().accuracy = carom::drawAccuracy;
+    carom::chartDrawer().gas = carom::drawGas;
 #endif
     return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
 }

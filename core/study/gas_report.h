@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/gas.h"
+#include "core/study/stability_report.h"
+
+#include <string>
+
+namespace carom {
+
+/// For people: a line a figure with what theory says, then the remarks.
+std::string summaryOf(const GasStudy& study);
+
+/// `figure,value,uncertainty,theory,unit,command,version,machine`, a row a figure; what there is none of is
+/// empty.
+std::string figuresAsCsv(const GasStudy& study, const StudyOrigin& origin);
+/// `from,to,density,theory`, speeds in units of √(kT/m).
+std::string speedsAsCsv(const GasStudy& study);
+/// `from,to,balls,theory,temperature,temperature_uncertainty`, heights in m.
+std::string heightsAsCsv(const GasStudy& study);
+
+} // namespace carom
