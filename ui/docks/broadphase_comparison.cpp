@@ -5,6 +5,7 @@
 #include "core/study/benchmark_report.h"
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/text_file.h"
 #include "ui/widgets/value_table.h"
 
 #include <QComboBox>
@@ -16,7 +17,6 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -31,13 +31,6 @@ constexpr int progressSteps = 1000;
 
 QString textOf(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
-QString writeText(const QString& path, const std::string& text) {
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(text);
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
-    return BroadphaseComparison::tr("`%1` cannot be written: %2").arg(path, file.errorString());
 }
 
 } // namespace

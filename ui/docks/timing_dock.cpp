@@ -4,12 +4,12 @@
 #include "core/base/text.h"
 #include "core/math/statistics.h"
 #include "ui/widgets/export_menu.h"
+#include "ui/widgets/text_file.h"
 #include "ui/widgets/value_table.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -182,10 +182,7 @@ QString TimingDock::writeCsv(const QString& path) const {
         text += statisticsRow(sample.statistics);
         text += "," + shortest(sample.render) + "\n";
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return tr("`%1` cannot be written: %2").arg(path, file.errorString());
-    return {};
+    return writeText(path, text);
 }
 
 QString TimingDock::exportTo(const QString& path) const {

@@ -60,6 +60,13 @@ bool FileCommands::open(const QString& path) {
     return opened;
 }
 
+bool FileCommands::openText(const QString& name, const QByteArray& text) {
+    if (!mayDiscard()) return false;
+    m_document.startNew(text);
+    Q_EMIT reported(tr("opened %1 as a new scene").arg(name));
+    return true;
+}
+
 bool FileCommands::mayDiscard() {
     if (!m_document.isModified()) return true;
     const QMessageBox::StandardButton answer = QMessageBox::question(

@@ -18,6 +18,8 @@ class FileCommands : public QObject {
 
     /// Asks about unsaved changes first; says what went wrong in a box. True if the file is open now.
     bool open(const QString& path);
+    /// A text that has no file, made by a part of the program; likewise.
+    bool openText(const QString& name, const QByteArray& text);
     /// False: the user wants to stay.
     bool mayDiscard();
 

@@ -10,6 +10,7 @@
 #include "ui/docks/output_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
+#include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/scene_editor.h"
@@ -50,7 +51,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
       m_accuracy(new AccuracyDock), m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)),
       m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
-      m_output(new OutputDock), m_caret(new QLabel) {
+      m_output(new OutputDock), m_stability(new StabilityDock(theme)), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -112,12 +113,13 @@ void MainWindow::placeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, m_accuracy);
     addDockWidget(Qt::BottomDockWidgetArea, m_breakpoints);
     addDockWidget(Qt::BottomDockWidgetArea, m_output);
+    addDockWidget(Qt::BottomDockWidgetArea, m_stability);
     addDockWidget(Qt::RightDockWidgetArea, m_outline);
     addDockWidget(Qt::RightDockWidgetArea, m_inspector);
     addDockWidget(Qt::RightDockWidgetArea, m_effects);
-    for (QDockWidget* dock :
-         std::initializer_list<QDockWidget*>{m_problems, m_timing, m_broadphase, m_plots, m_accuracy,
-                                             m_breakpoints, m_output, m_outline, m_inspector, m_effects})
+    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
+             m_problems, m_timing, m_broadphase, m_plots, m_accuracy, m_breakpoints, m_output, m_stability,
+             m_outline, m_inspector, m_effects})
         dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
     tabifyDockWidget(m_problems, m_timing);
     tabifyDockWidget(m_timing, m_broadphase);
@@ -125,6 +127,7 @@ void MainWindow::placeDocks() {
     tabifyDockWidget(m_plots, m_accuracy);
     tabifyDockWidget(m_accuracy, m_breakpoints);
     tabifyDockWidget(m_breakpoints, m_output);
+    tabifyDockWidget(m_output, m_stability);
     tabifyDockWidget(m_outline, m_inspector);
     tabifyDockWidget(m_inspector, m_effects);
     m_problems->raise();
@@ -133,25 +136,26 @@ void MainWindow::placeDocks() {
     resizeDocks({m_effects}, {rightWidth}, Qt::Horizontal);
 }
 
-/// Alt+1 to Alt+9 show a panel and put the keyboard into it; where it is already, they hide the panel and go
-/// back to the text.
+/// Alt+1 to Alt+9 and Alt+0 show a panel and put the keyboard into it; where it is already, they hide the
+/// panel and go back to the text.
 void MainWindow::addDockToggles() {
-    const std::array<std::pair<QDockWidget*, const char*>, 9> docks = {{{m_problems, "problems"},
-                                                                        {m_timing, "timing"},
-                                                                        {m_broadphase, "broadphase"},
-                                                                        {m_plots, "plots"},
-                                                                        {m_accuracy, "accuracy"},
-                                                                        {m_output, "output"},
-                                                                        {m_outline, "outline"},
-                                                                        {m_inspector, "inspector"},
-                                                                        {m_effects, "effects"}}};
+    const std::array<std::pair<QDockWidget*, const char*>, 10> docks = {{{m_problems, "problems"},
+                                                                         {m_timing, "timing"},
+                                                                         {m_broadphase, "broadphase"},
+                                                                         {m_plots, "plots"},
+                                                                         {m_accuracy, "accuracy"},
+                                                                         {m_output, "output"},
+                                                                         {m_outline, "outline"},
+                                                                         {m_inspector, "inspector"},
+                                                                         {m_effects, "effects"},
+                                                                         {m_stability, "stability"}}};
     QMenu& view = m_actions->menu(MenuId::View);
     view.addSeparator();
     int number = 0;
     for (const auto& [dock, icon] : docks) {
         QAction* action = view.addAction(dock->windowTitle());
         action->setProperty("icon", QString::fromLatin1(icon));
-        action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number)));
+        action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number % 10)));
         action->setStatusTip(tr("Show or hide this panel"));
         addAction(action);
         action->setCheckable(true); // checked: in front
@@ -191,6 +195,7 @@ void MainWindow::setTheme(const Theme& theme) {
     m_problems->setTheme(theme);
     m_outline->setTheme(theme);
     m_effects->setTheme(theme);
+    m_stability->setTheme(theme);
     for (QAction* action : QWidget::actions())
         if (action->property("icon").isValid())
             action->setIcon(theme.icon(action->property("icon").toString()));

@@ -27,6 +27,7 @@ class ProblemsDock;
 class SceneEditor;
 class Settings;
 class Timeline;
+class StabilityDock;
 class TimingDock;
 class TransportBar;
 class Viewport;
@@ -39,7 +40,7 @@ class Workspaces;
 ///     find bar          │                 outline | effects
 ///     timeline ──────────────────────────
 ///     transport ─────────────────────────
-///     problems | timing | broad-phase | accuracy | output
+///     problems | timing | broad-phase | plots | accuracy | breakpoints | output | stability
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
     BreakpointsDock& breakpoints() const { return *m_breakpoints; }
     PlotsDock& plots() const { return *m_plots; }
     OutputDock& output() const { return *m_output; }
+    StabilityDock& stability() const { return *m_stability; }
 
     void setTheme(const Theme& theme);
     /// Takes up the actions' keys anew: the editor gives up its own use of them.
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
     PlotsDock* m_plots;
     BreakpointsDock* m_breakpoints;
     OutputDock* m_output;
+    StabilityDock* m_stability;
     QSplitter* m_splitter = nullptr;
     Workspaces* m_workspaces = nullptr;
     QLabel* m_caret;

@@ -10,6 +10,7 @@
 #include "ui/docks/output_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
+#include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/simulation/frame_log.h"
@@ -174,6 +175,8 @@ void Workbench::connectReports() {
     connect(&m_window->plots(), &PlotsDock::reported, this, report);
     connect(&m_window->broadphase(), &BroadphaseDock::reported, this, report);
     connect(&m_window->accuracy(), &AccuracyDock::reported, this, report);
+    connect(&m_window->stability(), &StabilityDock::reported, this, report);
+    connect(&m_window->stability(), &StabilityDock::sceneWanted, m_files, &FileCommands::openText);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
     connect(m_selection, &Selection::bodySelected, this, [this](const QString& name) {
         const BodyIndex body = m_window->viewport().selectedBody();
