@@ -45,12 +45,13 @@ inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint
 /// times a substep.
 inline constexpr int mostNewtonAlways = 16, mostNewtonMoving = 192, mostNewtonResting = 1000;
 /// Factorisations for one solve: in an accurate run, in a moving island (divided by its contacts), in a
-/// larger one that is nearly at rest. An island that needs more is left to sweeps for some substeps before it
-/// is tried again. A card house of three storeys takes some hundred once, when it is put down.
+/// larger one that is nearly at rest or quite. An island that needs more is left to sweeps for some substeps
+/// before it is tried again. A card house of three storeys takes some hundred once, when it is put down.
 inline constexpr int mostStepsAccurate = 5000, mostStepsMoving = 20000, mostStepsResting = 40;
+inline constexpr int mostStepsAtRest = 100'000; ///< divided by its contacts, too
 inline constexpr std::uint16_t patience = 15;
-/// Nearly at rest: no body is faster than this times |g| h.
-inline constexpr double nearlyResting = 10;
+/// At rest or nearly: no body is faster than this times |g| h.
+inline constexpr double atRest = 1, nearlyResting = 10;
 /// The same for spheres: each has many neighbours, the matrix fills, and grains that still move regroup.
 /// Small piles of them take so many sweeps at most instead, which mostly reach the tolerance.
 inline constexpr double grainsResting = 0.1;

@@ -2,6 +2,7 @@
 #include "core/solvers/island_motion.h"
 
 #include "core/dynamics/contact_memory.h"
+#include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
 #include "core/solvers/bookings.h"
@@ -91,6 +92,7 @@ int IslandMotion::newtonSteps(const MotionInput& input, const Island& island) co
     if (PileMotion::treats(input.bodies, island.bodies, m_contacts))
         return fastest <= grainsResting * m_scale ? mostStepsResting : 0;
     if (points <= mostNewtonMoving) return mostStepsMoving / points;
+    if (fastest <= atRest * m_scale) return mostStepsAtRest / points;
     return fastest <= nearlyResting * m_scale ? mostStepsResting : 0;
 }
 
@@ -112,7 +114,15 @@ bool IslandMotion::movePile(const MotionInput& input, const Island& island) {
                          .tolerance = input.settings.tolerance * m_scale,
                          .sweeps = points <= mostNewtonMoving ? smallPileSweeps : input.settings.iterations,
                          .state = input.state};
+    Invariants before;
+    if (input.ledger != nullptr)
+        before = invariantsOf(input.bodies, island.bodies, input.state, input.gravity);
     const double residual = m_pile.advance(pile, island.bodies, m_contacts);
+    if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
+        const Invariants after = invariantsOf(input.bodies, island.bodies, input.state, input.gravity);
+        bookDifference(before, after, weightOf(input.bodies, island.bodies, input.substep * input.gravity),
+                       LedgerAccount::Contact, *input.ledger);
+    }
     if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
     report.impacts += static_cast<int>(m_pile.impacts());
     countPatience();

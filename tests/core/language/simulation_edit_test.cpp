@@ -26,9 +26,9 @@ class SimulationEditTest : public QObject {
         settings.integrator = "verlet";
         settings.substeps = 16;
         settings.tolerance = 1e-6;
-        const std::string text = "simulation { substeps 2 /* few */ method contacts\n  duration 3 } // end\n";
+        const std::string text = "simulation { substeps 2 // few\n  method contacts\n  duration 3 } // end\n";
         QCOMPARE(QString::fromStdString(withSettings(analyse(text), settings)),
-                 QStringLiteral("simulation { substeps 16 /* few */ method microcollisions\n  duration 3 "
+                 QStringLiteral("simulation { substeps 16 // few\n  method microcollisions\n  duration 3 "
                                 "integrator verlet tolerance 1e-06 } // end\n"));
     }
 

@@ -154,8 +154,8 @@ class ForesightTest : public QObject {
             "simulation { method microcollisions }\nsphere { radius 1 mass 1 centre 0, 0, 0 }\n"
             "sphere { radius 1 mass 5000 centre 0, 2, 0 }\n",
             DiagnosticCode::MassRatio);
-        texts[2] = "wall { normal 0, 1, 0 toOrig 0 }\nsphere { radius 1 mass 1e6 centre 0, 201, 0 }\n";
-        for (int i = 0; i < 100; ++i)
+        texts[2] = "wall { normal 0, 1, 0 toOrig 0 }\nsphere { radius 1 mass 1e6 centre 0, 501, 0 }\n";
+        for (int i = 0; i < 250; ++i)
             texts[2] += "sphere { radius 1 mass 1 centre 0, " + std::to_string(2 * i + 1) + ", 0 }\n";
         texts[2] += "simulation { method contacts }";
         add("heavy on a pile", texts[2].c_str(), DiagnosticCode::MassRatio);
