@@ -46,7 +46,7 @@ std::vector<std::vector<Vec3>> Explanations::trails() const {
 
 std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snapshot* snapshot) const {
     const std::vector<BodyIndex>& warned = pipeline.warnedBodies();
-    if (m_overlays == 0 && !m_ghost.snapshot && warned.empty()) return {};
+    if (m_overlays == 0 && !m_ghost.snapshot && warned.empty() && pipeline.scene().springs.empty()) return {};
     State state = pipeline.initialState();
     if (snapshot != nullptr) {
         state.pose = snapshot->pose;

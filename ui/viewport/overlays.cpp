@@ -3,8 +3,11 @@
 
 #include "ui/viewport/line_pen.h"
 
+#include "core/math/rotation.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace carom {
 
@@ -12,7 +15,8 @@ namespace {
 
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
     pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
-    trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30), warningColour(1.00, 0.70, 0.15);
+    trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30), warningColour(1.00, 0.70, 0.15),
+    springColour(0.75, 0.77, 0.80);
 
 /// Two states of one body that differ less than this, relative to its size, are one picture.
 constexpr double sameWithin = 1e-6;
@@ -24,6 +28,26 @@ bool looksTheSame(const Shape& a, const Pose& poseA, const Shape& b, const Pose&
     return grown.norm() <= sameWithin * size &&
            (poseA.position - poseB.position).norm() <= sameWithin * size &&
            std::abs(poseA.orientation.dot(poseB.orientation)) >= 1 - sameWithin;
+}
+
+/// A coil from end to end, straight near the ends.
+void drawSpring(LinePen& pen, const Vec3& from, const Vec3& to) {
+    constexpr int turns = 10, steps = 10;            // steps of a turn
+    constexpr double lead = 0.1, slenderness = 0.04; // parts of the length
+    const Vec3 along = to - from;
+    const double length = along.norm();
+    if (!(length > 0) || !std::isfinite(length)) return;
+    const Tangents across = tangentsOf(along / length);
+    Vec3 last = from;
+    for (int i = 0; i <= turns * steps; ++i) {
+        const double part = static_cast<double>(i) / (turns * steps),
+                     angle = 2 * std::numbers::pi * i / steps;
+        const Vec3 round = std::cos(angle) * across.first + std::sin(angle) * across.second;
+        const Vec3 next = from + (lead + (1 - 2 * lead) * part) * along + slenderness * length * round;
+        pen.line(last, next, springColour);
+        last = next;
+    }
+    pen.line(last, to, springColour);
 }
 
 /// Mobile bodies of the old run as wire, but for those that are where they are in the new one.
@@ -59,6 +83,11 @@ void drawCentreOfMass(LinePen& pen, const OverlayState& state) {
 std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& state) {
     std::vector<LineVertex> lines;
     LinePen pen(lines);
+    const auto endOf = [&](BodyIndex body, const Vec3& at) {
+        return body == noBody ? at : state.poses[body].toWorld(at);
+    };
+    for (const Spring& spring : state.scene.springs)
+        drawSpring(pen, endOf(spring.from, spring.fromAt), endOf(spring.to, spring.toAt));
     if (holds(overlays, Overlay::Axes))
         for (int axis = 0; axis < 3; ++axis) {
             // Lighter than the pure colours, of which blue would drown in the dark theme.

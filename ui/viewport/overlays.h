@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// What can be drawn over the bodies to explain them. Everything is lines in world coordinates; the labels'
-// texts are the viewport's own.
+// What is drawn with lines: springs, and what can be shown over the bodies to explain them. Everything is
+// lines in world coordinates; the labels' texts are the viewport's own.
 
 namespace carom {
 

@@ -229,9 +229,14 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
         grid.insertRow(0);
         grid.addElement(0, 0, title);
     }
-    if (plot.legend->layout() != &grid) { // below the axes instead of over the curves
+    const bool named = spec.legend && spec.series.size() > 1;
+    if (named && plot.legend->layout() != &grid) { // below the axes instead of over the curves
         plot.axisRect()->insetLayout()->take(plot.legend);
         grid.addElement(grid.rowCount(), 0, plot.legend);
+    } else if (!named && plot.legend->layout() == &grid) { // a hidden one would keep its place there
+        grid.take(plot.legend);
+        grid.simplify();
+        plot.axisRect()->insetLayout()->addElement(plot.legend, Qt::AlignTop);
     }
     plot.legend->setBrush(Qt::NoBrush);
     plot.legend->setBorderPen(Qt::NoPen);
@@ -239,8 +244,8 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     plot.legend->setWrap(legendColumns(plot, spec));
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst); // places the entries anew
     plot.legend->setRowSpacing(0);
-    grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
-    plot.legend->setVisible(spec.legend && spec.series.size() > 1);
+    if (named) grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
+    plot.legend->setVisible(named);
     fit(plot, spec);
 }
 

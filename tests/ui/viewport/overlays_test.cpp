@@ -46,6 +46,21 @@ class OverlaysTest : public QObject {
         QVERIFY(std::abs(total - 4 * (2 + 4 + 6)) < inFloats);
     }
 
+    void aSpringIsACoilFromEndToEndWithoutAnyOverlay() {
+        Scene scene = sceneOf({sphere(0.1, 1, {3, 0, 0})});
+        Spring spring;
+        spring.to = 0;
+        spring.fromAt = Vec3(0, 4, 0);
+        spring.toAt = Vec3(0.1, 0, 0);
+        scene.springs.push_back(spring);
+        const std::vector<LineVertex> lines = linesOf(Overlay{}, scene);
+        QVERIFY(lines.size() > 100);
+        QVERIFY((at(lines.front()) - Vec3(0, 4, 0)).norm() < inFloats);
+        QVERIFY((at(lines.back()) - Vec3(3.1, 0, 0)).norm() < inFloats);
+        for (std::size_t i = 2; i < lines.size(); i += 2)
+            QVERIFY((at(lines[i]) - at(lines[i - 1])).norm() < inFloats); // in one piece
+    }
+
     void aGhostIsWireWhereABodyIsElsewhereThanInTheOldRun() {
         const Scene scene = sceneOf({sphere(1, 1, {0, 0, 0}), cuboid({2, 2, 2}, 1, {9, 0, 0})});
         const State state = Pipeline(scene).initialState();
