@@ -1,20 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
+
+// Tables as comma-separated values (Y. Shafranovich, Common Format and MIME Type for CSV Files, RFC 4180,
+// 2005), with a line feed at the end of a line. Numbers are the shortest that read back exactly.
 
 namespace carom {
 
-/// A field of CSV (RFC 4180): quoted where it has to be.
-inline std::string csvField(std::string_view value) {
-    if (value.find_first_of(",\"\n") == value.npos) return std::string(value);
-    std::string quoted = "\"";
-    for (const char c : value) {
-        if (c == '"') quoted += '"';
-        quoted += c;
+/// A field as it stands in a file: quoted where it has to be.
+std::string csvField(std::string_view value);
+
+/// The parts of `text` between those `separator` that stand outside quotes, quotes and all; views into
+/// `text`. With '\n' the lines of a file, with ',' the fields of a line.
+std::vector<std::string_view> csvSplit(std::string_view text, char separator);
+
+/// What a field says: without the quotes around it.
+std::string csvValue(std::string_view field);
+
+/// A table in the making.
+class CsvTable {
+  public:
+    /// `columns` is the first line, "n,time_s".
+    explicit CsvTable(std::string_view columns) : m_text(columns) { m_text += '\n'; }
+
+    /// One line. A cell is text, or a number; NaN leaves it empty.
+    template<class... Cells>
+    void row(const Cells&... cells) {
+        std::size_t left = sizeof...(cells);
+        ((m_text += cell(cells), m_text += --left > 0 ? ',' : '\n'), ...);
     }
-    return quoted + '"';
-}
+
+    std::string take() { return std::move(m_text); }
+
+  private:
+    static std::string cell(std::string_view text) { return csvField(text); }
+    static std::string cell(double value) { return std::isnan(value) ? "" : shortest(value); }
+    static std::string cell(std::integral auto value) { return std::to_string(value); }
+
+    std::string m_text;
+};
 
 } // namespace carom

@@ -24,42 +24,8 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::vector<std::string_view> split(std::string_view text, char at) {
-    std::vector<std::string_view> parts;
-    for (bool quoted = false; true;) {
-        std::size_t end = 0;
-        for (; end < text.size() && (quoted || text[end] != at); ++end)
-            if (text[end] == '"') quoted = !quoted;
-        parts.push_back(text.substr(0, end));
-        if (end == text.size()) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
-
 constexpr std::array statuses = {PointStatus::Measured, PointStatus::Broken, PointStatus::Failed,
                                  PointStatus::TimedOut};
-
-std::string rowOf(const AccuracyPoint& point, bool onFront) {
-    std::string row(point.setting.method->name);
-    const auto add = [&row](std::string_view cell) { row.append(",").append(cell); };
-    const auto addNumber = [&](double value) { add(shortest(value)); };
-    add(point.setting.integrator != nullptr ? point.setting.integrator->name : "");
-    add(std::to_string(point.setting.substeps));
-    addNumber(point.setting.tolerance);
-    add(point.isDefault ? "yes" : "no");
-    add(nameOf(point.status));
-    add(csvField(point.reason));
-    for (const double value :
-         {point.errors.position, point.errors.positionRms, point.errors.attitude, point.energy.drift,
-          point.energy.swing, point.energy.worst, point.momentumChange, point.penetration, point.cost(),
-          point.leastCost(), point.mostCost()})
-        addNumber(value);
-    std::string runs;
-    for (const double time : point.times) runs.append(runs.empty() ? "" : ";").append(shortest(time));
-    add(runs);
-    add(onFront ? "yes" : "no");
-    return row;
-}
 
 /// One line of the file, its cells by the names of the columns.
 std::optional<AccuracyPoint> pointFrom(const std::map<std::string_view, std::string_view>& cells) {
@@ -76,13 +42,12 @@ std::optional<AccuracyPoint> pointFrom(const std::map<std::string_view, std::str
                                       [&](PointStatus s) { return nameOf(s) == text("status"); });
     if (status == statuses.end()) return std::nullopt;
     point.status = *status;
-    point.reason = text("reason");
-    std::erase(point.reason, '"');
+    point.reason = csvValue(text("reason"));
     point.errors = {number("position"), number("position_rms"), number("attitude")};
     point.energy = {number("energy_drift"), number("energy_swing"), number("energy_worst"), 0};
     point.momentumChange = number("momentum");
     point.penetration = number("penetration");
-    for (const std::string_view run : split(text("runs_ms"), ';'))
+    for (const std::string_view run : csvSplit(text("runs_ms"), ';'))
         if (const std::optional<double> time = numberIn(run)) point.times.push_back(*time);
     return point;
 }
@@ -113,26 +78,30 @@ std::string summaryOf(const AccuracyStudy& study) {
 }
 
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin) {
-    std::string text(columns);
-    text += "\n";
-    if (!study.truth) return text;
+    CsvTable table(columns);
+    if (!study.truth) return table.take();
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
-    std::string tail = "," + std::string(nameOf(study.truth->kind)) + "," + shortest(study.truth->error) +
-                       "," + shortest(study.truth->horizon) + "," + shortest(study.plan.duration) + "," +
-                       std::string(sceneHash);
-    for (const std::string& cell : {origin.command, origin.version, origin.machine})
-        tail += "," + csvField(cell);
-    for (const AccuracyPoint& point : study.points)
-        text += rowOf(point, std::find(front.begin(), front.end(), &point) != front.end()) + tail + "\n";
-    return text;
+    for (const AccuracyPoint& p : study.points) {
+        std::string runs;
+        for (const double time : p.times) runs.append(runs.empty() ? "" : ";").append(shortest(time));
+        const bool onFront = std::find(front.begin(), front.end(), &p) != front.end();
+        table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
+                  p.setting.substeps, p.setting.tolerance, p.isDefault ? "yes" : "no", nameOf(p.status),
+                  p.reason, p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
+                  p.energy.swing, p.energy.worst, p.momentumChange, p.penetration, p.cost(), p.leastCost(),
+                  p.mostCost(), runs, onFront ? "yes" : "no", nameOf(study.truth->kind), study.truth->error,
+                  study.truth->horizon, study.plan.duration, sceneHash, origin.command, origin.version,
+                  origin.machine);
+    }
+    return table.take();
 }
 
 std::vector<AccuracyPoint> pointsFromCsv(std::string_view csv, std::string_view sceneHash, double duration) {
     std::vector<AccuracyPoint> points;
-    const std::vector<std::string_view> lines = split(csv, '\n');
-    const std::vector<std::string_view> names = split(lines.front(), ',');
+    const std::vector<std::string_view> lines = csvSplit(csv, '\n');
+    const std::vector<std::string_view> names = csvSplit(lines.front(), ',');
     for (std::size_t line = 1; line < lines.size(); ++line) {
-        const std::vector<std::string_view> values = split(lines[line], ',');
+        const std::vector<std::string_view> values = csvSplit(lines[line], ',');
         if (values.size() != names.size()) continue;
         std::map<std::string_view, std::string_view> cells;
         for (std::size_t k = 0; k < names.size(); ++k) cells[names[k]] = values[k];

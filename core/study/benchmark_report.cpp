@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/benchmark_report.h"
 
+#include "core/base/csv.h"
 #include "core/base/figures.h"
-#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 namespace carom {
 namespace {
 
 constexpr double realTime = 1000.0 / 30; ///< [ms] a frame
 constexpr std::string_view naive = "all_pairs", baraff = "sweep_and_sort";
-
-void append(std::string& row, std::initializer_list<double> values) {
-    for (const double value : values) row.append(",").append(shortest(value));
-}
 
 std::string padded(std::string text, std::size_t width) {
     return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
@@ -87,36 +82,25 @@ std::optional<double> growthExponent(const std::vector<BenchmarkPoint>& points, 
 }
 
 std::string pointsAsCsv(const Benchmark& benchmark) {
-    std::string csv = "scene,n,bodies,broadphase,frames,first_ms,mean_ms,median_ms,p95_ms,max_ms,frame_rate,"
-                      "broadphase_ms,narrowphase_ms,pairs,tested,contacts,swaps,memory_bytes\n";
-    for (const BenchmarkPoint& p : benchmark.points) {
-        csv.append(nameOf(p.scene)).append(",").append(std::to_string(p.n)).append(",");
-        csv.append(std::to_string(p.bodies)).append(",").append(p.algorithm->name).append(",");
-        csv.append(std::to_string(benchmark.plan.frames));
-        const double rate = p.simulate.mean > 0 ? 1000 / p.simulate.mean : 0;
-        append(csv, {p.first, p.simulate.mean, p.simulate.median, p.simulate.p95, p.simulate.maximum, rate,
-                     p.broadphase, p.narrowphase, p.pairs, p.tested, p.contacts, p.swaps});
-        csv.append(",").append(std::to_string(p.memoryBytes)).append("\n");
-    }
-    return csv;
+    CsvTable table("scene,n,bodies,broadphase,frames,first_ms,mean_ms,median_ms,p95_ms,max_ms,frame_rate,"
+                   "broadphase_ms,narrowphase_ms,pairs,tested,contacts,swaps,memory_bytes");
+    for (const BenchmarkPoint& p : benchmark.points)
+        table.row(nameOf(p.scene), p.n, p.bodies, p.algorithm->name, benchmark.plan.frames, p.first,
+                  p.simulate.mean, p.simulate.median, p.simulate.p95, p.simulate.maximum,
+                  p.simulate.mean > 0 ? 1000 / p.simulate.mean : 0, p.broadphase, p.narrowphase, p.pairs,
+                  p.tested, p.contacts, p.swaps, p.memoryBytes);
+    return table.take();
 }
 
 std::string tracesAsCsv(const Benchmark& benchmark) {
-    std::string csv = "scene,n,broadphase,frame,time,simulate_ms,broadphase_ms,narrowphase_ms,pairs,tested,"
-                      "contacts,swaps\n";
-    for (const BenchmarkTrace& trace : benchmark.traces) {
-        const std::string run = std::string(nameOf(trace.scene)) + "," + std::to_string(trace.n) + "," +
-                                std::string(trace.algorithm->name) + ",";
-        for (const FrameStatistics& frame : trace.frames) {
-            csv.append(run).append(std::to_string(frame.frame));
-            append(csv, {frame.time, frame.simulate, frame.broadphase, frame.narrowphase});
-            for (const std::uint64_t count :
-                 {frame.broad.pairs, frame.broad.tested, frame.contacts, frame.broad.swaps})
-                csv.append(",").append(std::to_string(count));
-            csv.append("\n");
-        }
-    }
-    return csv;
+    CsvTable table("scene,n,broadphase,frame,time,simulate_ms,broadphase_ms,narrowphase_ms,pairs,tested,"
+                   "contacts,swaps");
+    for (const BenchmarkTrace& trace : benchmark.traces)
+        for (const FrameStatistics& frame : trace.frames)
+            table.row(nameOf(trace.scene), trace.n, trace.algorithm->name, frame.frame, frame.time,
+                      frame.simulate, frame.broadphase, frame.narrowphase, frame.broad.pairs,
+                      frame.broad.tested, frame.contacts, frame.broad.swaps);
+    return table.take();
 }
 
 namespace {

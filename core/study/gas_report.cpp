@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gas_report.h"
 
+#include "core/base/csv.h"
 #include "core/base/figures.h"
-#include "core/base/text.h"
 
 #include <cmath>
 #include <limits>
@@ -48,10 +48,6 @@ std::vector<Row> rowsOf(const GasStudy& study) {
     return rows;
 }
 
-std::string field(std::string_view value) { return "\"" + std::string(value) + "\""; }
-
-std::string number(double value) { return std::isnan(value) ? "" : shortest(value); }
-
 } // namespace
 
 std::string summaryOf(const GasStudy& study) {
@@ -91,49 +87,25 @@ std::string summaryOf(const GasStudy& study) {
 }
 
 std::string figuresAsCsv(const GasStudy& study, const StudyOrigin& origin) {
-    std::string csv = "figure,value,uncertainty,theory,unit,command,version,machine\n";
-    for (const Row& row : rowsOf(study)) {
-        csv.append(row.name).append(",").append(number(row.estimate.value)).append(",");
-        csv.append(number(row.estimate.uncertainty))
-            .append(",")
-            .append(number(row.estimate.theory))
-            .append(",");
-        csv.append(row.unit).append(",").append(field(origin.command)).append(",");
-        csv.append(origin.version).append(",").append(field(origin.machine)).append("\n");
-    }
-    return csv;
+    CsvTable table("figure,value,uncertainty,theory,unit,command,version,machine");
+    for (const Row& row : rowsOf(study))
+        table.row(row.name, row.estimate.value, row.estimate.uncertainty, row.estimate.theory, row.unit,
+                  origin.command, origin.version, origin.machine);
+    return table.take();
 }
 
 std::string speedsAsCsv(const GasStudy& study) {
-    std::string csv = "from,to,density,theory\n";
-    for (const SpeedBin& bin : study.speeds)
-        csv.append(shortest(bin.from))
-            .append(",")
-            .append(shortest(bin.to))
-            .append(",")
-            .append(shortest(bin.density))
-            .append(",")
-            .append(shortest(bin.theory))
-            .append("\n");
-    return csv;
+    CsvTable table("from,to,density,theory");
+    for (const SpeedBin& bin : study.speeds) table.row(bin.from, bin.to, bin.density, bin.theory);
+    return table.take();
 }
 
 std::string heightsAsCsv(const GasStudy& study) {
-    std::string csv = "from,to,balls,theory,temperature,temperature_uncertainty\n";
+    CsvTable table("from,to,balls,theory,temperature,temperature_uncertainty");
     for (const HeightBin& layer : study.heights)
-        csv.append(shortest(layer.from))
-            .append(",")
-            .append(shortest(layer.to))
-            .append(",")
-            .append(shortest(layer.balls))
-            .append(",")
-            .append(shortest(layer.theory))
-            .append(",")
-            .append(number(layer.temperature.value))
-            .append(",")
-            .append(number(layer.temperature.uncertainty))
-            .append("\n");
-    return csv;
+        table.row(layer.from, layer.to, layer.balls, layer.theory, layer.temperature.value,
+                  layer.temperature.uncertainty);
+    return table.take();
 }
 
 } // namespace carom

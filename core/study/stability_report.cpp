@@ -3,9 +3,9 @@
 
 #include "core/base/csv.h"
 #include "core/base/figures.h"
-#include "core/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 namespace {
@@ -48,28 +48,20 @@ std::string summaryOf(const StabilityStudy& study) {
 }
 
 std::string figuresAsCsv(const StabilityStudy& study, const StudyOrigin& origin) {
-    std::string csv = "case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine\n";
-    const std::string tail = "," + csvField(origin.command) + "," + csvField(origin.version) + "," +
-                             csvField(origin.machine) + "\n";
+    CsvTable table("case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine");
     for (const TrialResult& result : study.results) {
-        std::string head = std::to_string(result.hardCase->number);
-        head.append(",").append(result.hardCase->name).append(",").append(nameOf(result.column)).append(",");
-        const std::string time = shortest(result.seconds);
-        if (result.figures.empty())
-            csv.append(head)
-                .append(",,,,")
-                .append(nameOf(result.verdict))
-                .append(",")
-                .append(time)
-                .append(tail);
-        for (const Figure& figure : result.figures) {
-            const Verdict verdict = figure.holds() ? Verdict::Holds : Verdict::Fails;
-            csv.append(head).append(csvField(figure.name)).append(",").append(shortest(figure.value));
-            csv.append(",").append(figure.unit).append(",").append(shortest(figure.limit)).append(",");
-            csv.append(nameOf(verdict)).append(",").append(time).append(tail);
-        }
+        const auto row = [&](std::string_view figure, double value, std::string_view unit, double limit,
+                             Verdict verdict) {
+            table.row(result.hardCase->number, result.hardCase->name, nameOf(result.column), figure, value,
+                      unit, limit, nameOf(verdict), result.seconds, origin.command, origin.version,
+                      origin.machine);
+        };
+        if (result.figures.empty()) row("", NAN, "", NAN, result.verdict);
+        for (const Figure& figure : result.figures)
+            row(figure.name, figure.value, figure.unit, figure.limit,
+                figure.holds() ? Verdict::Holds : Verdict::Fails);
     }
-    return csv;
+    return table.take();
 }
 
 } // namespace carom
