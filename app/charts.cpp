@@ -21,33 +21,31 @@ void needApplication() {
     static const QApplication application(count, words);
 }
 
-void draw(const std::vector<NamedChart>& charts, std::initializer_list<const char*> endings,
-          const std::string& folder) {
+void drawInto(const ChartSpec& chart, const QString& path) {
     needApplication();
-    for (const NamedChart& chart : charts) {
-        for (const char* ending : endings) {
-            const QString path =
-                QString::fromStdString(folder) + QLatin1Char('/') + chart.name + QLatin1StringView(ending);
-            if (!writeChart(chart.chart, path).isEmpty())
-                throw FileError("cannot write", path.toStdString(), EIO);
-        }
-    }
+    if (!writeChart(chart, path).isEmpty()) throw FileError("cannot write", path.toStdString(), EIO);
+}
+
+void draw(const std::vector<NamedChart>& charts, const std::string& folder) {
+    for (const NamedChart& chart : charts)
+        for (const char* ending : {".svg", ".png"})
+            drawInto(chart.chart, QString::fromStdString(folder) + QLatin1Char('/') + chart.name +
+                                      QLatin1StringView(ending));
 }
 
 } // namespace
 
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder) {
-    draw(chartsOf(benchmark), {".svg", ".png"}, folder);
+    draw(chartsOf(benchmark), folder);
 }
 
-void drawGas(const GasStudy& study, const std::string& folder) {
-    draw(chartsOf(study), {".svg", ".png"}, folder);
-}
+void drawGas(const GasStudy& study, const std::string& folder) { draw(chartsOf(study), folder); }
 
-void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder) {
+void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& path) {
+    needApplication(); // before the fonts of the title are asked for
     const QString title =
         QCoreApplication::translate("Charts", "What accuracy costs: %1").arg(QString::fromStdString(scene));
-    draw({{QStringLiteral("accuracy"), accuracyChart(study, title).spec}}, {".svg", ".png", ".pdf"}, folder);
+    drawInto(accuracyChart(study, title).spec, QString::fromStdString(path));
 }
 
 } // namespace carom

@@ -9,12 +9,12 @@
 
 namespace carom {
 
-/// Draws what a study found into a folder, each chart as SVG and PNG, without any display. Throws FileError.
+/// Draws what a study found into a folder, each chart as SVG and PNG, or into one file by its ending, without
+/// any display. Throws FileError.
 struct ChartDrawer {
     void (*benchmark)(const Benchmark& benchmark, const std::string& folder) = nullptr;
-    /// `scene` is the title; as PDF, too.
-    void (*accuracy)(const AccuracyStudy& study, const std::string& scene,
-                     const std::string& folder) = nullptr;
+    /// `scene` is the title; `path` ends in .svg, .png or .pdf.
+    void (*accuracy)(const AccuracyStudy& study, const std::string& scene, const std::string& path) = nullptr;
     void (*gas)(const GasStudy& study, const std::string& folder) = nullptr;
 };
 
@@ -24,7 +24,7 @@ ChartDrawer& chartDrawer();
 
 /// In app/charts.cpp, which knows Qt.
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder);
-void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& folder);
+void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& path);
 void drawGas(const GasStudy& study, const std::string& folder);
 
 } // namespace carom

@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/errors.h"
 #include "app/files.h"
+#include "app/instructions.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/scene_options.h"
@@ -10,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/integrators/integrator.h"
 #include "core/scene/schema.h"
+#include "core/study/accuracy_csv.h"
 #include "core/study/accuracy_report.h"
 
 #include <algorithm>
@@ -71,12 +73,30 @@ AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
     plan.duration = arguments.positiveNumber("duration").value_or(plan.duration);
     plan.patience = arguments.positiveNumber("patience").value_or(plan.patience);
     plan.target = arguments.positiveNumber("target").value_or(plan.target);
+    plan.copies = static_cast<int>(arguments.wholeNumber("copies", 0, 1000).value_or(plan.copies));
     plan.runs = static_cast<int>(arguments.wholeNumber("runs", 1, 1000).value_or(plan.runs));
     return plan;
 }
 
+/// The file of `--chart`, which must be one that can be drawn.
+std::optional<std::string> chartPath(const Arguments& arguments) {
+    std::optional<std::string> path = arguments.text("chart");
+    if (!path) return path;
+    const std::string ending = std::filesystem::path(*path).extension().string();
+    if (ending != ".svg" && ending != ".png" && ending != ".pdf")
+        throw UsageError("`--chart` has `" + *path + "`; its ending must be .svg, .png or .pdf");
+    if (chartDrawer().accuracy == nullptr)
+        throw UsageError("`--chart` needs a build with the IDE, which draws the charts");
+    return path;
+}
+
 int runStudy(const Arguments& arguments) {
     const std::string& path = arguments.operands.front();
+    const std::optional<std::string> chart = chartPath(arguments);
+    const bool counts = arguments.has("instructions");
+    if (counts) needValgrind();
+    if (counts && path == "-")
+        throw UsageError("`--instructions` reads the scene again and again; give a file in place of `-`");
     const Build built = loadScene(path);
     const Scene& scene = built.pipeline->scene();
     if (built.pipeline->bodies().mobileBodies.empty())
@@ -99,17 +119,28 @@ int runStudy(const Arguments& arguments) {
         progress->update(static_cast<std::int64_t>(done * progressParts));
         return !interrupted();
     };
-    const AccuracyStudy study = runAccuracy(scene, plan, listener, known);
+    AccuracyStudy study = runAccuracy(scene, plan, listener, known);
     progress.reset();
+    if (counts && study.complete) {
+        Progress counting(std::ssize(study.points), "settings under callgrind");
+        countInstructions(study, path, [&](std::size_t done) {
+            counting.update(static_cast<std::int64_t>(done));
+            study.complete = !interrupted();
+            return study.complete;
+        });
+    }
 
     const std::string summary = summaryOf(study);
+    const std::string title = std::filesystem::path(path).stem().string();
     printOut(summary);
     if (folder) {
         writeFile(*folder, figuresFile, pointsAsCsv(study, hash, studyOrigin(command, arguments)));
         writeFile(*folder, "summary.txt", summary);
-        if (chartDrawer().accuracy)
-            chartDrawer().accuracy(study, std::filesystem::path(path).stem().string(), *folder);
+        if (chartDrawer().accuracy != nullptr)
+            for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
+                chartDrawer().accuracy(study, title, (std::filesystem::path(*folder) / name).string());
     }
+    if (chart) chartDrawer().accuracy(study, title, *chart);
     return study.complete ? exitcode::done : exitcode::interrupted;
 }
 
@@ -121,7 +152,8 @@ CommandRow studyAccuracyCommand() {
         .summary = "What accuracy costs in time: errors and times of every setting of a scene",
         .operands = "SCENE",
         .example = "carom study accuracy scenes/pool_break.sdl -o results\n"
-                   "carom study accuracy swing.sdl --methods contacts --substeps 1,2,4,8 --target 1e-4",
+                   "carom study accuracy swing.sdl --methods contacts --substeps 1,2,4,8 --target 1e-4\n"
+                   "carom study accuracy scenes/brownian.sdl --instructions --chart gas.svg",
         .options =
             {
                 {"methods", 0, "LIST", "methods of motion, separated by commas (default all that can)"},
@@ -132,9 +164,13 @@ CommandRow studyAccuracyCommand() {
                 {"runs", 0, "N", "timed runs of a setting, which take turns (default 5)"},
                 {"patience", 0, "S", "seconds a run may take (default 5)"},
                 {"target", 0, "E", "the error that is accurate enough (default 1e-3)"},
+                {"copies", 0, "N",
+                 "runs of a scene of many balls beyond the chaos horizon, at most; 0: none (default 20)"},
+                {"instructions", 0, "", "count the instructions of every setting, too; needs valgrind"},
                 {"resume", 0, "", "go on with the interrupted study in the folder of `--output`"},
                 {"output", 'o', "DIR",
                  "write accuracy.csv, summary.txt and the chart (SVG, PNG and PDF) there"},
+                {"chart", 0, "FILE", "write the chart there, by the ending as SVG, PNG or PDF"},
             },
         .details =
             "Every setting is run against the truth: a closed form where the scene has one, else exact "
@@ -143,7 +179,14 @@ CommandRow studyAccuracyCommand() {
             "looks a frame, within the time for which two copies 1e-12 apart stay together. Times are "
             "processor times per simulated second, the median of the runs. A setting that lost its state or "
             "took too long stays in the figures, and so does one that changed its energy by 1 %. Ctrl-C ends "
-            "the study: what was measured is written, and the exit code is 130.",
+            "the study: what was measured is written, and the exit code is 130.\n\n"
+            "Impacts are seen from frame to frame: how many there are, and by how much each body's k-th one "
+            "comes too early or late. Of fifty balls and more that are followed far beyond the horizon, "
+            "copies "
+            "a millionth apart are compared with exact ones as a crowd: distribution of the speeds, pressure "
+            "at the walls, time between impacts; medians and quartiles of up to `--copies` runs, as many as "
+            "there is patience for. Instructions are those of `carom run` under valgrind's callgrind, some "
+            "fifty times slower, and do not depend on what else the machine does.",
         .leastOperands = 1,
         .mostOperands = 1,
         .run = runStudy};

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/accuracy.h"
 
-#include "core/base/clock.h"
+#include "core/study/accuracy_run.h"
+
 #include "core/base/figures.h"
-#include "core/dynamics/energy.h"
+#include "core/integrators/integrator.h"
 #include "core/math/statistics.h"
-#include "core/simulation/world.h"
+#include "core/simulation/pipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,6 @@
 
 namespace carom {
 namespace {
-
-/// A relative change of energy, or a gain of it, beyond this counts as broken.
-constexpr double brokenInvariant = 0.01;
-/// A timed run is repeated until it has lasted so long [ms]: clocks are read twice.
-constexpr double leastTimed = 5;
-/// Kinetic energy below this part of m g size, or of m size²/duration², is none.
-constexpr double noEnergy = 1e-12;
 
 const char* const stepping[] = {"microcollisions", "contacts"};
 
@@ -41,13 +35,6 @@ bool losesNothing(const Scene& scene) {
         if (body.elastic < 1 || body.friction > 0 || body.rolling > 0) return false;
     return std::all_of(scene.springs.begin(), scene.springs.end(),
                        [](const Spring& spring) { return spring.damping == 0; });
-}
-
-bool isClosed(const Pipeline& pipeline) {
-    if (pipeline.simulates("gravity")) return false;
-    if (pipeline.bodies().mobileBodies.size() < pipeline.bodies().count()) return false;
-    return std::all_of(pipeline.bodies().springs.begin(), pipeline.bodies().springs.end(),
-                       [](const SpringForce& s) { return s.from != noBody && s.to != noBody; });
 }
 
 /// Measures the points of a study, one after the other, then times them in turns.
@@ -105,7 +92,11 @@ class Runner {
                                    .duration = m_study.plan.duration,
                                    .finest = finest,
                                    .patience = 4 * m_study.plan.patience,
+                                   .copies = m_study.plan.copies,
                                    .goOn = [this] { return goOn(); }});
+        if (m_study.truth && m_study.truth->crowd)
+            for (const AccuracyPoint& point : m_study.points)
+                m_total += 1.25 * m_study.plan.copies * point.setting.substeps;
         m_done = 0.2 * m_total;
         if (m_study.truth) m_trajectory = std::exchange(m_study.truth->trajectory, {});
         return m_study.truth.has_value();
@@ -117,8 +108,12 @@ class Runner {
                 point.status = PointStatus::TimedOut;
                 point.reason = "coarser settings of its family timed out";
             }
-            if (point.status == PointStatus::Waiting && !measure(point)) return false;
+            if (point.status == PointStatus::Waiting && !measure(theRun(), point)) return false;
             m_done += point.setting.substeps;
+            if (m_study.truth->crowd) {
+                if (point.finished() && !point.crowd && !measureCrowd(theRun(), point)) return false;
+                m_done += m_study.plan.copies * point.setting.substeps;
+            }
             changed();
         }
         return true;
@@ -131,15 +126,10 @@ class Runner {
         });
     }
 
-    /// One run, substep by substep; false if told to stop.
-    bool measure(AccuracyPoint& point);
-    bool timeAll();
-    bool timeOnce(AccuracyPoint& point);
-
-    std::int64_t frames() const {
-        return static_cast<std::int64_t>(
-            std::ceil(m_study.plan.duration / m_study.settings.step * (1 - 1e-12)));
+    AccuracyRun theRun() {
+        return {m_scene, m_study, m_trajectory, [this] { return goOn(); }};
     }
+    bool timeAll();
 
     const Scene& m_scene;
     const AccuracyListener& m_listener;
@@ -148,102 +138,15 @@ class Runner {
     double m_done = 0, m_total = 0; // substeps a frame, over all runs
 };
 
-bool Runner::measure(AccuracyPoint& point) {
-    const Truth& truth = *m_study.truth;
-    SimulationSettings options = point.setting.options();
-    options.step = m_study.settings.step / point.setting.substeps;
-    options.substeps = 1;
-    const auto pipeline = std::make_shared<const Pipeline>(m_scene, options);
-    World world(pipeline);
-    ErrorMeter meter(pipeline->bodies(), truth.size);
-    std::vector<double> time, energy;
-    double kinetic = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
-    const Vec3 momentum = world.statistics().momentum;
-    const bool closed = isClosed(*pipeline);
-    const Stopwatch watch;
-    const std::int64_t steps = frames() * point.setting.substeps;
-    for (std::int64_t step = 0;; ++step) {
-        const FrameStatistics& frame = world.statistics();
-        time.push_back(world.state().time);
-        energy.push_back(frame.kinetic + frame.potential);
-        kinetic = std::max(kinetic, frame.kinetic);
-        highest = std::max(highest, frame.potential);
-        lowest = std::min(lowest, frame.potential);
-        point.penetration = std::max(point.penetration, frame.maxPenetration / truth.size);
-        const std::int64_t eighths = step * looksPerFrame;
-        const auto look = static_cast<std::size_t>(eighths / point.setting.substeps);
-        if (eighths % point.setting.substeps == 0 && look < m_trajectory.samples.size() &&
-            static_cast<double>(look) * m_trajectory.spacing <= truth.horizon)
-            meter.add(world.state().pose, m_trajectory.samples[look]);
-        if (step == steps) break;
-        world.step();
-        if (!goOn()) return false;
-        if (!world.health().finite) {
-            point.status = PointStatus::Failed;
-            point.reason = "the state was lost after " + figure(world.state().time) + " s";
-            point.times = {watch.elapsed() / world.state().time};
-            break;
-        }
-        if (watch.elapsed() > 1000 * m_study.plan.patience) {
-            point.status = PointStatus::TimedOut;
-            point.reason = "it took longer than " + figure(m_study.plan.patience) + " s";
-            point.times = {watch.elapsed() / world.state().time};
-            break;
-        }
-    }
-    point.errors = meter.norms();
-    const double scale = std::max(kinetic, highest - lowest);
-    point.energy = steadinessOf(time, energy, scale);
-    if (closed) {
-        double most = 0;
-        for (const BodyIndex i : pipeline->bodies().mobileBodies)
-            most += pipeline->bodies().mass[i] * world.state().velocity[i].norm();
-        if (most > noEnergy) point.momentumChange = (world.statistics().momentum - momentum).norm() / most;
-    }
-    if (point.status != PointStatus::Waiting) return true;
-    point.status = PointStatus::Measured;
-    const double change = m_study.conservative ? point.energy.worst : point.energy.gain;
-    if (change > brokenInvariant) {
-        point.status = PointStatus::Broken;
-        point.reason = "energy " + std::string(m_study.conservative ? "changed" : "grew") + " by " +
-                       figure(100 * change) + " %";
-    }
-    return true;
-}
-
 bool Runner::timeAll() {
     for (int run = 0; run < m_study.plan.runs; ++run) {
         for (AccuracyPoint& point : m_study.points) {
             m_done += point.setting.substeps;
             if (!point.finished() || std::ssize(point.times) > run) continue;
-            if (!timeOnce(point)) return false;
+            if (!timeOnce(theRun(), point)) return false;
             changed();
         }
     }
-    return true;
-}
-
-bool Runner::timeOnce(AccuracyPoint& point) {
-    SimulationSettings options = point.setting.options();
-    options.step = m_study.settings.step;
-    World world(std::make_shared<const Pipeline>(m_scene, options));
-    double spent = 0, simulated = 0;
-    while (spent < leastTimed) {
-        world.reset();
-        world.step(); // the first touch of everything
-        for (std::int64_t frame = 1; frame < std::max<std::int64_t>(2, frames());) {
-            // Some frames between two readings of the clock and two looks at whether to stop.
-            const std::int64_t end = std::min(std::max<std::int64_t>(2, frames()), frame + 16);
-            const double start = processorTimeOfThread();
-            for (; frame < end; ++frame) {
-                world.step();
-                simulated += m_study.settings.step;
-            }
-            spent += processorTimeOfThread() - start;
-            if (!goOn()) return false;
-        }
-    }
-    point.times.push_back(spent / simulated);
     return true;
 }
 

@@ -16,7 +16,8 @@
 // across, its time per simulated second up; settings that differ in their substeps only are a family. Errors
 // are plain, measured at every look (eight a frame) that falls on the end of a substep, within the chaos
 // horizon only, and never averaged over chaotic runs. Times are processor times of runs without rendering,
-// loading and the first frame, which take turns, so that a disturbance falls on all of them.
+// loading and the first frame, which take turns, so that a disturbance falls on all of them. Impacts are
+// counted and timed (impacts.h); what many balls do beyond the horizon is compared as a crowd (crowd.h).
 
 namespace carom {
 
@@ -50,10 +51,13 @@ struct AccuracyPoint {
     PointStatus status = PointStatus::Waiting;
     std::string reason{}; ///< of a status beyond Measured
     ErrorNorms errors{};
-    Steadiness energy{};         ///< relative to the largest kinetic energy or change of potential
-    double momentumChange = 0;   ///< relative, of scenes without gravity, walls and ends in the world; else 0
-    double penetration = 0;      ///< the largest overlap, relative to the scene's size
-    std::vector<double> times{}; ///< [ms] a simulated second, a run each
+    Steadiness energy{};       ///< relative to the largest kinetic energy or change of potential
+    double momentumChange = 0; ///< relative, of scenes without gravity, walls and ends in the world; else 0
+    double penetration = 0;    ///< the largest overlap, relative to the scene's size
+    std::optional<ImpactErrors> impacts{}; ///< where they can be seen
+    std::optional<CrowdFigures> crowd{};   ///< of a crowd, beyond the horizon
+    double instructions = 0;               ///< a simulated second, where somebody counted them
+    std::vector<double> times{};           ///< [ms] a simulated second, a run each
 
     bool usable() const { return status == PointStatus::Measured; }
     double cost() const;      ///< median of the times
@@ -68,6 +72,7 @@ struct AccuracyPlan {
     int runs = 5;        ///< timed, a setting
     double patience = 5; ///< [s] of wall time a run
     double target = 1e-3;
+    int copies = 20; ///< of a crowd, at most: as long as there is patience, a setting
 };
 
 struct AccuracyStudy {

@@ -13,6 +13,9 @@ namespace {
 /// Errors between these show an order: below rounding takes part, above the first term does not rule yet.
 constexpr double leastError = 1e-12, mostError = 0.1;
 constexpr std::size_t leastSlopes = 2;
+/// Slopes so close to the median are of one order, and so many must be: where impacts fall between the steps,
+/// errors jump up and down, and there is none.
+constexpr double sameSlope = 0.3, mostSlopes = 0.6;
 
 std::string milliseconds(double cost) { return figure(cost) + " ms"; }
 
@@ -45,7 +48,11 @@ std::optional<double> orderOf(const AccuracyFamily& family, double resolution) {
         coarser = shows ? point : nullptr;
     }
     if (slopes.size() < leastSlopes) return std::nullopt;
-    return summarise(slopes).median;
+    const double order = summarise(slopes).median;
+    const auto agree = std::count_if(slopes.begin(), slopes.end(),
+                                     [&](double slope) { return std::abs(slope - order) < sameSlope; });
+    if (static_cast<double>(agree) < mostSlopes * static_cast<double>(slopes.size())) return std::nullopt;
+    return order;
 }
 
 std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study) {
@@ -69,18 +76,21 @@ const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error) {
     return best;
 }
 
-std::string recommendation(const AccuracyStudy& study) {
+const AccuracyPoint* recommended(const AccuracyStudy& study) {
+    if (const AccuracyPoint* best = cheapestWithin(study, study.plan.target)) return best;
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
-    if (front.empty()) return "Nothing can be recommended: no setting ran with its invariants whole.";
-    const AccuracyPoint* best = cheapestWithin(study, study.plan.target);
+    return front.empty() ? nullptr : front.front();
+}
+
+std::string recommendation(const AccuracyStudy& study) {
+    const AccuracyPoint* best = recommended(study);
+    if (best == nullptr) return "Nothing can be recommended: no setting ran with its invariants whole.";
     std::string text;
-    if (best != nullptr) {
+    if (best->errors.worst() <= study.plan.target)
         text = "Error below " + figure(study.plan.target);
-    } else {
-        best = front.front();
+    else
         text = "No setting has an error below " + figure(study.plan.target) + "; the least, " +
                figure(best->errors.worst()) + ",";
-    }
     text += " costs " + milliseconds(best->cost()) + " per simulated second: " + best->setting.name();
     if (best->setting.integrator != nullptr)
         text += " (substep 1/" + figure(best->setting.substeps / study.settings.step, 6) + " s)";

@@ -20,7 +20,7 @@ std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study);
 
 /// The order of convergence: the median slope of log error against log substep between neighbouring points
 /// that have converged so far that it shows (errors below 0.1) and are above the truth's resolution and
-/// rounding. Nothing of fewer than two such slopes.
+/// rounding. Nothing of fewer than two such slopes, or where they do not agree.
 std::optional<double> orderOf(const AccuracyFamily& family, double resolution);
 
 /// Usable points that no other one beats in error without costing more, ascending by error.
@@ -28,6 +28,9 @@ std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study);
 
 /// The cheapest usable point with at most this error, or null.
 const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error);
+
+/// The cheapest usable point within the plan's target, or the most accurate one if none is; null without any.
+const AccuracyPoint* recommended(const AccuracyStudy& study);
 
 /// "Error below 0.001 costs 0.8 ms per simulated second: microcollisions, verlet, 4 substeps; 12 times
 /// cheaper than the scene's own setting …".

@@ -2,7 +2,6 @@
 #include "core/study/truth.h"
 
 #include "core/base/clock.h"
-#include "core/math/random.h"
 #include "core/simulation/world.h"
 #include "core/study/closed_motion.h"
 
@@ -39,12 +38,19 @@ std::int64_t looksOf(const TruthRequest& request) {
            looksPerFrame;
 }
 
-/// The states of a run at every look, `perLook` steps apart; nothing if told to stop, or if the state is lost
-/// or `seconds` of wall time are over.
-std::optional<Trajectory> recordRun(const TruthRequest& request, const Scene& scene,
-                                    const SimulationSettings& options, std::int64_t perLook, double seconds) {
+struct Recorded {
+    Trajectory trajectory;
+    ImpactRecord impacts;
+};
+
+/// The states of a run at every look, `perLook` steps apart, and its impacts; nothing if told to stop, or if
+/// the state is lost or `seconds` of wall time are over.
+std::optional<Recorded> recordRun(const TruthRequest& request, const Scene& scene,
+                                  const SimulationSettings& options, std::int64_t perLook, double seconds) {
     World world(std::make_shared<const Pipeline>(scene, options));
-    Trajectory trajectory{request.settings.step / looksPerFrame, {world.state().pose}};
+    const Pipeline& pipeline = world.pipeline();
+    Recorded run{{request.settings.step / looksPerFrame, {world.state().pose}}, {}};
+    ImpactWatch watchImpacts(pipeline.bodies(), pipeline.gravity(), request.settings.step, world.state());
     const Stopwatch watch;
     for (std::int64_t look = 0; look < looksOf(request); ++look) {
         for (std::int64_t k = 0; k < perLook; ++k) {
@@ -52,20 +58,11 @@ std::optional<Trajectory> recordRun(const TruthRequest& request, const Scene& sc
             if (!request.goOn() || watch.elapsed() > 1000 * seconds) return std::nullopt;
         }
         if (!world.health().finite) return std::nullopt;
-        trajectory.samples.push_back(world.state().pose);
+        run.trajectory.samples.push_back(world.state().pose);
+        if ((look + 1) % looksPerFrame == 0) watchImpacts.look(world.state());
     }
-    return trajectory;
-}
-
-Scene nudged(const Scene& scene, double distance) {
-    Scene copy = scene;
-    Random random(1);
-    for (Body& body : copy.bodies) {
-        if (!body.mobile()) continue;
-        const Vec3 direction(random.gaussian(), random.gaussian(), random.gaussian());
-        body.pose.position += distance * direction.normalized();
-    }
-    return copy;
+    if (ImpactWatch::sees(pipeline.bodies())) run.impacts = watchImpacts.record();
+    return run;
 }
 
 /// How fast a nudged copy parts from the run, in the same setting.
@@ -97,18 +94,27 @@ Truth closedTruth(const TruthRequest& request, const ClosedMotion& motion, const
 
 std::optional<Truth> exactTruth(const TruthRequest& request, const Bodies& bodies) {
     SimulationSettings options = optionsFor("events", "euler", request.settings.step / looksPerFrame);
-    std::optional<Trajectory> run = recordRun(request, request.scene, options, 1, request.patience);
+    std::optional<Recorded> run = recordRun(request, request.scene, options, 1, request.patience);
     if (!run) return std::nullopt;
     Truth truth{.kind = TruthKind::ExactEvents, .description = "exact events"};
-    truth.size = sizeOf(bodies, *run);
+    truth.size = sizeOf(bodies, run->trajectory);
     truth.error = roundingOfTruth;
-    const std::optional<Trajectory> copy =
+    const std::optional<Recorded> copy =
         recordRun(request, nudged(request.scene, copiesApart * truth.size), options, 1, request.patience);
     if (!copy) return std::nullopt;
-    measureHorizon(*run, *copy, bodies, truth);
+    measureHorizon(run->trajectory, copy->trajectory, bodies, truth);
     // Within the horizon rounding has grown as the distance of the copies has.
     if (truth.chaotic) truth.error = roundingOfTruth * copiesParted / copiesApart;
-    truth.trajectory = std::move(*run);
+    truth.trajectory = std::move(run->trajectory);
+    truth.impacts = std::move(run->impacts);
+    if (!truth.chaotic) return truth;
+    CrowdRun crowd{.scene = request.scene,
+                   .frames = looksOf(request) / looksPerFrame,
+                   .first = framesToForget(truth.growth, request.settings.step),
+                   .step = request.settings.step,
+                   .nudge = crowdNudge * truth.size,
+                   .goOn = request.goOn};
+    truth.crowd = exactCrowd(crowd, bodies, request.copies);
     return truth;
 }
 
@@ -117,33 +123,35 @@ std::optional<Truth> convergedTruth(const TruthRequest& request, const Bodies& b
     const auto optionsOf = [&](int substeps) {
         return optionsFor("contacts", integrator, request.settings.step / substeps);
     };
-    std::optional<Trajectory> run =
+    std::optional<Recorded> run =
         recordRun(request, request.scene, optionsOf(firstSubsteps), 1, request.patience);
     if (!run) return std::nullopt;
     Truth truth{.kind = TruthKind::ConvergedRun};
-    truth.size = sizeOf(bodies, *run);
-    const std::optional<Trajectory> copy = recordRun(request, nudged(request.scene, copiesApart * truth.size),
-                                                     optionsOf(firstSubsteps), 1, request.patience);
+    truth.size = sizeOf(bodies, run->trajectory);
+    const std::optional<Recorded> copy = recordRun(request, nudged(request.scene, copiesApart * truth.size),
+                                                   optionsOf(firstSubsteps), 1, request.patience);
     if (!copy) return std::nullopt;
-    measureHorizon(*run, *copy, bodies, truth);
+    measureHorizon(run->trajectory, copy->trajectory, bodies, truth);
 
     int substeps = firstSubsteps;
     truth.error = HUGE_VAL;
     const Stopwatch watch;
     while (substeps < std::max(finerThanFinest * request.finest, 8 * firstSubsteps)) {
         const double left = request.patience - watch.elapsed() / 1000;
-        std::optional<Trajectory> finer =
+        std::optional<Recorded> finer =
             recordRun(request, request.scene, optionsOf(2 * substeps), 2 * substeps / looksPerFrame, left);
         if (!request.goOn()) return std::nullopt;
         if (!finer) break;
-        truth.error = distanceOf(*run, *finer, bodies, truth.size, truth.horizon).worst();
+        truth.error =
+            distanceOf(run->trajectory, finer->trajectory, bodies, truth.size, truth.horizon).worst();
         run = std::move(finer);
         substeps *= 2;
         if (truth.error < convergedEnough) break;
     }
     truth.description =
         std::string("contacts, ") + integrator + ", " + std::to_string(substeps) + " substeps";
-    truth.trajectory = std::move(*run);
+    truth.trajectory = std::move(run->trajectory);
+    truth.impacts = std::move(run->impacts);
     return truth;
 }
 

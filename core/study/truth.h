@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/simulation/pipeline.h"
+#include "core/study/crowd_runs.h"
 #include "core/study/error_norms.h"
+#include "core/study/impacts.h"
 
 #include <functional>
 #include <optional>
@@ -27,6 +29,7 @@ struct TruthRequest {
     double duration = 2;             ///< [s]
     int finest = 64;                 ///< substeps of the finest setting it will be compared with
     double patience = 20;            ///< [s] of wall time for converging runs
+    int copies = 0;                  ///< of a crowd
     std::function<bool()> goOn = {}; ///< false: stop; asked often
 };
 
@@ -34,11 +37,13 @@ struct Truth {
     TruthKind kind = TruthKind::ConvergedRun;
     std::string description{}; ///< "exact events", "contacts, rk4, 256 substeps"
     Trajectory trajectory{};   ///< every 1/looksPerFrame of a frame
-    double size = 1;           ///< [m], what position errors are relative to
-    double error = 0;          ///< bound of its own error, as ErrorNorms::worst
-    double horizon = 0;        ///< [s], to which two copies 1e-12 apart stay within 1e-9 of the size
-    double growth = 0;         ///< mean rate at which they part until then [1/s]
-    bool chaotic = false;      ///< the horizon is before the end
+    ImpactRecord impacts{};    ///< empty where they cannot be seen, or in a closed form, which has none
+    std::optional<ExactCrowd> crowd{}; ///< of a scene of many balls that is followed far beyond the horizon
+    double size = 1;                   ///< [m], what position errors are relative to
+    double error = 0;                  ///< bound of its own error, as ErrorNorms::worst
+    double horizon = 0;                ///< [s], to which two copies 1e-12 apart stay within 1e-9 of the size
+    double growth = 0;                 ///< mean rate at which they part until then [1/s]
+    bool chaotic = false;              ///< the horizon is before the end
 };
 
 /// Nothing if it was told to stop.

@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/integrators/integrator.h"
-#include "core/study/accuracy_report.h"
+#include "core/study/accuracy_csv.h"
 #include "ui/widgets/empty_state.h"
 
 #include <QApplication>
@@ -51,6 +51,16 @@ std::vector<QAction*> choices(QMenu& menu, const Rows& rows) {
     return actions;
 }
 
+/// A point without a time is nowhere in the diagram yet.
+bool hasFigures(const std::optional<AccuracyStudy>& study) {
+    return study && std::any_of(study->points.begin(), study->points.end(),
+                                [](const AccuracyPoint& point) { return !point.times.empty(); });
+}
+
+bool sameText(const SharedBuild& a, const SharedBuild& b) {
+    return a && b && (a == b || a->build.analysis.text == b->build.analysis.text);
+}
+
 bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
     for (const QAction* action : actions)
         if (action->data().toString() == textOf(name)) return action->isChecked();
@@ -66,6 +76,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
       m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
     setObjectName(QStringLiteral("accuracy"));
     m_start->setObjectName(QStringLiteral("accuracyStart"));
+    m_knobs->setObjectName(QStringLiteral("accuracyKnobs"));
     m_knobs->setText(tr("Vary"));
     m_knobs->setToolTip(tr("Which methods and integrators are compared"));
     m_knobs->setPopupMode(QToolButton::InstantPopup);
@@ -76,6 +87,8 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_duration->setRange(0.05, 100);
     m_duration->setSuffix(tr(" s"));
     m_duration->setValue(AccuracyPlan{}.duration);
+    connect(m_duration, &QDoubleSpinBox::valueChanged, this, &AccuracyDock::updateControls);
+    m_progress->setObjectName(QStringLiteral("accuracyProgress"));
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
     m_progress->setMaximumSize(120, 12);
@@ -132,6 +145,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     connect(m_keep, &QToolButton::toggled, this, [this](bool kept) {
         m_kept = kept ? m_result : std::nullopt;
         m_keptName = m_studiedName;
+        m_keptBuild = m_studied;
         showChart();
     });
     connect(m_run, &QPushButton::clicked, this, [this] {
@@ -177,15 +191,16 @@ void AccuracyDock::setScene(const SharedBuild& build, const QString& name) {
 
 void AccuracyDock::updateControls() {
     const bool moves = m_build && !m_build->build.pipeline->bodies().mobileBodies.empty();
-    m_start->setText(m_running ? tr("Stop") : tr("Study"));
+    m_start->setText(m_running ? tr("Stop") : canGoOn() ? tr("Go on") : tr("Study"));
     m_start->setEnabled(m_running || moves);
-    m_start->setToolTip(m_running ? tr("Show what was computed so far")
-                        : moves   ? tr("Run the scene with every setting chosen")
-                                  : tr("Nothing in the scene can move"));
+    m_start->setToolTip(m_running   ? tr("Show what was computed so far")
+                        : canGoOn() ? tr("Take the study up where it was stopped")
+                        : moves     ? tr("Run the scene with every setting chosen")
+                                    : tr("Nothing in the scene can move"));
     m_knobs->setEnabled(!m_running);
     m_duration->setEnabled(!m_running);
     m_progress->setVisible(m_running);
-    const bool figures = m_result && !m_result->points.empty();
+    const bool figures = hasFigures(m_result);
     m_empty->setEmpty(!figures);
     m_keep->setVisible(figures);
     m_export->setVisible(figures);
@@ -203,11 +218,17 @@ AccuracyPlan AccuracyDock::chosenPlan() const {
     return plan;
 }
 
+bool AccuracyDock::canGoOn() const {
+    return m_result && !m_result->complete && !m_running && sameText(m_build, m_studied) &&
+           m_result->plan.duration == m_duration->value();
+}
+
 void AccuracyDock::startOrStop() {
     if (m_running) {
         m_thread.request_stop();
         return;
     }
+    const std::vector<AccuracyPoint> known = canGoOn() ? m_result->points : std::vector<AccuracyPoint>();
     m_running = true;
     m_studied = m_build;
     m_studiedName = m_name;
@@ -215,13 +236,14 @@ void AccuracyDock::startOrStop() {
     m_progress->setValue(0);
     m_state->setText(tr("looking for the truth"));
     updateControls();
-    m_thread = std::jthread([this, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
-        run(stop, build, plan);
+    m_thread = std::jthread([this, known, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
+        run(stop, build, plan, known);
     });
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
-void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan) {
+void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
+                       const std::vector<AccuracyPoint>& known) {
     const Stopwatch whole;
     Stopwatch sinceReport, sinceChart;
     AccuracyListener listener;
@@ -240,7 +262,7 @@ void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, co
         QMetaObject::invokeMethod(
             this, [this, study] { take(study); }, Qt::QueuedConnection);
     };
-    const AccuracyStudy study = runAccuracy(build->scene(), plan, listener);
+    const AccuracyStudy study = runAccuracy(build->scene(), plan, listener, known);
     const double seconds = 1e-3 * whole.elapsed();
     QMetaObject::invokeMethod(
         this, [this, study, seconds] { finish(study, seconds); }, Qt::QueuedConnection);
@@ -254,7 +276,6 @@ void AccuracyDock::showProgress(double done, double secondsLeft) {
 
 void AccuracyDock::take(const AccuracyStudy& study) {
     m_result = study;
-    std::erase_if(m_result->points, [](const AccuracyPoint& point) { return point.times.empty(); });
     updateControls();
     showChart();
 }
@@ -274,12 +295,13 @@ void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
 
 void AccuracyDock::showChart() {
     if (!m_result) return;
-    m_chart = accuracyChart(*m_result, {});
-    const bool compares = m_kept && m_keptName != m_studiedName;
-    ChartSpec shown =
-        compares ? comparedAccuracy(*m_kept, m_keptName, *m_result, m_studiedName) : m_chart.spec;
-    if (compares) m_chart.points.clear();
+    const bool compares = m_kept && !sameText(m_keptBuild, m_studied);
+    const QString keptName = m_keptName == m_studiedName ? tr("kept") : m_keptName;
+    m_chart = compares ? comparedAccuracy(*m_kept, keptName, *m_result, m_studiedName)
+                       : accuracyChart(*m_result, m_studiedName);
+    ChartSpec shown = m_chart.spec;
     shown.title.clear();
+    shown.note.clear();                                // it stands above
     shown.legend = m_plot->height() > heightForLegend; // where there is none, the mouse over a point tells
     m_plot->setChart(shown);
 }
@@ -293,9 +315,9 @@ void AccuracyDock::choose(int series, int point) {
 }
 
 QString AccuracyDock::exportTo(const QString& path) const {
-    if (!m_result || m_result->points.empty()) return tr("nothing was studied yet; choose Study first");
+    if (!hasFigures(m_result)) return tr("nothing was studied yet; choose Study first");
     if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) != 0)
-        return writeChart(accuracyChart(*m_result, m_studiedName).spec, path);
+        return writeChart(m_chart.spec, path);
     const StudyOrigin origin{
         "carom", QApplication::applicationVersion().toStdString(),
         (QSysInfo::prettyProductName() + QStringLiteral(", ") + QSysInfo::currentCpuArchitecture())

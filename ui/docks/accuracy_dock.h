@@ -25,7 +25,8 @@ class EmptyState;
 
 /// What accuracy costs in time on the scene in the editor: a study runs on a thread of its own, the diagram
 /// grows with it, a click on a point runs that setting in the viewport or writes it into the text. A study
-/// can be kept and shown together with the next one. Stopped early, it shows what was computed.
+/// can be kept and shown together with the next one. Stopped early, it shows what was computed, and goes on
+/// from there as long as the scene and the simulated time stay the same.
 class AccuracyDock : public QDockWidget {
     Q_OBJECT
   public:
@@ -50,7 +51,10 @@ class AccuracyDock : public QDockWidget {
   private:
     void startOrStop();
     AccuracyPlan chosenPlan() const;
-    void run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan);
+    /// Whether the study was stopped and what it has serves the scene as it is now.
+    bool canGoOn() const;
+    void run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
+             const std::vector<AccuracyPoint>& known);
     void showProgress(double done, double secondsLeft);
     void take(const AccuracyStudy& study);
     void finish(const AccuracyStudy& study, double seconds);
@@ -61,7 +65,7 @@ class AccuracyDock : public QDockWidget {
     QMenu* exportMenu();
     void askForExport(const QString& ending);
 
-    SharedBuild m_build, m_studied;
+    SharedBuild m_build, m_studied, m_keptBuild;
     QString m_name, m_studiedName, m_keptName;
     std::optional<AccuracyStudy> m_result, m_kept;
     AccuracyChart m_chart;

@@ -25,6 +25,7 @@ double shownError(const AccuracyPoint& point) {
 
 ChartSpec emptyChart(const QString& title) {
     return {.title = title,
+            .note = {},
             .x = {say("error: distance by scene size, or angle in rad"), {}, true},
             .y = {say("time per simulated second"), QStringLiteral("ms"), true},
             .series = {},
@@ -94,6 +95,7 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
     ChartSeries broken = marksOnly(say("an invariant broke"), SeriesMark::Ring, grey);
     ChartSeries failed = marksOnly(say("failed"), SeriesMark::Cross, red);
     ChartSeries own = marksOnly(say("the scene's own"), SeriesMark::Halo, grey);
+    ChartSeries best = marksOnly(say("recommended"), SeriesMark::Halo, QColor(0xC0, 0x20, 0x80));
     const bool converged = study.truth && study.truth->kind == TruthKind::ConvergedRun;
     for (const AccuracyPoint& point : study.points) {
         if (point.times.empty()) continue;
@@ -103,7 +105,8 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
         if (lost) append(point, failed);
         if (point.isDefault) append(point, own);
     }
-    for (ChartSeries* series : {&doubtful, &broken, &failed, &own}) {
+    if (const AccuracyPoint* point = recommended(study)) append(*point, best);
+    for (ChartSeries* series : {&doubtful, &broken, &failed, &own, &best}) {
         if (series->x.empty()) continue;
         series->low.clear();
         series->high.clear();
@@ -138,24 +141,38 @@ QString describe(const AccuracyPoint& point) {
     words += say("\nenergy off by %1, drift %2 /s; overlap %3")
                  .arg(text(figure(point.energy.worst)), text(figure(point.energy.drift)),
                       text(figure(point.penetration)));
+    if (point.impacts && point.impacts->expected > 0)
+        words += say("\n%1 of %2 impacts; up to number %3 off by %4 s at most")
+                     .arg(point.impacts->seen)
+                     .arg(point.impacts->expected)
+                     .arg(point.impacts->matched)
+                     .arg(text(figure(point.impacts->time)));
+    if (point.crowd)
+        words += say("\nbeyond the horizon, medians of %1 copies: speeds off by %2 %, pressure by %3 %, time "
+                     "between impacts by %4 %")
+                     .arg(point.crowd->copies)
+                     .arg(text(figure(100 * point.crowd->speeds.median, 2)),
+                          text(figure(100 * point.crowd->pressure.median, 2)),
+                          text(figure(100 * point.crowd->freeTime.median, 2)));
     if (!point.reason.empty()) words += QLatin1Char('\n') + text(point.reason);
     return words;
 }
 
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
     AccuracyChart chart{.spec = emptyChart(title), .points = {}};
+    chart.spec.note = text(recommendation(study));
     addFamilies(study, {}, std::nullopt, chart.spec, chart.points);
     addFront(study, chart.spec);
     addVerdicts(study, chart.spec);
     return chart;
 }
 
-ChartSpec comparedAccuracy(const AccuracyStudy& first, const QString& firstName, const AccuracyStudy& second,
-                           const QString& secondName) {
-    ChartSpec chart = emptyChart(say("%1 and %2").arg(firstName, secondName));
-    std::vector<std::vector<std::size_t>> ignored;
-    addFamilies(first, firstName + QStringLiteral(": "), false, chart, ignored);
-    addFamilies(second, secondName + QStringLiteral(": "), true, chart, ignored);
+AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstName,
+                               const AccuracyStudy& second, const QString& secondName) {
+    AccuracyChart chart{.spec = emptyChart(say("%1 and %2").arg(firstName, secondName)), .points = {}};
+    addFamilies(first, firstName + QStringLiteral(": "), true, chart.spec, chart.points);
+    for (std::vector<std::size_t>& places : chart.points) places.clear();
+    addFamilies(second, secondName + QStringLiteral(": "), false, chart.spec, chart.points);
     return chart;
 }
 

@@ -12,7 +12,8 @@ namespace carom {
 
 /// A study as a work–precision diagram: error across, time up, a line a family in the order of substeps.
 /// Hollow marks ran but broke an invariant, crosses failed, grey ones are below what the truth can tell; the
-/// dashed line is the Pareto front, the ring the scene's own setting.
+/// dashed line is the Pareto front, the rings the scene's own setting and the recommended one, which a
+/// sentence below the title names.
 struct AccuracyChart {
     ChartSpec spec;
     /// By series, the index in AccuracyStudy::points of each of its points; empty for series that only mark.
@@ -20,9 +21,10 @@ struct AccuracyChart {
 };
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title);
 
-/// Two studies in one diagram: the families of the second are dashed and carry its name.
-ChartSpec comparedAccuracy(const AccuracyStudy& first, const QString& firstName, const AccuracyStudy& second,
-                           const QString& secondName);
+/// Two studies in one diagram, each line with its study's name: the first dashed and without points to
+/// choose, the second as it is alone.
+AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstName,
+                               const AccuracyStudy& second, const QString& secondName);
 
 /// A point in words: its setting, error, time, and what is wrong with it.
 QString describe(const AccuracyPoint& point);

@@ -55,8 +55,8 @@ void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
         (axis.*set)(QPen(colours.text, 1));
     axis.grid()->setPen(QPen(colours.grid, 1));
     axis.grid()->setZeroLinePen(QPen(colours.grid, 1));
-    axis.setNumberFormat(spec.logarithmic ? QStringLiteral("gb") : QStringLiteral("g"));
-    if (spec.logarithmic) axis.setNumberPrecision(2);
+    axis.setNumberFormat(spec.logarithmic ? QStringLiteral("eb") : QStringLiteral("g"));
+    axis.setNumberPrecision(spec.logarithmic ? 0 : 6); // powers of ten alone
     axis.setScaleType(spec.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     if (spec.logarithmic)
         axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
@@ -155,6 +155,19 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         if (series.style != SeriesStyle::Line) graph->setScatterStyle(scatterOf(series, i, colour, colours));
         if (series.style == SeriesStyle::Marks) graph->setLineStyle(QCPGraph::lsNone);
     }
+}
+
+/// How far up the axis a value is, 0 to 1.
+double shareOfAxis(const QCPAxis& axis, double value) {
+    const QCPRange range = axis.range();
+    if (axis.scaleType() == QCPAxis::stLogarithmic)
+        return std::log(value / range.lower) / std::log(range.upper / range.lower);
+    return (value - range.lower) / range.size();
+}
+
+/// Once the axes are fitted: a level at the very top has its name below it.
+void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
+    constexpr double top = 0.92;
     for (const ChartLevel& level : spec.levels) {
         QCPItemStraightLine* line = new QCPItemStraightLine(&plot);
         line->point1->setCoords(0, level.y);
@@ -167,11 +180,20 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         ground.setAlpha(190);
         label->setBrush(ground);
         label->setPadding(QMargins(3, 0, 3, 0));
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        const bool below = shareOfAxis(*plot.yAxis, level.y) > top;
+        label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         label->position->setTypeY(QCPItemPosition::ptPlotCoords);
         label->position->setCoords(0.01, level.y);
     }
+}
+
+/// Room for the marks at both ends of a logarithmic axis.
+void widen(QCPAxis& axis) {
+    constexpr double room = 0.03, leastRoom = 0.1; // of its length, in powers of e
+    const double length = std::log(axis.range().upper / axis.range().lower);
+    const double factor = std::exp(std::max(room * length, leastRoom));
+    axis.setRange(axis.range().lower / factor, axis.range().upper * factor);
 }
 
 /// As many columns of the legend as the longest name leaves room for.
@@ -196,7 +218,7 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
             plot.yAxis->setRange(range);
         }
     if (spec.y.logarithmic) {
-        plot.yAxis->setRange(plot.yAxis->range().lower / 1.3, plot.yAxis->range().upper * 1.3);
+        widen(*plot.yAxis);
     } else {
         double highest = plot.yAxis->range().upper;
         for (const ChartLevel& level : spec.levels) highest = std::max(highest, level.y);
@@ -204,15 +226,39 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
         plot.yAxis->setRange(lowest, highest + 0.06 * (highest - lowest));
     }
     if (!spec.x.logarithmic && !stacked) plot.xAxis->scaleRange(1.04);
-    if (spec.x.logarithmic)
-        plot.xAxis->setRange(plot.xAxis->range().lower / 1.1, plot.xAxis->range().upper * 1.1);
+    if (spec.x.logarithmic) widen(*plot.xAxis);
+}
+
+/// The sentence in lines that fit the plot's width.
+QString broken(const QCustomPlot& plot, const QString& sentence) {
+    constexpr double part = 0.9; // of the width
+    const QFontMetrics metrics(plot.font());
+    QString lines, line;
+    for (const QString& word : sentence.split(QLatin1Char(' '))) {
+        if (!line.isEmpty() &&
+            metrics.horizontalAdvance(line + QLatin1Char(' ') + word) > part * plot.width()) {
+            lines += line + QLatin1Char('\n');
+            line.clear();
+        }
+        line += (line.isEmpty() ? QString() : QStringLiteral(" ")) + word;
+    }
+    return lines + line;
+}
+
+/// A text above everything that is there.
+void addHeading(QCustomPlot& plot, const QString& text, const QFont& font, const ChartColours& colours) {
+    QCPTextElement* heading = new QCPTextElement(&plot, text);
+    heading->setTextColor(colours.text);
+    heading->setFont(font);
+    plot.plotLayout()->insertRow(0);
+    plot.plotLayout()->addElement(0, 0, heading);
 }
 
 void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
     plot.clearItems();
     plot.clearPlottables();
     QCPLayoutGrid& grid = *plot.plotLayout();
-    if (qobject_cast<QCPTextElement*>(grid.element(0, 0))) { // the title of the chart before
+    while (qobject_cast<QCPTextElement*>(grid.element(0, 0))) { // title and note of the chart before
         grid.removeAt(0);
         grid.simplify();
     }
@@ -220,15 +266,10 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     dress(*plot.xAxis, spec.x, colours);
     dress(*plot.yAxis, spec.y, colours);
     addSeries(plot, spec, colours);
-    if (!spec.title.isEmpty()) {
-        QCPTextElement* title = new QCPTextElement(&plot, spec.title);
-        title->setTextColor(colours.text);
-        QFont font = plot.font();
-        font.setBold(true);
-        title->setFont(font);
-        grid.insertRow(0);
-        grid.addElement(0, 0, title);
-    }
+    QFont bold = plot.font();
+    bold.setBold(true);
+    if (!spec.note.isEmpty()) addHeading(plot, broken(plot, spec.note), plot.font(), colours);
+    if (!spec.title.isEmpty()) addHeading(plot, spec.title, bold, colours);
     const bool named = spec.legend && spec.series.size() > 1;
     if (named && plot.legend->layout() != &grid) { // below the axes instead of over the curves
         plot.axisRect()->insetLayout()->take(plot.legend);
@@ -247,6 +288,7 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     if (named) grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
     plot.legend->setVisible(named);
     fit(plot, spec);
+    addLevels(plot, spec, colours);
 }
 
 QByteArray encoded(QCustomPlot& plot, const QString& ending, const QSize& size) {

@@ -60,6 +60,7 @@ struct ChartLevel {
 
 struct ChartSpec {
     QString title;
+    QString note{}; ///< a sentence below the title; lines are broken
     ChartAxis x, y;
     std::vector<ChartSeries> series;
     std::vector<ChartLevel> levels;

@@ -4,6 +4,7 @@
 #include "core/integrators/integrator.h"
 #include "core/math/rotation.h"
 #include "core/simulation/build.h"
+#include "core/study/accuracy_csv.h"
 #include "core/study/accuracy_report.h"
 #include "core/study/benchmark.h"
 #include "core/study/closed_motion.h"

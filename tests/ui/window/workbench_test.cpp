@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/whole_ide.h"
 
+#include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/problems_dock.h"
@@ -92,6 +93,26 @@ class WorkbenchTest : public QObject {
         QTest::keyClick(&ide.editor, Qt::Key_Space);
         QCOMPARE(ide.editor.bytes().size(), before.size() + 1);
         QVERIFY(!ide.simulation.isRunning());
+    }
+
+    void aSettingOfTheAccuracyPanelGoesIntoTheTextAndOutAgainInOneStep() {
+        Ide ide;
+        const QByteArray before = ide.editor.bytes();
+        SimulationSettings settings;
+        settings.method = "contacts";
+        settings.integrator = "verlet";
+        settings.substeps = 8;
+        Q_EMIT ide.bench.window().accuracy().settingWanted(settings);
+        QVERIFY(ide.editor.bytes().contains("integrator verlet"));
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->build.pipeline->settings().substeps, 8,
+                                  patience);
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), before);
+
+        const auto pipeline =
+            std::make_shared<const Pipeline>(ide.bench.preview().shown()->scene(), settings);
+        Q_EMIT ide.bench.window().accuracy().runWanted(pipeline);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3, patience);
     }
 
     void anEditAtFrameZeroShowsTheNewSceneAtOnce() {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/instructions.h"
+
+#include "app/errors.h"
+#include "core/base/text.h"
+#include "core/integrators/integrator.h"
+#include "core/solvers/solver.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+extern char** environ;
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* ownProgram = "/proc/self/exe";
+
+/// A file that is gone when this is.
+class TemporaryFile {
+  public:
+    TemporaryFile() : m_path((fs::temp_directory_path() / "carom-XXXXXX").string()) {
+        const int file = mkstemp(m_path.data());
+        if (file < 0) throw FileError("cannot write", m_path, errno);
+        close(file);
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        fs::remove(m_path, ignored);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    const std::string& path() const { return m_path; }
+
+  private:
+    std::string m_path;
+};
+
+/// Runs a program of the PATH, its output dropped; whether it ended with 0.
+bool succeeds(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    pid_t child = 0;
+    const int problem = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (problem != 0) return false;
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) return false;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// The total of a callgrind file: its line "totals: N", or "summary: N" in files that have no totals.
+double totalIn(const std::string& path) {
+    std::ifstream lines(path);
+    double total = 0;
+    for (std::string line; std::getline(lines, line);)
+        for (const std::string_view name : {"totals: ", "summary: "})
+            if (line.starts_with(name)) total = numberIn(line.substr(name.size())).value_or(0);
+    return total;
+}
+
+double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting, const std::string& scene,
+                      std::int64_t frames) {
+    const TemporaryFile counts;
+    std::vector<std::string> words = {"valgrind",
+                                      "--tool=callgrind",
+                                      "--callgrind-out-file=" + counts.path(),
+                                      fs::read_symlink(ownProgram).string(),
+                                      "run",
+                                      scene,
+                                      "--frames=" + std::to_string(frames),
+                                      "--step=" + shortest(study.settings.step),
+                                      "--threads=1",
+                                      "--method=" + std::string(setting.method->name),
+                                      "--substeps=" + std::to_string(setting.substeps)};
+    if (setting.integrator != nullptr)
+        words.push_back("--integrator=" + std::string(setting.integrator->name));
+    if (setting.tolerance > 0) words.push_back("--tolerance=" + shortest(setting.tolerance));
+    return succeeds(words) ? totalIn(counts.path()) : 0;
+}
+
+} // namespace
+
+void needValgrind() {
+    if (!succeeds({"valgrind", "--version"}))
+        throw UsageError(
+            "`--instructions` needs valgrind, which is not on the PATH; on Debian: apt install valgrind");
+}
+
+void countInstructions(AccuracyStudy& study, const std::string& scenePath,
+                       const std::function<bool(std::size_t done)>& counted) {
+    const double seconds = study.plan.duration, step = study.settings.step;
+    const auto frames =
+        std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(seconds / step * (1 - 1e-12))));
+    std::size_t done = 0;
+    for (AccuracyPoint& point : study.points) {
+        if (!counted(done++)) return;
+        if (!point.finished() || point.instructions > 0) continue;
+        const double first = instructionsOf(study, point.setting, scenePath, 1);
+        const double all = instructionsOf(study, point.setting, scenePath, frames + 1);
+        if (!counted(done)) return;
+        if (!(all > first && first > 0))
+            throw FileError("valgrind could not run", point.setting.name() + " of " + scenePath, EIO);
+        point.instructions = (all - first) / (static_cast<double>(frames) * step);
+    }
+}
+
+} // namespace carom

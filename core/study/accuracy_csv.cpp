@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/accuracy_csv.h"
+
+#include "core/base/csv.h"
+#include "core/base/hash.h"
+#include "core/base/text.h"
+#include "core/integrators/integrator.h"
+#include "core/study/convergence.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+namespace carom {
+namespace {
+
+constexpr std::string_view columns =
+    "method,integrator,substeps,tolerance,default,status,reason,position,position_rms,attitude,energy_drift,"
+    "energy_swing,energy_worst,momentum,penetration,impacts_true,impacts,impacts_matched,impact_time_s,"
+    "copies,"
+    "speeds_lower,speeds,speeds_upper,pressure_lower,pressure,pressure_upper,free_time_lower,free_time,"
+    "free_time_upper,cost_ms,cost_min_ms,cost_max_ms,instructions,runs_ms,pareto,reference,reference_error,"
+    "horizon_s,duration_s,scene,command,version,machine";
+
+/// An empty cell.
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array statuses = {PointStatus::Measured, PointStatus::Broken, PointStatus::Failed,
+                                 PointStatus::TimedOut};
+
+/// What was not looked at is empty in the file.
+struct Extras {
+    explicit Extras(const AccuracyPoint& point) {
+        if (point.impacts)
+            impacts = {static_cast<double>(point.impacts->expected), static_cast<double>(point.impacts->seen),
+                       static_cast<double>(point.impacts->matched), point.impacts->time};
+        if (point.instructions > 0) instructions = point.instructions;
+        if (!point.crowd) return;
+        copies = static_cast<double>(point.crowd->copies);
+        speeds = point.crowd->speeds;
+        pressure = point.crowd->pressure;
+        freeTime = point.crowd->freeTime;
+    }
+
+    std::array<double, 4> impacts{none, none, none, none};
+    double copies = none, instructions = none;
+    Quartiles speeds{none, none, none}, pressure{none, none, none}, freeTime{none, none, none};
+};
+
+/// One line of the file, its cells by the names of the columns.
+class Cells {
+  public:
+    Cells(const std::vector<std::string_view>& names, const std::vector<std::string_view>& values) {
+        for (std::size_t k = 0; k < names.size(); ++k) m_cells[names[k]] = values[k];
+    }
+
+    std::string_view text(std::string_view column) const {
+        const auto cell = m_cells.find(column);
+        return cell == m_cells.end() ? std::string_view() : cell->second;
+    }
+    double number(std::string_view column) const { return numberIn(text(column)).value_or(0); }
+    std::size_t count(std::string_view column) const { return static_cast<std::size_t>(number(column)); }
+    Quartiles quartiles(const std::string& column) const {
+        return {number(column + "_lower"), number(column), number(column + "_upper")};
+    }
+
+  private:
+    std::map<std::string_view, std::string_view> m_cells;
+};
+
+std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
+    AccuracyPoint point;
+    point.setting = {findSolver(cells.text("method")), findIntegrator(cells.text("integrator")),
+                     static_cast<int>(cells.number("substeps")), cells.number("tolerance")};
+    if (point.setting.method == nullptr || point.setting.substeps < 1) return std::nullopt;
+    const auto* status = std::find_if(statuses.begin(), statuses.end(),
+                                      [&](PointStatus s) { return nameOf(s) == cells.text("status"); });
+    if (status == statuses.end()) return std::nullopt;
+    point.status = *status;
+    point.reason = csvValue(cells.text("reason"));
+    point.errors = {cells.number("position"), cells.number("position_rms"), cells.number("attitude")};
+    point.energy = {cells.number("energy_drift"), cells.number("energy_swing"), cells.number("energy_worst"),
+                    0};
+    point.momentumChange = cells.number("momentum");
+    point.penetration = cells.number("penetration");
+    if (!cells.text("impacts").empty())
+        point.impacts = ImpactErrors{cells.count("impacts_true"), cells.count("impacts"),
+                                     cells.count("impacts_matched"), cells.number("impact_time_s")};
+    if (!cells.text("copies").empty())
+        point.crowd = CrowdFigures{cells.count("copies"), cells.quartiles("speeds"),
+                                   cells.quartiles("pressure"), cells.quartiles("free_time")};
+    point.instructions = cells.number("instructions");
+    for (const std::string_view run : csvSplit(cells.text("runs_ms"), ';'))
+        if (const std::optional<double> time = numberIn(run)) point.times.push_back(*time);
+    return point;
+}
+
+} // namespace
+
+std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin) {
+    CsvTable table(columns);
+    if (!study.truth) return table.take();
+    const std::vector<const AccuracyPoint*> front = paretoFront(study);
+    for (const AccuracyPoint& p : study.points) {
+        std::string runs;
+        for (const double time : p.times) runs.append(runs.empty() ? "" : ";").append(shortest(time));
+        const bool onFront = std::find(front.begin(), front.end(), &p) != front.end();
+        const Extras x(p);
+        table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
+                  p.setting.substeps, p.setting.tolerance, p.isDefault ? "yes" : "no", nameOf(p.status),
+                  p.reason, p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
+                  p.energy.swing, p.energy.worst, p.momentumChange, p.penetration, x.impacts[0], x.impacts[1],
+                  x.impacts[2], x.impacts[3], x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper,
+                  x.pressure.lower, x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median,
+                  x.freeTime.upper, p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs,
+                  onFront ? "yes" : "no", nameOf(study.truth->kind), study.truth->error, study.truth->horizon,
+                  study.plan.duration, sceneHash, origin.command, origin.version, origin.machine);
+    }
+    return table.take();
+}
+
+std::vector<AccuracyPoint> pointsFromCsv(std::string_view csv, std::string_view sceneHash, double duration) {
+    std::vector<AccuracyPoint> points;
+    const std::vector<std::string_view> lines = csvSplit(csv, '\n');
+    const std::vector<std::string_view> names = csvSplit(lines.front(), ',');
+    for (std::size_t line = 1; line < lines.size(); ++line) {
+        const std::vector<std::string_view> values = csvSplit(lines[line], ',');
+        if (values.size() != names.size()) continue;
+        const Cells cells(names, values);
+        if (cells.text("scene") != sceneHash) continue;
+        if (numberIn(cells.text("duration_s")) != duration) continue;
+        if (std::optional<AccuracyPoint> point = pointFrom(cells)) points.push_back(std::move(*point));
+    }
+    return points;
+}
+
+std::string hashOfScene(std::string_view text) {
+    Hash64 hash;
+    for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    return std::to_string(hash.value());
+}
+
+} // namespace carom

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/crowd.h"
+
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace carom {
+
+/// Copies of a crowd start so far apart, relative to the scene's size: where seeds of a random scene would
+/// differ altogether, these do after some collisions.
+inline constexpr double crowdNudge = 1e-6;
+
+/// A copy of the scene whose mobile bodies are `distance` [m] aside, each in a direction of its own.
+Scene nudged(const Scene& scene, double distance, std::uint64_t seed = 1);
+
+/// How copies of a scene are run.
+struct CrowdRun {
+    const Scene& scene;
+    std::int64_t frames = 0;
+    std::int64_t first = 0; ///< frame from which the copies have nothing in common
+    double step = 0;        ///< a frame [s]
+    double nudge = 0;       ///< [m]
+    std::function<bool()> goOn{};
+    double fastest = 0; ///< [m/s], of CrowdWatch
+};
+
+/// The frame at which copies crowdNudge apart have parted altogether, if they part at `growth` [1/s].
+std::int64_t framesToForget(double growth, double step);
+
+/// What the copies of number `copy` did; the scene itself is number 0. Nothing if told to stop, or if its
+/// state was lost.
+std::optional<CrowdWatch::Sums> runCopy(const CrowdRun& run, int copy, SimulationSettings options);
+
+/// Exact copies together.
+struct ExactCrowd {
+    CrowdWatch::Sums sums;
+    CrowdFigures scatter{}; ///< of each copy about all others: what is chance
+    std::int64_t first = 0;
+    double fastest = 0;
+};
+
+/// Nothing of fewer than fifty balls, where the run is too short to look at, or if told to stop.
+std::optional<ExactCrowd> exactCrowd(CrowdRun run, const Bodies& bodies, int copies);
+
+} // namespace carom

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <csignal>
+
+namespace carom::test {
+
+namespace {
+
+const QByteArray ball = "wall { normal 0, 1, 0 toOrig 0 }\n"
+                        "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n";
+
+/// The cells of a column, by its name, below the header.
+QStringList column(const QStringList& rows, const QString& name) {
+    const qsizetype at = rows[0].split(QLatin1Char(',')).indexOf(name);
+    QStringList cells;
+    for (qsizetype k = 1; k < rows.size(); ++k)
+        if (at >= 0) cells.append(rows[k].split(QLatin1Char(','))[at]);
+    return cells;
+}
+
+} // namespace
+
+class StudyAccuracyTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void init() { writeFile(m_scene, ball); }
+
+    void itWritesFiguresSummaryAndChart() {
+        const QString folder = m_folder.filePath("new");
+        const Ended ended = study({"-o", folder, "--chart", m_folder.filePath("one.svg")});
+        QCOMPARE(ended.exitCode, 0);
+        QCOMPARE(ended.err, QString());
+        QCOMPARE(QString::fromUtf8(contentOf(folder + "/summary.txt")), ended.out);
+        QVERIFY(ended.out.startsWith("Errors are against the exact events"));
+        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        QVERIFY(rows.size() > 4);
+        for (const QString& cell : column(rows, "impacts_true")) QCOMPARE(cell, "2");
+        QVERIFY(column(rows, "impact_time_s").contains("0") || ended.out.contains("2 of 2"));
+        QVERIFY(rows[1].contains("carom study accuracy "));
+#ifdef CAROM_CHARTS
+        for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
+            QVERIFY2(QFile(folder + "/" + name).size() > 1000, name);
+        QVERIFY(contentOf(m_folder.filePath("one.svg")).contains("<svg"));
+#endif
+    }
+
+    void aStudyGoesOnWhereOneWasInterrupted() {
+        const QString folder = m_folder.filePath("again");
+        QProcess process;
+        process.start(QStringLiteral(CAROM_PROGRAM),
+                      {"study", "accuracy", m_scene, "-o", folder, "--duration=1000", "--patience=2"});
+        QVERIFY(process.waitForStarted());
+        QTest::qWait(3000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        const Ended first = finish(process);
+        QCOMPARE(first.exitCode, 130);
+        const QStringList before = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        QVERIFY2(before.size() >= 1, qPrintable(first.out));
+
+        const Ended whole = study({"-o", folder});
+        QCOMPARE(whole.exitCode, 0);
+        const QStringList measured = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const Ended resumed = study({"-o", folder, "--resume"});
+        QCOMPARE(resumed.exitCode, 0);
+        const QStringList after = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        // Nothing was measured again: the times of the runs are those of before.
+        QCOMPARE(column(after, "runs_ms"), column(measured, "runs_ms"));
+    }
+
+    void wrongOptionsSayWhatWouldBeRight() {
+        Ended ended = study({"--chart", "a.gif"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY(ended.err.contains("its ending must be .svg, .png or .pdf"));
+        ended = study({"--resume"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY(ended.err.contains("`--resume` needs `--output`"));
+        ended = study({"--methods", "contact"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY(ended.err.contains("it must be"));
+        ended = carom({"study", "accuracy", "-", "--instructions"}, ball);
+        QCOMPARE(ended.exitCode, 2);
+    }
+
+    void withoutValgrindNoInstructionsAreCounted() {
+        const Ended ended =
+            shell(QStringLiteral("PATH=/nowhere \"$carom\" study accuracy '%1' --instructions").arg(m_scene));
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("needs valgrind"), qPrintable(ended.err));
+    }
+
+    // A valgrind of the test's own: a shell script that counts as many instructions as frames were asked for.
+    void instructionsAreThoseOfTheFramesBehindTheFirst() {
+        const QString tools = m_folder.filePath("tools");
+        QVERIFY(QDir().mkpath(tools));
+        writeFile(tools + "/valgrind",
+                  "#!/bin/sh\n"
+                  "for word; do case $word in\n"
+                  "  --callgrind-out-file=*) file=${word#*=};;\n"
+                  "  --frames=*) frames=${word#*=};;\n"
+                  "esac; done\n"
+                  "[ -z \"$file\" ] || echo \"totals: $((5000 + 60 * frames))\" > \"$file\"\n");
+        QVERIFY(QFile::setPermissions(tools + "/valgrind", QFile::ReadOwner | QFile::ExeOwner));
+        const QString folder = m_folder.filePath("counted");
+        const Ended ended =
+            shell(QStringLiteral("PATH='%1':$PATH \"$carom\" study accuracy '%2' --duration=.5 "
+                                 "--substeps=1,2 --runs=1 --instructions -o '%3'")
+                      .arg(tools, m_scene, folder));
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        for (const QString& cell : column(rows, "instructions")) QCOMPARE(qRound(cell.toDouble()), 3600);
+        QVERIFY(ended.out.contains("instructions"));
+    }
+
+  private:
+    Ended study(const QStringList& further) {
+        return carom(
+            QStringList{"study", "accuracy", m_scene, "--duration=1.25", "--substeps=1,4", "--runs=1"} +
+            further);
+    }
+
+    QTemporaryDir m_folder;
+    QString m_scene = m_folder.filePath("ball.sdl");
+};
+
+} // namespace carom::test
+
+QTEST_GUILESS_MAIN(carom::test::StudyAccuracyTest)
+#include "study_accuracy_test.moc"

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/build.h"
+#include "core/simulation/world.h"
+#include "core/study/impacts.h"
+#include "core/study/references.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// Impacts seen from outside, against closed forms and against records made by hand.
+
+namespace carom {
+namespace {
+
+/// Rounding of a few hundred places and velocities, as times [s].
+constexpr double exact = 1e-11;
+
+ImpactRecord watched(const char* text, int frames) {
+    World world(build(text).pipeline);
+    const Pipeline& pipeline = world.pipeline();
+    ImpactWatch watch(pipeline.bodies(), pipeline.gravity(), pipeline.settings().step, world.state());
+    for (int frame = 0; frame < frames; ++frame) {
+        world.step();
+        watch.look(world.state());
+    }
+    return watch.record();
+}
+
+Impact hit(double time, double change) { return {time, Vec3(0, change, 0)}; }
+
+} // namespace
+
+class ImpactsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void theBouncesOfABallAreSeenAtTheirTimesBetweenTheFrames() {
+        const ImpactRecord record =
+            watched("gravity { accel 0, -9.81, 0 }  wall { normal 0, 1, 0 toOrig 0 elastic .9 }\n"
+                    "sphere { radius 0.1 mass 1 centre 0, 1.1, 0 elastic .9 }\n"
+                    "simulation { method events }",
+                    120);
+        const reference::BouncingPoint ball{.height = 1, .gravity = 9.81, .restitution = 0.9};
+        const std::vector<Impact>& impacts = record[1];
+        QVERIFY(impacts.size() >= 2 && impacts.size() <= 4);
+        for (std::size_t k = 0; k < impacts.size(); ++k)
+            QVERIFY(std::abs(impacts[k].time - ball.impactTime(static_cast<int>(k) + 1)) < exact);
+    }
+
+    void bothBallsOfACollisionAreHit() {
+        const ImpactRecord record = watched("gravity { accel 0, 0, 0 }\n"
+                                            "sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 1, 0, 0 }\n"
+                                            "sphere { radius 0.1 mass 1 centre 0.5, 0, 0 }\n"
+                                            "simulation { method events }",
+                                            60);
+        for (const std::vector<Impact>& impacts : record) {
+            QCOMPARE(impacts.size(), std::size_t{1});
+            QVERIFY(std::abs(impacts[0].time - 0.3) < exact);
+            QVERIFY(std::abs(impacts[0].change.norm() - 1) < exact);
+        }
+    }
+
+    void whatLiesOrSlidesIsNotHit() {
+        const ImpactRecord record =
+            watched("wall { normal 0, 1, 0 toOrig 0 friction .5 elastic 0 }\n"
+                    "cuboid { size 1, 1, 1 mass 1 centre 0, .5, 0 friction .5 elastic 0 }\n"
+                    "cuboid { size 1, 1, 1 mass 1 centre 5, .5, 0 vel 2, 0, 0 friction .5 elastic 0 }",
+                    60);
+        for (const std::vector<Impact>& impacts : record) QVERIFY(impacts.empty());
+    }
+
+    void recordsAreComparedImpactByImpact() {
+        const ImpactRecord truth = {{hit(1, 2), hit(2, -3), hit(3, 4)}};
+        ImpactErrors errors = compareImpacts(truth, {{hit(1.01, 2), hit(2.03, -3.1), hit(2.98, 4)}}, 10);
+        QCOMPARE(errors.expected, std::size_t{3});
+        QCOMPARE(errors.seen, std::size_t{3});
+        QCOMPARE(errors.matched, std::size_t{3});
+        QVERIFY(std::abs(errors.time - 0.03) < exact);
+
+        errors = compareImpacts(truth, {{hit(1, 2), hit(3, 4)}}, 10); // the second was missed
+        QCOMPARE(errors.seen, std::size_t{2});
+        QCOMPARE(errors.matched, std::size_t{1});
+        QCOMPARE(errors.time, 0.0);
+    }
+
+    void impactsBeyondTheEndDoNotCountNorDoFaintOnes() {
+        const ImpactRecord truth = {{hit(1, 2), hit(2, -3)}};
+        // The second lies before the end in the truth and behind it in the run: it is there.
+        ImpactErrors errors = compareImpacts(truth, {{hit(1, 2), hit(2.2, -3)}}, 2.1);
+        QCOMPARE(errors.seen, std::size_t{2});
+        QVERIFY(std::abs(errors.time - 0.2) < exact);
+        // And the other way round: the run is early, which is no impact too many.
+        errors = compareImpacts(truth, {{hit(1, 2), hit(1.8, -3)}}, 1.9);
+        QCOMPARE(errors.expected, std::size_t{1});
+        QCOMPARE(errors.seen, std::size_t{1});
+        errors = compareImpacts(truth, {{hit(0.5, 0.001), hit(1, 2), hit(2, -3)}}, 10);
+        QCOMPARE(errors.seen, std::size_t{2});
+        QCOMPARE(errors.matched, std::size_t{2});
+    }
+};
+
+} // namespace carom
+
+QTEST_APPLESS_MAIN(carom::ImpactsTest)
+#include "impacts_test.moc"
