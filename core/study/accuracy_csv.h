@@ -12,19 +12,18 @@
 
 namespace carom {
 
-/// A row a point, with the columns
+/// A row a point. Lengths are relative to the scene's size, times and instructions for a simulated second;
+/// what was not looked at is empty.
 ///
 ///     method, integrator, substeps, tolerance, default, status, reason
-///     position, position_rms, attitude                    errors; lengths relative to the scene's size, rad
-///     energy_drift, energy_swing, energy_worst, momentum  relative; the drift a second
-///     penetration                                         relative to the scene's size
-///     impacts_true, impacts, impacts_matched, impact_time_s      empty where none can be seen
-///     copies, speeds, speeds_lower, speeds_upper, pressure, pressure_lower, pressure_upper, free_time,
-///     free_time_lower, free_time_upper                    of a crowd: medians and quartiles; empty without
-///     one cost_ms, cost_min_ms, cost_max_ms, instructions     a simulated second; the last where they were
-///     counted runs_ms                                             of all runs, between semicolons pareto,
-///     reference, reference_error, horizon_s, duration_s scene, command, version, machine the first a hash of
-///     its text
+///     position, position_rms, attitude      errors; the last in rad
+///     energy_drift, energy_swing, energy_worst, momentum, penetration
+///     impacts_true, impacts, impacts_matched, impact_time_s
+///     copies, and of a crowd speeds, pressure and free_time, each as _lower, median, _upper
+///     cost_ms, cost_min_ms, cost_max_ms, instructions
+///     runs_ms                               of all runs, between semicolons
+///     pareto, reference, reference_error, horizon_s, duration_s
+///     scene, command, version, machine      the first a hash of its text
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin);
 
 /// The points of such a text, for a study that goes on where one was interrupted; none where it is of another

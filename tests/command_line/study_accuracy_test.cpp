@@ -35,13 +35,12 @@ class StudyAccuracyTest : public QObject {
         const QString folder = m_folder.filePath("new");
         const Ended ended = study({"-o", folder, "--chart", m_folder.filePath("one.svg")});
         QCOMPARE(ended.exitCode, 0);
-        QCOMPARE(ended.err, QString());
         QCOMPARE(QString::fromUtf8(contentOf(folder + "/summary.txt")), ended.out);
         QVERIFY(ended.out.startsWith("Errors are against the exact events"));
         const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
         QVERIFY(rows.size() > 4);
         for (const QString& cell : column(rows, "impacts_true")) QCOMPARE(cell, "2");
-        QVERIFY(column(rows, "impact_time_s").contains("0") || ended.out.contains("2 of 2"));
+        QVERIFY(ended.out.contains("2 of 2"));
         QVERIFY(rows[1].contains("carom study accuracy "));
 #ifdef CAROM_CHARTS
         for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
@@ -120,7 +119,7 @@ class StudyAccuracyTest : public QObject {
   private:
     Ended study(const QStringList& further) {
         return carom(
-            QStringList{"study", "accuracy", m_scene, "--duration=1.25", "--substeps=1,4", "--runs=1"} +
+            QStringList{"study", "accuracy", m_scene, "--duration=1.5", "--substeps=1,4", "--runs=1"} +
             further);
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/study/accuracy_csv.h"
 #include "ui/docks/accuracy_dock.h"
