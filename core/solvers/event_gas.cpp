@@ -30,6 +30,7 @@ Loss EventGas::advanceTo(double time) {
     std::uint64_t windowEnd = m_counts.events() + window;
     double windowStart = -never;
     const auto before = [this](std::uint32_t i, std::uint32_t j) { return comesBefore(i, j); };
+    keepDaysFitting();
     for (;;) {
         const double target = std::min(time - m_secondsPast, clockTurn);
         for (std::uint32_t i = m_queue.earliest(m_agendas, target, before); i != nobody;
@@ -42,7 +43,7 @@ Loss EventGas::advanceTo(double time) {
             windowStart = happens;
             windowEnd = m_counts.events() + window;
             m_now = happens;
-            keepDaysShort();
+            keepDaysFitting();
         }
         m_now = target;
         if (target < clockTurn) return {};

@@ -111,7 +111,7 @@ class EventGas {
     double meetingOfBound(std::uint32_t i, std::uint32_t j) const;
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
-    void keepDaysShort();
+    void keepDaysFitting();
     void note(const BoundedWall& wall, const Stamp& stamp, double impulse);
 
     bool isMobile(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass > 0; }

@@ -161,12 +161,15 @@ void EventGas::fillQueue(double eventsPerSecond) {
 }
 
 // The queue is quick while a day holds about one event. When the scene has become livelier or calmer than the
-// days were cut for, they are cut anew.
-void EventGas::keepDaysShort() {
-    constexpr double tolerated = 4;
-    const double passed = m_now - m_timeOfFilling;
+// days were cut for, they are cut anew: a break is over after some milliseconds, and empty days cost time
+// too.
+void EventGas::keepDaysFitting() {
+    constexpr double mostEventsADay = 4, mostDaysAnEvent = 16;
+    const double passed = m_now - m_timeOfFilling, days = m_daysPerSecond * passed;
     const double events = static_cast<double>(m_counts.events() - m_countsAtFilling);
-    if (events > tolerated * (m_daysPerSecond * passed + 1)) fillQueue(events / std::max(passed, 1e-300));
+    const double balls = static_cast<double>(m_stamps.size()); // filling passes over all of them
+    if (events > mostEventsADay * (days + 1) || days > mostDaysAnEvent * (events + balls))
+        fillQueue(events / std::max(passed, 1e-300));
 }
 
 void EventGas::setClockBack() {

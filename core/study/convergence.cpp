@@ -11,7 +11,7 @@ namespace carom {
 namespace {
 
 /// Errors between these show an order: below rounding takes part, above the first term does not rule yet.
-constexpr double leastError = 1e-12, mostError = 0.1;
+constexpr double leastError = 1e-12, mostError = 0.35;
 constexpr std::size_t leastSlopes = 2;
 /// Slopes so close to the median are of one order, and so many must be: where impacts fall between the steps,
 /// errors jump up and down, and there is none.

@@ -19,7 +19,7 @@ struct AccuracyFamily {
 std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study);
 
 /// The order of convergence: the median slope of log error against log substep between neighbouring points
-/// that have converged so far that it shows (errors below 0.1) and are above the truth's resolution and
+/// that have converged so far that it shows (errors below 0.35) and are above the truth's resolution and
 /// rounding. Nothing of fewer than two such slopes, or where they do not agree.
 std::optional<double> orderOf(const AccuracyFamily& family, double resolution);
 

@@ -14,8 +14,19 @@ constexpr double asGravity = 2;
 constexpr double rounding = 1e-9;
 constexpr double alikeWithin = 0.5, strongEnough = 0.01;
 
-bool alike(const Impact& a, const Impact& b) {
-    return (a.change - b.change).norm() <= alikeWithin * std::max(a.change.norm(), b.change.norm());
+/// The longest time up to `end` in which the body is not hit [s].
+double longestFlight(const std::vector<Impact>& impacts, double end) {
+    double longest = 0, last = 0;
+    for (const Impact& impact : impacts) {
+        longest = std::max(longest, std::min(impact.time, end) - last);
+        last = std::min(impact.time, end);
+    }
+    return std::max(longest, end - last);
+}
+
+bool alike(const Impact& a, const Impact& b, double mostApart) {
+    return std::abs(a.time - b.time) <= mostApart &&
+           (a.change - b.change).norm() <= alikeWithin * std::max(a.change.norm(), b.change.norm());
 }
 
 std::vector<Impact> strong(const std::vector<Impact>& impacts, double least) {
@@ -28,7 +39,8 @@ std::vector<Impact> strong(const std::vector<Impact>& impacts, double least) {
 void compareBody(const std::vector<Impact>& truth, const std::vector<Impact>& run, double end,
                  ImpactErrors& errors) {
     std::size_t same = 0;
-    while (same < truth.size() && same < run.size() && alike(truth[same], run[same])) ++same;
+    const double mostApart = longestFlight(truth, end);
+    while (same < truth.size() && same < run.size() && alike(truth[same], run[same], mostApart)) ++same;
     const auto within = [end](const Impact& impact) { return impact.time <= end; };
     const auto expected = static_cast<std::size_t>(std::ranges::count_if(truth, within));
     auto seen = static_cast<std::size_t>(std::ranges::count_if(run, within));

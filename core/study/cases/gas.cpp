@@ -68,7 +68,7 @@ double overlapping(const World& world) {
 void runGasConservation(Trial& trial) {
     World world = trial.world(gasScene());
     const std::int64_t frames =
-        trial.exact() ? trial.shortOrLong(1000, 160'000) : trial.shortOrLong(60, 10'000);
+        trial.exact() ? trial.shortOrLong(1000, 220'000) : trial.shortOrLong(60, 10'000);
     const double start = energyOf(world);
     double energy = 0, states = 0, impacts = 0;
     trial.run(world, frames, [&] {

@@ -82,6 +82,10 @@ class ImpactsTest : public QObject {
         QCOMPARE(errors.seen, std::size_t{2});
         QCOMPARE(errors.matched, std::size_t{1});
         QCOMPARE(errors.time, 0.0);
+
+        // One just as strong, but far later than any flight is long, is another one.
+        errors = compareImpacts(truth, {{hit(1, 2), hit(8, -3)}}, 3.5);
+        QCOMPARE(errors.matched, std::size_t{1});
     }
 
     void impactsBeyondTheEndDoNotCountNorDoFaintOnes() {
