@@ -37,6 +37,9 @@ inline void moveOnParabola(std::span<const BodyIndex> bodies, const Vec3& accele
     }
 }
 
+/// Whether several substeps of free fall are one, but for rounding.
+inline bool fallsExactly(const SmoothMotion& motion) { return motion.move == moveOnParabola; }
+
 /// Turns bodies by exactly h|ω| about ω, which stays as it is: the SmoothMotion::turn of every scheme better
 /// than the reference's. A body without spin keeps its orientation to the bit.
 inline void turnBySpin(std::span<const BodyIndex> bodies, double h, State& state) {

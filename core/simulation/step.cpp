@@ -72,17 +72,18 @@ void stepWorld(World& world) {
     frame.frame = state.frame;
     frame.time = state.time;
 
-    const SolverInput input{.bodies = pipeline.bodies(),
-                            .motion = settings.integrator->motion,
-                            .gravity = pipeline.gravity(),
-                            .substep = settings.substep(),
-                            .broadphase = *world.m_broadphase,
-                            .workers = world.m_workers,
-                            .state = state,
-                            .ledger = world.m_keepsLedger ? &frame.ledger : nullptr};
+    SolverInput input{.bodies = pipeline.bodies(),
+                      .motion = settings.integrator->motion,
+                      .gravity = pipeline.gravity(),
+                      .substep = settings.substep(),
+                      .broadphase = *world.m_broadphase,
+                      .workers = world.m_workers,
+                      .state = state,
+                      .ledger = world.m_keepsLedger ? &frame.ledger : nullptr,
+                      .parts = settings.substeps};
     const double stored = world.m_keepsLedger ? springEnergy(pipeline.bodies().springs, state) : 0;
     Loss loss;
-    for (int substep = 0; substep < settings.substeps && !loss; ++substep) {
+    for (input.part = 0; input.part < input.parts && !loss; ++input.part) {
         const SolverReport report = world.m_solver->advance(input);
         add(frame, report, world.m_broadphase->counters());
         loss = report.loss;

@@ -2,6 +2,7 @@
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
+#include "core/solvers/elastic_gas.h"
 #include "core/solvers/flights.h"
 #include "core/solvers/island_motion.h"
 #include "core/solvers/islands.h"
@@ -13,12 +14,12 @@
 #include <vector>
 
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
-// A substep finds what can touch within it (neighbours.h). Spheres that meet others one at a time fly from
-// impact to impact (flights.h). The other bodies are sorted into islands, and each island is moved by itself
-// (island_motion.h: parting, impacts, contact forces, location of events). Contact forces are remembered from
-// one substep to the next (dynamics/contact_memory.h): at rest they already are the solution, nothing is
-// solved and nothing moves. Bodies that can touch nothing, and what springs join them to, move as the
-// integrator has it.
+// A frame finds what can touch within it (neighbours.h). Spheres that meet others one at a time fly through
+// it from impact to impact (flights.h). The other bodies move in substeps: they are sorted into islands, and
+// each island is moved by itself (island_motion.h: parting, impacts, contact forces, location of events).
+// Contact forces are remembered from one substep to the next (dynamics/contact_memory.h): at rest they
+// already are the solution, nothing is solved and nothing moves. Bodies that can touch nothing, and what
+// springs join them to, move as the integrator has it.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
 // their first body, contact points as the narrow phase gives them. Nothing depends on the broad-phase chosen.
@@ -38,13 +39,18 @@ class Contacts final : public Solver {
     void recall(const SolverMemory& memory) override;
 
   private:
+    void beginFlights(const SolverInput& input);
+    FlightInput flightInput(const SolverInput& input);
+    void findMembers(const SolverInput& input);
+    template<class OnPair>
+    void eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const;
     void findCandidates(const SolverInput& input);
-    bool planFlights(const SolverInput& input);
     bool shareReach(const Bodies& bodies, const State& state);
     void collideCandidates(const SolverInput& input);
     void moveIslands(const SolverInput& input, SolverReport& report);
     void fly(const SolverInput& input);
-    void coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration);
+    void coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration,
+               double duration);
     /// Impacts that are all solved for at once have no order to be lived through in.
     bool flies(BodyIndex body) const { return !m_settings.simultaneous && m_flights.flies(body); }
     double marginOf(const Bodies& bodies, BodyPair pair) const;
@@ -52,7 +58,8 @@ class Contacts final : public Solver {
     SolverSettings m_settings;
     Neighbours m_neighbours;
     Flights m_flights;
-    std::vector<double> m_reach; // by body: how far it can come, sped up by what may hit it [m]
+    int m_takeOff = 0, m_span = 1; // the flights' first substep in the frame, and how many they last
+    std::vector<double> m_reach;   // by body: how far it can come, sped up by what may hit it [m]
     std::vector<BodyPair> m_candidates;
     std::vector<BodyIndex> m_members; // mobile bodies that do not fly
     std::vector<BodyIndex> m_free;    // members that touch nothing
@@ -69,7 +76,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     SolverReport report;
     Stopwatch watch;
     const std::uint64_t searches = m_neighbours.searches();
-    m_neighbours.update(input.bodies, input.state, input.gravity, input.substep, input.broadphase);
+    findMembers(input);
     findCandidates(input);
     report.searched = m_neighbours.searches() != searches;
     report.broadphase = watch.lap();
@@ -97,55 +104,106 @@ void Contacts::recall(const SolverMemory& memory) {
     m_contacts = dynamic_cast<const Remembered<ContactSet>&>(memory).value();
 }
 
-// Pairs within reach of bodies that do not fly, ascending.
-void Contacts::findCandidates(const SolverInput& input) {
-    const Bodies& bodies = input.bodies;
-    while (!planFlights(input) || !shareReach(bodies, input.state))
-        m_neighbours.search(bodies, input.state, input.broadphase);
-    m_members.clear();
-    for (const BodyIndex i : bodies.mobileBodies)
-        if (!flies(i)) m_members.push_back(i);
-    m_candidates.clear();
-    for (const BodyPair pair : m_neighbours.pairs())
-        if (!flies(pair.a) && !flies(pair.b) &&
-            boundingGap(bodies, input.state, pair) <= marginOf(bodies, pair))
-            m_candidates.push_back(pair);
+// Flights are of several substeps, if possible the whole frame, where the integrator's steps make no
+// difference to them; but of no more than take most bodies less than some radii far. Further, each would have
+// many others within reach and meet few of them.
+void Contacts::beginFlights(const SolverInput& input) {
+    m_takeOff = input.part;
+    m_span = 1;
+    if (m_settings.simultaneous || !fallsExactly(input.motion)) return;
+    constexpr double farthest = 0.5; // of the mean radius
+    double speeds = 0, radii = 0;
+    for (const BodyIndex i : input.bodies.mobileBodies) {
+        speeds += input.state.velocity[i].norm();
+        radii += input.bodies.boundingRadius[i];
+    }
+    m_span = input.parts - input.part;
+    while (m_span > 1 && m_span * input.substep * speeds > farthest * radii) m_span = (m_span + 1) / 2;
 }
 
-bool Contacts::planFlights(const SolverInput& input) {
-    if (m_settings.simultaneous) return true;
-    const double scale = input.gravity.norm() * input.substep;
-    return m_flights.plan({.bodies = input.bodies,
-                           .state = input.state,
-                           .gravity = input.gravity,
-                           .substep = input.substep,
-                           .resting = 10 * m_settings.tolerance * scale,
-                           .neighbours = m_neighbours});
+FlightInput Contacts::flightInput(const SolverInput& input) {
+    const int part = input.part - m_takeOff, parts = m_span;
+    return {.bodies = input.bodies,
+            .state = input.state,
+            .gravity = input.gravity,
+            .substep = input.substep,
+            .now = part * input.substep,
+            .until = (part + 1) * input.substep,
+            .end = parts * input.substep,
+            .resting = 10 * m_settings.tolerance * input.gravity.norm() * input.substep,
+            .neighbours = m_neighbours,
+            .ledger = input.ledger};
+}
+
+// The mobile bodies that do not fly, and that the neighbours cover all.
+void Contacts::findMembers(const SolverInput& input) {
+    const Bodies& bodies = input.bodies;
+    const State& state = input.state;
+    if (input.part == 0 || input.part == m_takeOff + m_span) beginFlights(input);
+    const FlightInput flight = flightInput(input);
+    const auto follow = [&] {
+        if (!m_neighbours.follow(bodies, state, m_members, input.gravity, input.substep))
+            m_neighbours.search(bodies, state, input.broadphase);
+    };
+    if (flight.now == 0)
+        m_neighbours.update(bodies, state, input.gravity,
+                            flight.end + (Neighbours::reachFactor - 1) * input.substep, input.broadphase);
+    else
+        follow();
+    if (m_settings.simultaneous) {
+        m_members.assign(bodies.mobileBodies.begin(), bodies.mobileBodies.end());
+    } else {
+        while (!m_flights.plan(flight)) m_neighbours.search(bodies, state, input.broadphase);
+        m_flights.bring(flight);
+        m_members.assign(m_flights.grounded().begin(), m_flights.grounded().end());
+    }
+    follow();
+    while (!shareReach(bodies, state)) m_neighbours.search(bodies, state, input.broadphase);
+}
+
+// The neighbours of members, but for what flies.
+template<class OnPair>
+void Contacts::eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const {
+    for (const BodyIndex i : m_members)
+        for (const BodyIndex k : m_neighbours.around(i)) {
+            const bool isMember = bodies.mobile[k] != 0;
+            if (isMember && (k < i || flies(k))) continue;
+            onPair(BodyPair{std::min(i, k), std::max(i, k)});
+        }
+}
+
+// Pairs within reach of bodies that do not fly, ascending.
+void Contacts::findCandidates(const SolverInput& input) {
+    m_candidates.clear();
+    eachPairOfMembers(input.bodies, [&](BodyPair pair) {
+        if (boundingGap(input.bodies, input.state, pair) <= marginOf(input.bodies, pair))
+            m_candidates.push_back(pair);
+    });
+    if (!std::is_sorted(m_candidates.begin(), m_candidates.end()))
+        std::sort(m_candidates.begin(), m_candidates.end());
 }
 
 // A body about to be hit may leave as fast as what hits it comes: neighbours share their reach. False if that
 // takes them beyond what was searched.
 bool Contacts::shareReach(const Bodies& bodies, const State& state) {
-    m_reach.resize(bodies.count());
-    for (BodyIndex i = 0; i < bodies.count(); ++i) m_reach[i] = m_neighbours.reach(i);
+    m_reach.resize(bodies.count(), 0);
+    for (const BodyIndex i : m_members) m_reach[i] = m_neighbours.reach(i);
     bool covered = true;
     const auto room = [&](BodyIndex i) {
         return m_reach[i] + Neighbours::leastMargin * bodies.boundingRadius[i];
     };
-    for (const BodyIndex i : bodies.mobileBodies)
-        if (!flies(i)) covered = m_neighbours.covers(i, room(i)) && covered;
+    for (const BodyIndex i : m_members) covered = m_neighbours.covers(i, room(i)) && covered;
     if (!covered) return false;
-    for (const BodyPair pair : m_neighbours.pairs()) {
-        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) continue;
-        if (flies(pair.a) || flies(pair.b)) continue;
+    eachPairOfMembers(bodies, [&](BodyPair pair) {
+        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) return;
         const double reachA = m_neighbours.reach(pair.a), reachB = m_neighbours.reach(pair.b);
-        if (!(boundingGap(bodies, state, pair) <= reachA + reachB)) continue;
+        if (!(boundingGap(bodies, state, pair) <= reachA + reachB)) return;
         const BodyIndex slower = reachA < reachB ? pair.a : pair.b;
         const double reach = std::max(reachA, reachB);
-        if (!(m_reach[slower] < reach)) continue;
+        if (!(m_reach[slower] < reach)) return;
         m_reach[slower] = reach;
         covered = m_neighbours.covers(slower, room(slower)) && covered;
-    }
+    });
     return covered;
 }
 
@@ -214,21 +272,23 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
 }
 
 void Contacts::fly(const SolverInput& input) {
-    coast(input, m_free, input.gravity);
+    coast(input, m_free, input.gravity, input.substep);
     if (m_settings.simultaneous) return;
-    for (const Course& course : m_flights.courses()) coast(input, course.bodies, course.acceleration);
-    if (input.ledger != nullptr)
-        m_flights.book(input.bodies, input.gravity, input.substep, input.state, *input.ledger);
-    m_flights.land(input.substep, input.state);
+    const FlightInput flight = flightInput(input);
+    m_flights.kickPlatforms(flight);
+    if (flight.until < flight.end) return;
+    for (const Course& course : m_flights.chart(input.bodies))
+        coast(input, course.bodies, course.acceleration, flight.end);
+    m_flights.land(flight);
 }
 
-void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration) {
+void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration,
+                     double duration) {
     const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
     if (input.ledger != nullptr)
-        bookFlight(input.bodies, bodies, {input.gravity, acceleration, input.substep}, input.state,
-                   *input.ledger);
-    input.motion.move(bodies, acceleration, input.substep, input.state);
-    input.motion.tumble(input.bodies, bodies, input.substep, input.state);
+        bookFlight(input.bodies, bodies, {input.gravity, acceleration, duration}, input.state, *input.ledger);
+    input.motion.move(bodies, acceleration, duration, input.state);
+    input.motion.tumble(input.bodies, bodies, duration, input.state);
     // Bodies with unequal moments keep their energy as well as the integrator can.
     if (input.ledger != nullptr)
         (*input.ledger)[LedgerAccount::Rotation].energy +=
@@ -236,7 +296,9 @@ void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
-    return std::make_unique<Contacts>(bodies, settings);
+    std::unique_ptr<Solver> contacts = std::make_unique<Contacts>(bodies, settings);
+    return isElasticGas(bodies) && !settings.simultaneous ? elasticGas(bodies, std::move(contacts))
+                                                          : std::move(contacts);
 }
 
 } // namespace

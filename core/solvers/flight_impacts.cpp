@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/flights.h"
 
-#include "core/math/rotation.h"
 #include "core/solvers/contact_settings.h"
 
 #include <algorithm>
@@ -30,10 +29,15 @@ Flights::Law Flights::lawOf(const FlightInput& input, BodyIndex a, BodyIndex b) 
             .rolls = std::max(bodies.rolling[a], bodies.rolling[b]) > 0};
 }
 
+void Flights::expect(const Meeting& meeting) {
+    m_meetings.push_back(meeting);
+    std::push_heap(m_meetings.begin(), m_meetings.end(), isLater);
+}
+
 void Flights::foresee(const FlightInput& input, BodyIndex a, BodyIndex b) {
     if (!flies(a) && !flies(b)) return;
     const std::uint32_t logA = m_log[a], logB = m_log[b];
-    const bool justMet = logA != noLog && logB != noLog && m_logs[logA].last == b && m_logs[logB].last == a;
+    const bool justMet = logA != none && logB != none && m_logs[logA].last == b && m_logs[logB].last == a;
     double time = never;
     if (m_support[a] == m_support[b]) {
         // Fresh from their impact, under one acceleration: they part for ever, whatever rounding says.
@@ -41,62 +45,91 @@ void Flights::foresee(const FlightInput& input, BodyIndex a, BodyIndex b) {
     } else {
         time = pairTime(m_stamps[a], accelerationOf(a), m_stamps[b], accelerationOf(b));
     }
-    if (!(time < input.substep)) return;
-    m_meetings.push_back({time, a, b, impactsOf(a) + impactsOf(b)});
-    std::push_heap(m_meetings.begin(), m_meetings.end(),
-                   [](const Meeting& x, const Meeting& y) { return x.time > y.time; });
+    if (time < input.end) expect({std::max(time, input.now), a, b, versionOf(a, b)});
 }
 
 void Flights::foreseeWall(const FlightInput& input, BodyIndex ball, const BoundedWall& wall) {
     const Stamp& stamp = m_stamps[ball];
-    const bool touching = m_log[ball] != noLog && m_logs[m_log[ball]].last == wall.body;
+    const bool touching = m_log[ball] != none && m_logs[m_log[ball]].last == wall.body;
     const double gap = touching ? 0 : std::max(0.0, gapTo(wall, stamp.position, stamp.radius));
     const double time =
         stamp.time + timeToPlane(gap, wall.normal.dot(stamp.velocity), wall.normal.dot(accelerationOf(ball)));
-    if (!(time < input.substep)) return;
-    m_meetings.push_back({time, ball, wall.body, impactsOf(ball)});
-    std::push_heap(m_meetings.begin(), m_meetings.end(),
-                   [](const Meeting& x, const Meeting& y) { return x.time > y.time; });
+    if (time < input.end) expect({std::max(time, input.now), ball, wall.body, versionOf(ball, wall.body)});
+}
+
+// A platform moves as foreseen to the end of the substep only.
+void Flights::foreseePlatform(const FlightInput& input, BodyIndex ball, BodyIndex platform) {
+    const double time =
+        m_platforms.timeOf(input.bodies, ball, m_stamps[ball], accelerationOf(ball), platform, input.until);
+    if (time < input.until) expect({time, ball, platform, versionOf(ball, platform)});
 }
 
 void Flights::foreseeAround(const FlightInput& input, BodyIndex body) {
     for (const BodyIndex other : input.neighbours.around(body)) {
-        if (!isWallBody(other)) {
-            if (m_simple[other] != 0) foresee(input, std::min(body, other), std::max(body, other));
-        } else if (m_support[body] != m_wallAt[other] + 1) {
-            foreseeWall(input, body, m_walls[m_wallAt[other]]);
+        if (m_simple[other] != 0) {
+            foresee(input, std::min(body, other), std::max(body, other));
+        } else if (isWallBody(other)) {
+            if (m_support[body] != m_wallAt[other] + 1) foreseeWall(input, body, m_walls[m_wallAt[other]]);
+        } else if (m_platforms.contains(other) && mayStrike(input, body, other)) {
+            foreseePlatform(input, body, other);
+        } else if (comesNear(input, body, other)) {
+            ground(body);
+            return;
         }
+    }
+}
+
+// Whether what is left of the substep may take a ball to a body that does not fly.
+bool Flights::comesNear(const FlightInput& input, BodyIndex ball, BodyIndex body) const {
+    const Stamp& stamp = m_stamps[ball];
+    const double left = input.until - stamp.time;
+    const double path = left * (stamp.velocity.norm() + 0.5 * left * input.gravity.norm());
+    const double between = (stamp.position - input.state.pose[body].position).norm();
+    return between - stamp.radius - input.bodies.boundingRadius[body] <= path + reachOf(input, body);
+}
+
+void Flights::meetAll(const FlightInput& input) {
+    while (!m_meetings.empty() && m_meetings.front().time < input.until) {
+        std::pop_heap(m_meetings.begin(), m_meetings.end(), isLater);
+        const Meeting next = m_meetings.back();
+        m_meetings.pop_back();
+        if (versionOf(next.a, next.b) == next.version) meet(input, next);
     }
 }
 
 void Flights::meet(const FlightInput& input, const Meeting& meeting) {
     const BodyIndex a = meeting.a, b = meeting.b;
-    const bool wall = isWallBody(b);
-    if (impactsOf(a) + (wall ? 0 : impactsOf(b)) != meeting.impacts) return;
-    if (!flies(a) || (!wall && !flies(b))) {
-        m_grounded[a] = 1;
-        if (!wall) m_grounded[b] = 1;
+    const bool pair = m_simple[b] != 0; // of balls; else b is a wall or a platform
+    if (!flies(a) || (pair && !flies(b))) {
+        ground(a);
+        if (pair) ground(b);
         return;
     }
     const Law law = lawOf(input, a, b);
-    const bool tooMany = impactsOf(a) >= mostImpacts || (!wall && impactsOf(b) >= mostImpacts);
-    const bool sticks = !wall && law.restitution == 0; // plastic impacts are solved for together
+    const bool tooMany = impactsOf(a) >= mostImpacts || (pair && impactsOf(b) >= mostImpacts);
+    const bool sticks = pair && law.restitution == 0; // plastic impacts are solved for together
     const bool crowd =
-        closesOnOthers(input, a, b, meeting.time) || (!wall && closesOnOthers(input, b, a, meeting.time));
+        closesOnOthers(input, a, b, meeting.time) || (pair && closesOnOthers(input, b, a, meeting.time));
     if (tooMany || sticks || law.rolls || crowd) {
-        m_grounded[a] = 1;
-        if (!wall) m_grounded[b] = 1;
+        ground(a);
+        if (pair) ground(b);
         return;
     }
+    const std::uint32_t versionA = m_version[a];
     moveTo(input, a, meeting.time);
-    if (wall) {
+    if (isWallBody(b)) {
         strikeWall(input, a, m_wallAt[b]);
+    } else if (!pair) {
+        strikePlatform(input, a, b);
     } else {
         moveTo(input, b, meeting.time);
         strike(input, a, b);
         foreseeAround(input, b);
     }
-    if (flies(a)) foreseeAround(input, a);
+    if (flies(a))
+        foreseeAround(input, a);
+    else
+        m_version[a] = versionA; // it has come to rest: who would have met it does
 }
 
 // Whether a body touches and closes on a third one at the moment of an impact: then impacts have no order.
@@ -121,6 +154,10 @@ bool Flights::closesOnOthers(const FlightInput& input, BodyIndex body, BodyIndex
             const double closing =
                 -between.normalized().dot(velocityAt(other, accelerationOf(i), time) - velocity);
             if (closing > lawOf(input, body, i).leastImpact) return true;
+        } else if (m_platforms.contains(i)) {
+            const Platforms::Contact contact =
+                m_platforms.contactAt(input.bodies, ball, acceleration, i, time);
+            if (contact.gap <= touching && contact.closing > lawOf(input, body, i).leastImpact) return true;
         }
     }
     return false;
@@ -180,7 +217,7 @@ void Flights::strikeWall(const FlightInput& input, BodyIndex ball, std::uint32_t
     const bool comesToRest = pulled && (law.restitution == 0 || closing <= law.leastImpact);
     // A series of bounces that ends within the substep has a closed form there (bounce_train.h).
     if (comesToRest && (law.friction > 0 || law.restitution > 0 || m_support[ball] != 0)) {
-        m_grounded[ball] = 1;
+        ground(ball);
         return;
     }
     if (comesToRest) {
@@ -209,6 +246,25 @@ void Flights::strikeWall(const FlightInput& input, BodyIndex ball, std::uint32_t
     keepSupport(input, ball);
 }
 
+void Flights::strikePlatform(const FlightInput& input, BodyIndex ball, BodyIndex platform) {
+    const Law law = lawOf(input, ball, platform);
+    Stamp& stamp = m_stamps[ball];
+    Log& log = m_logs[m_log[ball]];
+    ++log.impacts;
+    log.last = platform;
+    const Platforms::Contact contact =
+        m_platforms.contactAt(input.bodies, stamp, accelerationOf(ball), platform, stamp.time);
+    if (!(contact.closing > law.leastImpact)) {
+        ground(ball);
+        return;
+    }
+    const double mass = input.bodies.mass[ball];
+    const double impulse =
+        m_platforms.strike(input.bodies, mass, law.restitution, contact, platform, m_log[ball]);
+    stamp.velocity += (impulse / mass) * contact.normal;
+    keepSupport(input, ball);
+}
+
 // A ball that slid on a wall before an impact with something else: it goes on, lifts off, or strikes the
 // wall.
 void Flights::keepSupport(const FlightInput& input, BodyIndex ball) {
@@ -223,36 +279,6 @@ void Flights::keepSupport(const FlightInput& input, BodyIndex ball) {
     } else {
         stamp.velocity -= speed * wall.normal;
     }
-}
-
-void Flights::moveTo(const FlightInput& input, BodyIndex body, double time) {
-    Log& log = logOf(input, body);
-    Stamp& stamp = m_stamps[body];
-    const Vec3& acceleration = accelerationOf(body);
-    const double passed = time - stamp.time;
-    log.path += passed * (stamp.velocity.norm() + 0.5 * passed * input.gravity.norm());
-    stamp.position = positionAt(stamp, acceleration, time);
-    stamp.velocity = velocityAt(stamp, acceleration, time);
-    stamp.time = time;
-}
-
-void Flights::setSpin(BodyIndex body, const Vec3& spin) {
-    Log& log = m_logs[m_log[body]];
-    const double time = m_stamps[body].time;
-    log.orientation = (fromRotationVector((time - log.turned) * log.spin) * log.orientation).normalized();
-    log.turned = time;
-    log.spin = spin;
-}
-
-Flights::Log& Flights::logOf(const FlightInput& input, BodyIndex body) {
-    if (m_log[body] == noLog) {
-        m_log[body] = static_cast<std::uint32_t>(m_logs.size());
-        m_logs.push_back({.body = body,
-                          .group = m_log[body],
-                          .spin = input.state.angularVelocity[body],
-                          .orientation = input.state.pose[body].orientation});
-    }
-    return m_logs[m_log[body]];
 }
 
 } // namespace carom

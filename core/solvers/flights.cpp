@@ -2,81 +2,136 @@
 #include "core/solvers/flights.h"
 
 #include "core/math/rotation.h"
-#include "core/solvers/contact_settings.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+// The course of a frame: who takes off, what is undone and done again, who lands. Who may fly is decided in
+// flight_grounds.cpp, what happens on the way in flight_impacts.cpp.
 
 namespace carom {
 namespace {
 
-double radiusSum(const Stamp& a, const Stamp& b) { return a.radius + b.radius; }
-
-/// Overlap or gap up to which two balls touch, as |D|² − R² = (|D| − R)(|D| + R) [m²].
-double touchingSquare(const Stamp& a, const Stamp& b) {
-    return 2 * touchingGap * std::min(a.radius, b.radius) * radiusSum(a, b);
-}
-
-/// Whether two balls under one acceleration may touch within h; never false if they do.
-bool mayMeet(double c, double b, double u2, double h) {
-    if (b >= 0) return false; // they part
-    const bool closest = -b < u2 * h;
-    return closest ? b * b >= u2 * c : c + h * (2 * b + u2 * h) <= 0;
-}
+/// Balls that meet somebody in a frame, for which there is room from the start.
+constexpr std::size_t fewLogs = 512;
 
 } // namespace
 
 Flights::Flights(const Bodies& bodies)
-    : m_wallAt(bodies.count(), noWall), m_simple(bodies.count(), 0), m_grounded(bodies.count(), 1),
-      m_support(bodies.count(), 0), m_stamps(bodies.count()), m_log(bodies.count(), noLog),
-      m_courses(bodies.walls.size() + 1) {
+    : m_wallAt(bodies.count(), none), m_simple(bodies.count(), 0), m_grounded(bodies.count(), 1),
+      m_support(bodies.count(), 0), m_stamps(bodies.count()), m_log(bodies.count(), none),
+      m_version(bodies.count(), 0), m_courses(bodies.walls.size() + 1), m_platforms(bodies) {
     for (const BodyIndex i : bodies.mobileBodies)
         m_simple[i] = std::holds_alternative<Sphere>(bodies.shape[i]);
+    std::vector<std::uint8_t> sprung(bodies.count(), 0);
     for (const SpringForce& spring : bodies.springs)
         for (const BodyIndex end : {spring.from, spring.to})
-            if (end != noBody) m_simple[end] = 0;
+            if (end != noBody) sprung[end] = 1;
+    for (const BodyIndex i : bodies.bounded) {
+        if (sprung[i] != 0) m_simple[i] = 0;
+        if (m_simple[i] == 0) m_never.push_back(i);
+        if (sprung[i] == 0 && !std::holds_alternative<Sphere>(bodies.shape[i])) m_bulky.push_back(i);
+    }
     for (const BodyIndex w : bodies.walls) {
         const Wall& wall = std::get<Wall>(bodies.shape[w]);
         m_wallAt[w] = static_cast<std::uint32_t>(m_walls.size());
         m_walls.push_back({w, wall.normal, wall.offset});
     }
+    const std::size_t logs = std::min(bodies.mobileBodies.size(), fewLogs);
+    m_logs.reserve(logs);
+    m_touched.reserve(logs);
+    m_saved.reserve(logs);
+    m_fresh.reserve(logs);
+    m_again.reserve(logs);
+    m_landed.reserve(logs);
+    m_groundedBodies.reserve(logs);
+    m_meetings.reserve(4 * logs);
 }
 
 bool Flights::plan(const FlightInput& input) {
-    const Bodies& bodies = input.bodies;
+    if (input.now == 0)
+        begin(input);
+    else
+        proceed(input);
+    restOnWalls(input);
+    findClosePairs(input);
+    choosePlatforms(input);
+    groundNearSeeds(input);
+    foreseeAll(input);
+    meetAll(input);
+    groundGroups();
+    return covered(input);
+}
+
+// A new frame: everybody may fly.
+void Flights::begin(const FlightInput& input) {
     m_courses.front().acceleration = input.gravity;
     for (std::size_t k = 0; k < m_walls.size(); ++k) {
         const Vec3& normal = m_walls[k].normal;
         m_courses[k + 1].acceleration = input.gravity - normal.dot(input.gravity) * normal;
     }
-    for (const Log& log : m_logs) m_log[log.body] = noLog;
+    for (const Log& log : m_logs) m_log[log.body] = none;
     m_logs.clear();
+    m_touched.clear();
+    m_saved.clear();
     m_meetings.clear();
-    m_impacts = 0;
-    for (const BodyIndex i : bodies.mobileBodies) {
+    m_again.clear();
+    m_landed.clear();
+    m_allFresh = true;
+    m_planned = input.now;
+    for (const BodyIndex i : input.bodies.mobileBodies) {
         m_grounded[i] = m_simple[i] == 0;
         m_support[i] = 0;
-        m_stamps[i] = {input.state.pose[i].position, 0, input.state.velocity[i], bodies.boundingRadius[i]};
+        m_stamps[i] = {input.state.pose[i].position, 0, input.state.velocity[i],
+                       input.bodies.boundingRadius[i]};
     }
     sortPairs(input.neighbours);
-    restOnWalls(input);
-    findClosePairs(input);
-    groundNearSeeds(input);
+}
 
-    for (const WallPair pair : m_wallPairs)
-        if (flies(pair.ball) && m_support[pair.ball] != pair.wall + 1)
-            foreseeWall(input, pair.ball, m_walls[pair.wall]);
-    for (const BodyPair pair : m_close) foresee(input, pair.a, pair.b);
-    const auto later = [](const Meeting& x, const Meeting& y) { return x.time > y.time; };
-    while (!m_meetings.empty()) {
-        std::pop_heap(m_meetings.begin(), m_meetings.end(), later);
-        const Meeting next = m_meetings.back();
-        m_meetings.pop_back();
-        meet(input, next);
+// A later substep: the balls that were grounded may take off.
+void Flights::proceed(const FlightInput& input) {
+    m_again.clear();
+    if (m_planned == input.now)
+        undo(input);
+    else
+        m_fresh.assign(m_landed.begin(), m_landed.end());
+    m_planned = input.now;
+    m_allFresh = false;
+    for (const std::uint32_t log : m_touched) m_logs[log].saved = none;
+    m_touched.clear();
+    m_saved.clear();
+    for (const BodyIndex ball : m_landed) m_grounded[ball] = 0;
+    m_landed.clear();
+    for (const BodyIndex ball : m_fresh) freshen(input, ball);
+}
+
+// Everybody is back where the substep began. Those that are not fresh are to be foreseen anew.
+void Flights::undo(const FlightInput& input) {
+    for (const std::uint32_t log : m_touched) {
+        const BodyIndex ball = m_logs[log].body;
+        const Saved& saved = m_saved[m_logs[log].saved];
+        m_stamps[ball] = saved.stamp;
+        m_support[ball] = saved.support;
+        m_logs[log] = saved.log;
+        ++m_version[ball];
+        if (saved.log.begin != input.now) m_again.push_back(ball);
     }
-    groundGroups();
-    chart(input);
-    return covered(input);
+}
+
+// A new log begins: the State of a ball that was grounded is that of this moment.
+void Flights::freshen(const FlightInput& input, BodyIndex ball) {
+    m_grounded[ball] = 0;
+    m_support[ball] = 0;
+    ++m_version[ball];
+    m_stamps[ball] = {input.state.pose[ball].position, input.now, input.state.velocity[ball],
+                      input.bodies.boundingRadius[ball]};
+    logOf(input, ball) = {.body = ball,
+                          .begin = input.now,
+                          .turned = input.now,
+                          .spin = input.state.angularVelocity[ball],
+                          .orientation = input.state.pose[ball].orientation};
+    touch(input, ball);
 }
 
 // Pairs of simple balls, and of a simple ball and a wall; anew after every search.
@@ -96,76 +151,12 @@ void Flights::sortPairs(const Neighbours& neighbours) {
     }
 }
 
-// A ball that touches a wall, does not move across it and is pulled on it rests: without friction it slides,
-// on one wall.
-void Flights::restOnWalls(const FlightInput& input) {
-    for (const WallPair pair : m_wallPairs) {
-        const BoundedWall& wall = m_walls[pair.wall];
-        const Stamp& ball = m_stamps[pair.ball];
-        const double gap = gapTo(wall, ball.position, ball.radius), touching = touchingGap * ball.radius;
-        if (gap > touching) continue;
-        const double speed = wall.normal.dot(ball.velocity);
-        const bool pulled = wall.normal.dot(input.gravity) < 0;
-        if (gap < -touching) {
-            m_grounded[pair.ball] = 1;
-        } else if (pulled) {
-            const Law law = lawOf(input, pair.ball, wall.body);
-            const bool slides = law.friction == 0 && !law.rolls;
-            if (slides && speed == 0 && m_support[pair.ball] == 0)
-                m_support[pair.ball] = pair.wall + 1;
-            else if (std::abs(speed) <= law.leastImpact && (!slides || m_support[pair.ball] != 0))
-                m_grounded[pair.ball] = 1;
-        }
-    }
-}
-
-// Those that overlap, or press on each other, are grounded; of the others those that may meet are kept.
-void Flights::findClosePairs(const FlightInput& input) {
-    const double h = input.substep;
-    m_close.clear();
-    for (const BodyPair pair : m_ballPairs) {
-        const Stamp& a = m_stamps[pair.a];
-        const Stamp& b = m_stamps[pair.b];
-        const double sum = radiusSum(a, b);
-        const Vec3 between = b.position - a.position, velocity = b.velocity - a.velocity;
-        const double c = between.squaredNorm() - sum * sum;
-        const double closing = between.dot(velocity), u2 = velocity.squaredNorm();
-        const bool together = m_support[pair.a] == m_support[pair.b];
-        if (c > touchingSquare(a, b)) {
-            if (!together || mayMeet(c, closing, u2, h)) m_close.push_back(pair);
-            continue;
-        }
-        const Vec3 pull = accelerationOf(pair.b) - accelerationOf(pair.a);
-        const bool pressed = !together && between.dot(pull) < 0 &&
-                             std::abs(closing) <= lawOf(input, pair.a, pair.b).leastImpact * sum;
-        if (c < -touchingSquare(a, b) || pressed)
-            m_grounded[pair.a] = m_grounded[pair.b] = 1;
-        else if (closing < 0 || !together)
-            m_close.push_back(pair);
-    }
-}
-
-void Flights::groundNearSeeds(const FlightInput& input) {
-    m_seeds.clear();
-    for (const BodyIndex i : input.bodies.bounded)
-        if (m_grounded[i] != 0) m_seeds.push_back(i);
-    const Neighbours& neighbours = input.neighbours;
-    for (const BodyIndex seed : m_seeds)
-        for (const BodyIndex i : neighbours.around(seed)) {
-            if (isWallBody(i) || !flies(i)) continue;
-            const double reach = neighbours.reach(seed) + neighbours.reach(i);
-            const double size = std::min(input.bodies.boundingRadius[seed], input.bodies.boundingRadius[i]);
-            const double gap = boundingGap(input.bodies, input.state, {seed, i});
-            if (gap <= std::max(reach, Neighbours::leastMargin * size)) m_grounded[i] = 1;
-        }
-}
-
 // Those a grounded body has met, or that met one of them, are grounded with it.
 void Flights::groundGroups() {
-    for (std::uint32_t i = 0; i < m_logs.size(); ++i)
-        if (m_grounded[m_logs[i].body] != 0) m_grounded[m_logs[groupOf(i)].body] = 1;
-    for (std::uint32_t i = 0; i < m_logs.size(); ++i)
-        if (m_grounded[m_logs[groupOf(i)].body] != 0) m_grounded[m_logs[i].body] = 1;
+    for (const std::uint32_t log : m_touched)
+        if (!flies(m_logs[log].body)) m_logs[groupOf(log)].landed = true;
+    for (const std::uint32_t log : m_touched)
+        if (m_logs[groupOf(log)].landed) ground(m_logs[log].body);
 }
 
 std::uint32_t Flights::groupOf(std::uint32_t log) {
@@ -173,63 +164,139 @@ std::uint32_t Flights::groupOf(std::uint32_t log) {
     return log;
 }
 
-void Flights::chart(const FlightInput& input) {
-    for (Course& course : m_courses) course.bodies.clear();
-    for (const BodyIndex i : input.bodies.mobileBodies)
-        if (flies(i) && m_log[i] == noLog) m_courses[m_support[i]].bodies.push_back(i);
-    for (const Log& log : m_logs)
-        if (flies(log.body)) m_impacts += static_cast<std::size_t>(log.impacts);
-}
-
 bool Flights::covered(const FlightInput& input) const {
     bool all = true;
-    for (const Log& log : m_logs) {
+    for (const std::uint32_t each : m_touched) {
+        const Log& log = m_logs[each];
         const Stamp& stamp = m_stamps[log.body];
-        const double rest = input.substep - stamp.time;
+        const double rest = input.end + (Neighbours::reachFactor - 1) * input.substep - stamp.time;
         const double path = log.path + rest * (stamp.velocity.norm() + 0.5 * rest * input.gravity.norm());
         if (flies(log.body)) all = input.neighbours.covers(log.body, path) && all;
     }
     return all;
 }
 
-void Flights::book(const Bodies& bodies, const Vec3& gravity, double substep, const State& state,
-                   Ledger& ledger) const {
-    LedgerEntry& fall = ledger[LedgerAccount::Gravity];
-    LedgerEntry& impacts = ledger[LedgerAccount::Restitution];
-    LedgerEntry& friction = ledger[LedgerAccount::Friction];
-    for (const Log& log : m_logs) {
-        if (!flies(log.body)) continue;
-        const BodyIndex i = log.body;
-        const Stamp& stamp = m_stamps[i];
-        const Vec3 velocity = velocityAt(stamp, accelerationOf(i), substep);
-        const Vec3 way = positionAt(stamp, accelerationOf(i), substep) - state.pose[i].position;
-        const double mass = bodies.mass[i];
-        const double gained =
-            0.5 * mass * (velocity.squaredNorm() - state.velocity[i].squaredNorm()) +
-            0.5 * bodies.inertia[i].x() * (log.spin.squaredNorm() - state.angularVelocity[i].squaredNorm());
-        const double fallen = mass * gravity.dot(way);
-        const Vec3 weight = (mass * substep) * gravity;
-        fall.energy += fallen;
-        fall.momentum += weight;
-        friction.energy += log.rubbed;
-        friction.momentum += log.held;
-        impacts.energy += gained - fallen - log.rubbed;
-        impacts.momentum += mass * (velocity - state.velocity[i]) - weight - log.held;
+void Flights::bring(const FlightInput& input) {
+    m_impacts = 0;
+    for (const std::uint32_t each : m_touched) {
+        Log& log = m_logs[each];
+        if (flies(log.body)) {
+            m_impacts += static_cast<std::size_t>(log.impacts);
+            continue;
+        }
+        const Saved& saved = m_saved[log.saved];
+        m_stamps[log.body] = saved.stamp;
+        m_support[log.body] = saved.support;
+        log = saved.log;
     }
+    for (const BodyIndex ball : m_landed) settle(input, ball, input.now);
+    std::sort(m_landed.begin(), m_landed.end());
+    m_groundedBodies.clear();
+    std::set_union(m_landed.begin(), m_landed.end(), m_never.begin(), m_never.end(),
+                   std::back_inserter(m_groundedBodies));
+    std::erase_if(m_groundedBodies, [&](BodyIndex i) { return input.bodies.mobile[i] == 0; });
 }
 
-void Flights::land(double substep, State& state) const {
-    for (const Log& log : m_logs) {
-        if (!flies(log.body)) continue;
-        const Stamp& stamp = m_stamps[log.body];
-        const Vec3& acceleration = accelerationOf(log.body);
-        state.pose[log.body].position = positionAt(stamp, acceleration, substep);
-        state.velocity[log.body] = velocityAt(stamp, acceleration, substep);
-        state.angularVelocity[log.body] = log.spin;
-        if (log.spin == Vec3::Zero() && log.turned == 0) continue;
-        const Vec3 turn = (substep - log.turned) * log.spin;
-        state.pose[log.body].orientation = (fromRotationVector(turn) * log.orientation).normalized();
+void Flights::kickPlatforms(const FlightInput& input) const {
+    m_platforms.kick(input.bodies, input.state, input.ledger,
+                     [this](std::uint32_t log) { return flies(m_logs[log].body); });
+}
+
+std::span<const Course> Flights::chart(const Bodies& bodies) {
+    for (Course& course : m_courses) course.bodies.clear();
+    for (const BodyIndex i : bodies.mobileBodies)
+        if (flies(i) && m_log[i] == none) m_courses[m_support[i]].bodies.push_back(i);
+    return m_courses;
+}
+
+void Flights::land(const FlightInput& input) {
+    for (std::size_t i = 0; i < m_logs.size(); ++i)
+        if (flies(m_logs[i].body)) settle(input, m_logs[i].body, input.end);
+}
+
+// The State of a flying ball becomes that of `time`.
+void Flights::settle(const FlightInput& input, BodyIndex ball, double time) {
+    Log& log = logOf(input, ball);
+    if (log.begin == time) return;
+    if (input.ledger != nullptr) book(input, log, time);
+    input.state.pose[ball].position = placeAt(ball, time);
+    input.state.velocity[ball] = speedAt(ball, time);
+    input.state.angularVelocity[ball] = log.spin;
+    if (log.spin != Vec3::Zero()) {
+        log.orientation = (fromRotationVector((time - log.turned) * log.spin) * log.orientation).normalized();
     }
+    input.state.pose[ball].orientation = log.orientation;
+    log.begin = log.turned = time;
+    log.path = log.rubbed = 0;
+    log.held.setZero();
+}
+
+// Friction from its impulses; along the normal, where nothing but gravity and the impacts acts, by the
+// difference.
+void Flights::book(const FlightInput& input, const Log& log, double time) const {
+    Ledger& ledger = *input.ledger;
+    const BodyIndex i = log.body;
+    const State& state = input.state;
+    const Vec3 velocity = speedAt(i, time), way = placeAt(i, time) - state.pose[i].position;
+    const double mass = input.bodies.mass[i];
+    const double gained =
+        0.5 * mass * (velocity.squaredNorm() - state.velocity[i].squaredNorm()) +
+        0.5 * input.bodies.inertia[i].x() * (log.spin.squaredNorm() - state.angularVelocity[i].squaredNorm());
+    const double fallen = mass * input.gravity.dot(way);
+    const Vec3 weight = (mass * (time - log.begin)) * input.gravity;
+    LedgerEntry& fall = ledger[LedgerAccount::Gravity];
+    fall.energy += fallen;
+    fall.momentum += weight;
+    LedgerEntry& friction = ledger[LedgerAccount::Friction];
+    friction.energy += log.rubbed;
+    friction.momentum += log.held;
+    LedgerEntry& impacts = ledger[LedgerAccount::Restitution];
+    impacts.energy += gained - fallen - log.rubbed;
+    impacts.momentum += mass * (velocity - state.velocity[i]) - weight - log.held;
+}
+
+void Flights::moveTo(const FlightInput& input, BodyIndex body, double time) {
+    Log& log = touch(input, body);
+    Stamp& stamp = m_stamps[body];
+    const Vec3& acceleration = accelerationOf(body);
+    const double passed = time - stamp.time;
+    log.path += passed * (stamp.velocity.norm() + 0.5 * passed * input.gravity.norm());
+    stamp.position = positionAt(stamp, acceleration, time);
+    stamp.velocity = velocityAt(stamp, acceleration, time);
+    stamp.time = time;
+    ++m_version[body];
+}
+
+void Flights::setSpin(BodyIndex body, const Vec3& spin) {
+    Log& log = m_logs[m_log[body]];
+    const double time = m_stamps[body].time;
+    log.orientation = (fromRotationVector((time - log.turned) * log.spin) * log.orientation).normalized();
+    log.turned = time;
+    log.spin = spin;
+}
+
+// The first log of a ball begins with the frame.
+Flights::Log& Flights::logOf(const FlightInput& input, BodyIndex body) {
+    if (m_log[body] == none) {
+        m_log[body] = static_cast<std::uint32_t>(m_logs.size());
+        m_logs.push_back({.body = body,
+                          .spin = input.state.angularVelocity[body],
+                          .orientation = input.state.pose[body].orientation});
+    }
+    return m_logs[m_log[body]];
+}
+
+// The log, which remembers how the substep began.
+Flights::Log& Flights::touch(const FlightInput& input, BodyIndex body) {
+    Log& log = logOf(input, body);
+    if (log.saved != none) return log;
+    m_saved.push_back({log, m_stamps[body], m_support[body]});
+    log.saved = static_cast<std::uint32_t>(m_saved.size() - 1);
+    log.group = m_log[body];
+    log.impacts = 0;
+    log.landed = false;
+    m_touched.push_back(m_log[body]);
+    return log;
 }
 
 } // namespace carom

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace carom {
 namespace {
@@ -27,12 +26,15 @@ void Islands::join(const Bodies& bodies, BodyIndex a, BodyIndex b) {
 void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
                    std::span<const ContactPair> pairs, std::span<const BodyPair> links) {
     m_parent.resize(bodies.count());
-    std::iota(m_parent.begin(), m_parent.end(), 0u);
+    m_island.resize(bodies.count());
+    for (const BodyIndex body : members) {
+        m_parent[body] = body;
+        m_island[body] = none;
+    }
     for (const ContactPair& pair : pairs) join(bodies, pair.a, pair.b);
     for (const BodyPair& link : links) join(bodies, link.a, link.b);
 
     // Counting sort by island: sizes, starts, places.
-    m_island.assign(bodies.count(), none);
     m_first.assign(1, {});
     for (const BodyIndex body : members) {
         std::uint32_t& island = m_island[rootOf(body)];

@@ -37,25 +37,32 @@ Neighbours::Neighbours(const Bodies& bodies)
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
 }
 
-void Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
+void Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
                         Broadphase& broadphase) {
-    const double fall = 0.5 * gravity.norm() * substep * substep;
+    if (follow(bodies, state, bodies.mobileBodies, gravity, duration)) return;
     double sum = 0;
-    bool serves = true;
     for (const BodyIndex i : bodies.mobileBodies) {
-        const bool round = std::holds_alternative<Sphere>(bodies.shape[i]);
-        const double radius = bodies.boundingRadius[i];
-        const double rim = round ? 0 : state.angularVelocity[i].norm() * radius;
-        m_path[i] = (state.velocity[i].norm() + rim) * substep + fall;
-        m_moved[i] = displacement(m_origin[i], state.pose[i], radius, round);
-        const double needed = m_path[i] + leastMargin * radius;
-        serves = serves && m_moved[i] + needed <= m_skin[i];
+        const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
         sum += needed * needed;
     }
-    if (serves) return;
     m_typical = std::sqrt(sum / static_cast<double>(bodies.mobileBodies.size()));
     std::fill(m_skin.begin(), m_skin.end(), 0.0);
     search(bodies, state, broadphase);
+}
+
+bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                        const Vec3& gravity, double duration) {
+    const double fall = 0.5 * gravity.norm() * duration * duration;
+    bool serves = true;
+    for (const BodyIndex i : list) {
+        const bool round = std::holds_alternative<Sphere>(bodies.shape[i]);
+        const double radius = bodies.boundingRadius[i];
+        const double rim = round ? 0 : state.angularVelocity[i].norm() * radius;
+        m_path[i] = (state.velocity[i].norm() + rim) * duration + fall;
+        m_moved[i] = displacement(m_origin[i], state.pose[i], radius, round);
+        serves = serves && m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i];
+    }
+    return serves;
 }
 
 bool Neighbours::covers(BodyIndex body, double room) {
@@ -74,16 +81,28 @@ void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& br
     }
     for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
         const BodyIndex i = bodies.bounded[k];
-        const double margin = bodies.mobile[i] != 0 ? m_skin[i] : leastMargin * bodies.boundingRadius[i];
-        m_boxes[k] = grown(bodies.boxAt(i, state.pose[i]), margin);
+        m_boxes[k] = grown(bodies.boxAt(i, state.pose[i]), skinOf(bodies, i));
     }
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
     findWallPairs(bodies, state);
     m_pairs.clear();
     const std::span<const BodyPair> pairs = broadphase.pairs();
-    std::merge(pairs.begin(), pairs.end(), m_wallPairs.begin(), m_wallPairs.end(),
-               std::back_inserter(m_pairs));
+    const auto near = [&](BodyPair pair) {
+        const double skins = skinOf(bodies, pair.a) + skinOf(bodies, pair.b);
+        return boundingGap(bodies, state, pair) <= skins;
+    };
+    auto wall = m_wallPairs.begin();
+    for (const BodyPair pair : pairs) {
+        if (!near(pair)) continue;
+        while (wall != m_wallPairs.end() && *wall < pair) m_pairs.push_back(*wall++);
+        m_pairs.push_back(pair);
+    }
+    m_pairs.insert(m_pairs.end(), wall, m_wallPairs.end());
     listAround(bodies.count());
+}
+
+double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
+    return bodies.mobile[body] != 0 ? m_skin[body] : leastMargin * bodies.boundingRadius[body];
 }
 
 void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {

@@ -30,10 +30,14 @@ class Neighbours {
   public:
     explicit Neighbours(const Bodies& bodies);
 
-    /// Takes note of where the bodies are and how far each comes within the substep under its velocity and
+    /// Takes note of where the bodies are and how far each comes within `duration` [s] under its velocity and
     /// gravity. Searches if the list could miss a pair.
-    void update(const Bodies& bodies, const State& state, const Vec3& gravity, double substep,
+    void update(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
                 Broadphase& broadphase);
+    /// The same for some of the bodies, while the others go on as they did when noted last. False if the list
+    /// could miss a pair of them: search() must be called.
+    bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                const Vec3& gravity, double duration);
     /// Searches, with wider skins where covers() was answered no.
     void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
 
@@ -44,7 +48,7 @@ class Neighbours {
     /// How often it has searched.
     std::uint64_t searches() const { return m_searches; }
 
-    /// How far a body's surface can come in the substep [m].
+    /// How far a body's surface can come in the duration noted last [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
 
     /// All pairs, walls among them, a < b, ascending.
@@ -61,6 +65,7 @@ class Neighbours {
     static constexpr double leastMargin = 0.01;
 
   private:
+    double skinOf(const Bodies& bodies, BodyIndex body) const;
     void findWallPairs(const Bodies& bodies, const State& state);
     void listAround(std::size_t count);
 

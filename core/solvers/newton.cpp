@@ -190,8 +190,9 @@ bool NewtonSolver::findStep(const ContactProblem& problem, bool coupled) {
 
 bool NewtonSolver::stepCoupled(ContactProblem& problem, double error, int& steps) {
     const auto slips = [](const ContactRow& row, const RowState& state) {
-        return state.z.x() > 0 && (state.z.tail<2>().norm() > row.friction * state.z.x() ||
-                                   state.rollZ.norm() > row.rolling * state.z.x());
+        const double normal = state.z.x();
+        return normal > 0 && ((row.friction > 0 && state.z.tail<2>().norm() > row.friction * normal) ||
+                              (row.rolling > 0 && state.rollZ.norm() > row.rolling * normal));
     };
     bool any = false;
     for (std::size_t i = 0; i < m_rows.size(); ++i) any = any || slips(problem.rows[i], m_rows[i]);

@@ -49,6 +49,9 @@ struct SolverInput {
     Workers& workers;
     State& state;             ///< changed in place
     Ledger* ledger = nullptr; ///< books what is done, where somebody keeps one
+    /// This substep of the frame, and how many it has. Only at the end of the last one need the state be that
+    /// of one time for all bodies.
+    int part = 0, parts = 1;
 };
 
 /// How carefully a solver works; what it does not need it ignores.

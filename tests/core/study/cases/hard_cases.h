@@ -33,6 +33,7 @@ inline constexpr std::array knownFailures = {
     KnownFailure{"rocking_block", StudyColumn::Accurate, "off by 21 %, where 8 plain substeps give 1 %"},
     KnownFailure{"break", StudyColumn::Exact, "collisions at one moment are taken in order of place"},
     KnownFailure{"cube_tower", StudyColumn::Accurate, "20 cubes land 4e-6 m aside"},
+    KnownFailure{"pyramid", StudyColumn::Default, "a step that turns at 10 rad/s enters the floor by 7e-4 m"},
     KnownFailure{"pyramid", StudyColumn::Accurate, "steps overlap by 1.5e-4 of a radius when struck"},
     KnownFailure{"dominoes", StudyColumn::Accurate, "bits differ at four times the size"},
     KnownFailure{"scaling", StudyColumn::Default, "10 of 17 scenes differ"},

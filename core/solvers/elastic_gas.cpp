@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/elastic_gas.h"
+
+#include "core/solvers/contact_settings.h"
+#include "core/solvers/neighbours.h"
+
+#include "core/base/clock.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace carom {
+namespace {
+
+/// Fewer balls are a scene of collisions, some of which may be meant to happen at one instant.
+constexpr std::size_t fewest = 100;
+
+enum class Mover : std::uint8_t { Undecided, General, Events };
+
+/// What the one that moves the gas remembers.
+class GasMemory final : public SolverMemory {
+  public:
+    GasMemory(Mover mover, std::unique_ptr<const SolverMemory> inner)
+        : m_mover(mover), m_inner(std::move(inner)) {}
+
+    std::size_t bytes() const override { return m_inner->bytes(); }
+    Mover mover() const { return m_mover; }
+    const SolverMemory& inner() const { return *m_inner; }
+
+  private:
+    Mover m_mover;
+    std::unique_ptr<const SolverMemory> m_inner;
+};
+
+class ElasticGas final : public Solver {
+  public:
+    ElasticGas(const Bodies& bodies, std::unique_ptr<Solver> general)
+        : m_general(std::move(general)), m_events(findSolver("events")->create(bodies, {})) {}
+
+    SolverReport advance(const SolverInput& input) override;
+    std::unique_ptr<const SolverMemory> memory() const override {
+        return std::make_unique<GasMemory>(m_mover, mover(m_mover).memory());
+    }
+    void recall(const SolverMemory& memory) override {
+        const GasMemory& remembered = dynamic_cast<const GasMemory&>(memory);
+        m_mover = remembered.mover();
+        mover(m_mover).recall(remembered.inner());
+    }
+
+  private:
+    Solver& mover(Mover which) const { return which == Mover::General ? *m_general : *m_events; }
+    void updateBroadphase(const SolverInput& input);
+    bool touchesAnywhere(const SolverInput& input) const;
+
+    std::unique_ptr<Solver> m_general, m_events;
+    Mover m_mover = Mover::Undecided; // up to the first substep
+    std::vector<Aabb> m_boxes;
+    std::vector<std::uint8_t> m_mobile;
+};
+
+// Substeps are nothing to exact events: a frame is moved through at once.
+SolverReport ElasticGas::advance(const SolverInput& input) {
+    if (m_mover == Mover::General) return m_general->advance(input);
+    SolverReport report;
+    report.searched = input.part == 0;
+    if (input.part > 0) return report;
+    Stopwatch watch;
+    updateBroadphase(input);
+    if (m_mover == Mover::Undecided) {
+        m_mover = touchesAnywhere(input) ? Mover::General : Mover::Events;
+        if (m_mover == Mover::General) return m_general->advance(input);
+    }
+    const double broadphase = watch.lap();
+    report = m_events->advance({.bodies = input.bodies,
+                                .motion = input.motion,
+                                .gravity = input.gravity,
+                                .substep = input.parts * input.substep,
+                                .broadphase = input.broadphase,
+                                .workers = input.workers,
+                                .state = input.state,
+                                .ledger = input.ledger,
+                                .part = 0,
+                                .parts = 1});
+    report.broadphase = broadphase;
+    return report;
+}
+
+void ElasticGas::updateBroadphase(const SolverInput& input) {
+    const Bodies& bodies = input.bodies;
+    m_boxes.resize(bodies.bounded.size());
+    m_mobile.assign(bodies.bounded.size(), 1);
+    for (std::size_t k = 0; k < m_boxes.size(); ++k)
+        m_boxes[k] = bodies.boxAt(bodies.bounded[k], input.state.pose[bodies.bounded[k]]);
+    input.broadphase.update({m_boxes, bodies.bounded, m_mobile});
+}
+
+bool ElasticGas::touchesAnywhere(const SolverInput& input) const {
+    const Bodies& bodies = input.bodies;
+    const auto touches = [&](BodyIndex a, BodyIndex b, double radius) {
+        return boundingGap(bodies, input.state, {a, b}) <= touchingGap * radius;
+    };
+    for (const BodyIndex wall : bodies.walls)
+        for (const BodyIndex ball : bodies.mobileBodies)
+            if (touches(ball, wall, bodies.boundingRadius[ball])) return true;
+    const std::span<const BodyPair> pairs = input.broadphase.pairs();
+    return std::any_of(pairs.begin(), pairs.end(), [&](BodyPair pair) {
+        return touches(pair.a, pair.b,
+                       std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]));
+    });
+}
+
+} // namespace
+
+bool isElasticGas(const Bodies& bodies) {
+    if (bodies.mobileBodies.size() < fewest || bodies.bounded.size() != bodies.mobileBodies.size() ||
+        !bodies.springs.empty())
+        return false;
+    for (BodyIndex i = 0; i < bodies.count(); ++i) {
+        const bool suits = isWall(bodies.shape[i]) || std::holds_alternative<Sphere>(bodies.shape[i]);
+        if (!suits || bodies.elastic[i] != 1 || bodies.friction[i] != 0 || bodies.rolling[i] != 0)
+            return false;
+    }
+    return true;
+}
+
+std::unique_ptr<Solver> elasticGas(const Bodies& bodies, std::unique_ptr<Solver> general) {
+    return std::make_unique<ElasticGas>(bodies, std::move(general));
+}
+
+} // namespace carom
