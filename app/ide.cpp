@@ -29,7 +29,7 @@ void describeApplication() {
     QApplication::setApplicationDisplayName(QString());
     QApplication::setApplicationVersion(QString::fromUtf8(version().data()));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/carom.svg")));
-    QApplication::setDesktopFileName(QStringLiteral("carom"));
+    QApplication::setDesktopFileName(QStringLiteral("org.carom.carom"));
 }
 
 /// Every context is made with it, so it must stand before the application does.

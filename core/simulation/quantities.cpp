@@ -122,6 +122,12 @@ double deepestOf(const Moment& moment, BodyIndex) { return moment.statistics.max
 double contactsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.contacts); }
 double pairsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.broad.pairs); }
 
+template<LedgerAccount account>
+double bookedOf(const Moment& moment, BodyIndex) {
+    return moment.statistics.ledger[account].energy;
+}
+double unexplainedOf(const Moment& moment, BodyIndex) { return moment.statistics.unexplained.energy; }
+
 constexpr std::array wholeRows = {
     QuantityRow{"energy", "J", totalEnergyOf},
     QuantityRow{"kinetic energy", "J", totalKineticOf},
@@ -136,6 +142,16 @@ constexpr std::array wholeRows = {
     QuantityRow{"deepest penetration", "m", deepestOf},
     QuantityRow{"contacts", "", contactsOf},
     QuantityRow{"overlapping pairs", "", pairsOf},
+    QuantityRow{"energy by gravity", "J", bookedOf<LedgerAccount::Gravity>, true},
+    QuantityRow{"energy by restitution", "J", bookedOf<LedgerAccount::Restitution>, true},
+    QuantityRow{"energy by contact", "J", bookedOf<LedgerAccount::Contact>, true},
+    QuantityRow{"energy by friction", "J", bookedOf<LedgerAccount::Friction>, true},
+    QuantityRow{"energy by rolling", "J", bookedOf<LedgerAccount::Rolling>, true},
+    QuantityRow{"energy by spring", "J", bookedOf<LedgerAccount::Spring>, true},
+    QuantityRow{"energy by rotation", "J", bookedOf<LedgerAccount::Rotation>, true},
+    QuantityRow{"energy by parting", "J", bookedOf<LedgerAccount::Parting>, true},
+    QuantityRow{"energy by rest", "J", bookedOf<LedgerAccount::Rest>, true},
+    QuantityRow{"energy unexplained", "J", unexplainedOf, true},
 };
 
 } // namespace
@@ -159,15 +175,24 @@ Moment momentOf(const Pipeline& pipeline, const Snapshot& snapshot) {
 std::span<const QuantityRow> bodyQuantities() { return bodyRows; }
 std::span<const QuantityRow> wholeQuantities() { return wholeRows; }
 
+bool Probes::needLedger() const {
+    return std::any_of(m_probes.begin(), m_probes.end(),
+                       [](const Probe& probe) { return probe.quantity->booked; });
+}
+
 std::vector<double> Probes::measure(const Pipeline& pipeline, const State& state,
                                     const FrameStatistics& statistics) {
     Moment moment = momentOf(pipeline, state, statistics);
     moment.velocityBefore = m_velocityBefore;
     moment.elapsed = state.time - m_timeBefore;
     std::vector<double> figures;
-    for (const Probe& probe : m_probes) {
+    m_sums.resize(m_probes.size());
+    for (std::size_t i = 0; i < m_probes.size(); ++i) {
+        const Probe& probe = m_probes[i];
         const bool there = probe.body == noBody || probe.body < pipeline.bodies().count();
-        figures.push_back(there ? probe.quantity->measure(moment, probe.body) : undefined);
+        double figure = there ? probe.quantity->measure(moment, probe.body) : undefined;
+        if (probe.quantity->booked) figure = m_sums[i] += figure;
+        figures.push_back(figure);
     }
     m_velocityBefore = state.velocity;
     m_timeBefore = state.time;

@@ -33,6 +33,8 @@ struct QuantityRow {
     std::string_view unit; ///< "m"; empty for a count
     /// Of a body, or of everything that moves where the row is of the whole; NaN where it is not defined.
     double (*measure)(const Moment& moment, BodyIndex body) = nullptr;
+    /// Booked frame by frame in a world that keeps a ledger; Probes adds the frames up.
+    bool booked = false;
 };
 
 /// What a body has: position, velocity, energy, momentum, penetration, contact force.
@@ -53,12 +55,15 @@ class Probes {
     explicit Probes(std::vector<Probe> probes) : m_probes(std::move(probes)) {}
 
     bool empty() const { return m_probes.empty(); }
+    /// Whether the world must keep a ledger for them.
+    bool needLedger() const;
     /// One figure a probe; a probe of a body the scene does not have gives NaN.
     std::vector<double> measure(const Pipeline& pipeline, const State& state,
                                 const FrameStatistics& statistics);
 
   private:
     std::vector<Probe> m_probes;
+    std::vector<double> m_sums; ///< by probe, of those that are booked
     std::vector<Vec3> m_velocityBefore;
     double m_timeBefore = 0; ///< [s]
 };

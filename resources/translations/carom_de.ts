@@ -2,10 +2,134 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>AccuracyChart</name>
+    <message>
+        <source>error: distance by scene size, or angle in rad</source>
+        <translation>Fehler: Abstand durch Szenengröße, oder Winkel in rad</translation>
+    </message>
+    <message>
+        <source>time per simulated second</source>
+        <translation>Zeit für eine simulierte Sekunde</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source> (order %1)</source>
+        <translation> (Ordnung %1)</translation>
+    </message>
+    <message>
+        <source>deviation from the finest run</source>
+        <translation>Abweichung vom feinsten Lauf</translation>
+    </message>
+    <message>
+        <source>an invariant broke</source>
+        <translation>eine Erhaltungsgröße ist verletzt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s own</source>
+        <translation>die der Szene</translation>
+    </message>
+    <message>
+        <source>Pareto front</source>
+        <translation>Pareto-Front</translation>
+    </message>
+    <message>
+        <source>%1
+error %2 (distance %3, angle %4 rad)</source>
+        <translation>%1
+Fehler %2 (Abstand %3, Winkel %4 rad)</translation>
+    </message>
+    <message>
+        <source>
+%1 ms per simulated second (%2 to %3)</source>
+        <translation>
+%1 ms für eine simulierte Sekunde (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>
+energy off by %1, drift %2 /s; overlap %3</source>
+        <translation>
+Energie um %1 falsch, Drift %2 /s; Überlappung %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>
+%1 of %2 impacts; up to number %3 off by %4 s at most</source>
+        <translation>
+%1 von %2 Stößen; bis Nummer %3 um höchstens %4 s daneben</translation>
+    </message>
+    <message>
+        <source>
+beyond the horizon, medians of %1 copies: speeds off by %2 %, pressure by %3 %, time between impacts by %4 %</source>
+        <translation>
+jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben, Druck um %3 %, Zeit zwischen Stößen um %4 %</translation>
+    </message>
+</context>
+<context>
+    <name>BenchmarkCharts</name>
+    <message>
+        <source>number of objects N</source>
+        <translation>Zahl der Körper N</translation>
+    </message>
+    <message>
+        <source>simulation time of a frame</source>
+        <translation>Rechenzeit eines Bildes</translation>
+    </message>
+    <message>
+        <source>Frame rate against number of objects: %1</source>
+        <translation>Bildrate gegen die Zahl der Körper: %1</translation>
+    </message>
+    <message>
+        <source>frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>30 frames/s</source>
+        <translation>30 Bilder/s</translation>
+    </message>
+    <message>
+        <source>%1: parabola</source>
+        <translation>%1: Parabel</translation>
+    </message>
+    <message>
+        <source>All pairs and sweep and sort: %1</source>
+        <translation>Alle Paare und Sweep-and-Sort: %1</translation>
+    </message>
+    <message>
+        <source>33 ms: 30 frames/s</source>
+        <translation>33 ms: 30 Bilder/s</translation>
+    </message>
+    <message>
+        <source>%1: %2, N = %3</source>
+        <translation>%1: %2, N = %3</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Every algorithm</source>
+        <translation>Alle Verfahren</translation>
+    </message>
+</context>
+<context>
     <name>Charts</name>
     <message>
         <source>What accuracy costs: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Genauigkeit kostet: %1</translation>
     </message>
 </context>
 <context>
@@ -29,6 +153,57 @@
     <message>
         <source>pairs tested</source>
         <translation>geprüfte Paare</translation>
+    </message>
+    <message>
+        <source>Broad [ms]</source>
+        <translation>Grob [ms]</translation>
+    </message>
+    <message>
+        <source>Step [ms]</source>
+        <translation>Schritt [ms]</translation>
+    </message>
+    <message>
+        <source>First [ms]</source>
+        <translation>Erstes [ms]</translation>
+    </message>
+    <message>
+        <source>Tested</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappt</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>N=%1</source>
+        <translation>N=%1</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>Export</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Not exported: %1</source>
+        <translation>Nicht ausgegeben: %1</translation>
     </message>
 </context>
 <context>
@@ -57,6 +232,91 @@
         <source>render</source>
         <translation>zeichnen</translation>
     </message>
+    <message>
+        <source>total</source>
+        <translation>gesamt</translation>
+    </message>
+</context>
+<context>
+    <name>GasCharts</name>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Maxwell</source>
+        <translation>Maxwell</translation>
+    </message>
+    <message>
+        <source>Speeds of %1 balls</source>
+        <translation>Geschwindigkeiten von %1 Kugeln</translation>
+    </message>
+    <message>
+        <source>speed in units of √(kT/m)</source>
+        <translation>Geschwindigkeit in Einheiten von √(kT/m)</translation>
+    </message>
+    <message>
+        <source>share a unit</source>
+        <translation>Anteil je Einheit</translation>
+    </message>
+    <message>
+        <source>of each batch</source>
+        <translation>jedes Abschnitts</translation>
+    </message>
+    <message>
+        <source>mean of all so far</source>
+        <translation>Mittel aller bisher</translation>
+    </message>
+    <message>
+        <source>Compressibility at packing %1</source>
+        <translation>Kompressibilität bei Packung %1</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Z = p/(n kT)</source>
+        <translation>Z = p/(n kT)</translation>
+    </message>
+    <message>
+        <source>Carnahan and Starling</source>
+        <translation>Carnahan und Starling</translation>
+    </message>
+    <message>
+        <source>barometric formula</source>
+        <translation>barometrische Höhenformel</translation>
+    </message>
+    <message>
+        <source>Heights of %1 balls</source>
+        <translation>Höhen von %1 Kugeln</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>balls a metre</source>
+        <translation>Kugeln je Meter</translation>
+    </message>
+</context>
+<context>
+    <name>Plot</name>
+    <message>
+        <source>`%1` has no ending of a chart; name it .png, .svg or .pdf</source>
+        <translation>„%1“ hat keine Endung eines Diagramms; richtig wäre .png, .svg oder .pdf</translation>
+    </message>
+    <message>
+        <source>`%1` cannot be written: %2</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>carom</name>
+    <message>
+        <source>`%1` cannot be written: %2</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
 </context>
 <context>
     <name>carom::AccuracyDock</name>
@@ -74,11 +334,11 @@
     </message>
     <message>
         <source>Vary</source>
-        <translation type="unfinished"></translation>
+        <translation>Variieren</translation>
     </message>
     <message>
         <source>Which methods and integrators are compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Methoden und Integratoren verglichen werden</translation>
     </message>
     <message>
         <source>Simulated time</source>
@@ -86,7 +346,7 @@
     </message>
     <message>
         <source>How long the scene is simulated in each run</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange die Szene in jedem Lauf simuliert wird</translation>
     </message>
     <message>
         <source> s</source>
@@ -98,36 +358,29 @@
     </message>
     <message>
         <source>Show this study together with the next one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Ausgeben</translation>
-    </message>
-    <message>
-        <source>Write the diagram or the figures to a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Studie zusammen mit der nächsten zeigen</translation>
     </message>
     <message>
         <source>Run the scene with this setting, from its start</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene mit dieser Einstellung von vorn laufen lassen</translation>
     </message>
     <message>
         <source>Write this setting into the scene&apos;s `simulation` declaration</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einstellung in die Deklaration „simulation“ der Szene schreiben</translation>
     </message>
     <message>
         <source>A study runs the scene with every method, integrator and number of substeps and shows what each error costs in time.
 The simulation above goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
+Die Simulation oben geht dabei weiter.</translation>
     </message>
     <message>
         <source>running with %1</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft mit %1</translation>
     </message>
     <message>
         <source>%1 is now the scene&apos;s own setting</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist jetzt die Einstellung der Szene</translation>
     </message>
     <message>
         <source>Methods</source>
@@ -136,10 +389,6 @@ The simulation above goes on meanwhile.</source>
     <message>
         <source>Integrators</source>
         <translation>Integratoren</translation>
-    </message>
-    <message>
-        <source>%1…</source>
-        <translation>%1 …</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -155,7 +404,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Run the scene with every setting chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene mit jeder gewählten Einstellung laufen lassen</translation>
     </message>
     <message>
         <source>Nothing in the scene can move</source>
@@ -163,49 +412,43 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>looking for the truth</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht die Wahrheit</translation>
     </message>
     <message>
         <source>%1 %, about %2 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %, noch etwa %2 s</translation>
     </message>
     <message>
         <source>Stopped. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten. %1</translation>
     </message>
     <message>
         <source>
 
 Click a point to choose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+
+Ein Klick auf einen Punkt wählt ihn.</translation>
     </message>
     <message>
         <source>accuracy of %1 studied in %2 s: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit von %1 in %2 s untersucht: %3</translation>
     </message>
     <message>
         <source>nothing was studied yet; choose Study first</source>
-        <translation type="unfinished"></translation>
+        <translation>noch wurde nichts untersucht; zuerst „Untersuchen“ wählen</translation>
     </message>
     <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+        <source>Go on</source>
+        <translation>Weiter</translation>
     </message>
     <message>
-        <source>Export the study</source>
-        <translation type="unfinished"></translation>
+        <source>Take the study up where it was stopped</source>
+        <translation>Die Studie dort aufnehmen, wo sie angehalten wurde</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written to %1</source>
-        <translation>Nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>Nicht ausgegeben: %1</translation>
+        <source>kept</source>
+        <translation>behalten</translation>
     </message>
 </context>
 <context>
@@ -607,10 +850,6 @@ Click a point to choose it.</source>
         <translation>&amp;Kontakte</translation>
     </message>
     <message>
-        <source>Draw points and normals where bodies touch</source>
-        <translation>Punkte und Normalen zeichnen, wo Körper sich berühren</translation>
-    </message>
-    <message>
         <source>&amp;Labels</source>
         <translation>&amp;Namen</translation>
     </message>
@@ -772,7 +1011,7 @@ Click a point to choose it.</source>
     </message>
     <message>
         <source>Go back one frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild zurückgehen</translation>
     </message>
     <message>
         <source>&amp;Trails</source>
@@ -838,6 +1077,10 @@ Click a point to choose it.</source>
         <source>Write the present view into the camera declaration of the text</source>
         <translation>Die jetzige Ansicht in die Kamera des Textes schreiben</translation>
     </message>
+    <message>
+        <source>Draw points and normals where bodies touch</source>
+        <translation>Punkte und Normalen zeichnen, wo Körper sich berühren</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -867,7 +1110,7 @@ Click a point to choose it.</source>
     </message>
     <message>
         <source>Go back to the last frame before this one at which a breakpoint held (Shift+F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum letzten Bild vor diesem zurückgehen, bei dem ein Haltepunkt zutraf (Umschalt+F9)</translation>
     </message>
     <message>
         <source>Event</source>
@@ -925,13 +1168,23 @@ Click a point to choose it.</source>
         <source>%1 crosses %2 = %3 m</source>
         <translation>%1 kreuzt %2 = %3 m</translation>
     </message>
+    <message>
+        <source>Choose an event at the left and press Add: the run stops when it happens.
+Shift+F9 finds the last one backwards.</source>
+        <translation>Links ein Ereignis wählen und „Hinzufügen“ drücken: der Lauf hält an, wenn es eintritt.
+Umschalt+F9 findet das letzte rückwärts.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
 </context>
 <context>
     <name>carom::BroadphaseComparison</name>
-    <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
-    </message>
     <message>
         <source>What to compare on</source>
         <translation>Worauf verglichen wird</translation>
@@ -957,41 +1210,14 @@ Click a point to choose it.</source>
         <translation>Diagramm</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Ausgeben</translation>
-    </message>
-    <message>
-        <source>Write the chart or the figures to a file</source>
-        <translation>Das Diagramm oder die Zahlen in eine Datei schreiben</translation>
-    </message>
-    <message>
         <source>Compare all runs the first %1 frames of the scene with every algorithm and shows what each took.
 The simulation above goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1…</source>
-        <translation>%1 …</translation>
-    </message>
-    <message>
-        <source>Export the chart</source>
-        <translation>Diagramm ausgeben</translation>
-    </message>
-    <message>
-        <source>CSV, a row an algorithm…</source>
-        <translation>CSV, eine Zeile je Verfahren …</translation>
-    </message>
-    <message>
-        <source>Export the figures</source>
-        <translation>Zahlen ausgeben</translation>
+        <translation>„Alle vergleichen“ lässt die ersten %1 Bilder der Szene mit jedem Verfahren laufen und zeigt, was jedes gebraucht hat.
+Die Simulation oben geht dabei weiter.</translation>
     </message>
     <message>
         <source>CSV, a row a frame…</source>
         <translation>CSV, eine Zeile je Bild …</translation>
-    </message>
-    <message>
-        <source>Export every frame</source>
-        <translation>Jedes Bild ausgeben</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -1015,67 +1241,55 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>broad-phases compared in %1 s: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobphasen in %1 s verglichen: %2</translation>
     </message>
     <message>
         <source>Stopped before there was anything to compare.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten, bevor es etwas zu vergleichen gab.</translation>
     </message>
     <message>
         <source>Median time of a step [ms] against the number of bodies N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Median der Zeit eines Schrittes [ms] gegen die Zahl der Körper N.</translation>
     </message>
     <message>
         <source>Stopped; median time of a step [ms] as far as it went.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten; Median der Zeit eines Schrittes [ms], soweit es kam.</translation>
     </message>
     <message>
         <source>%1 frames from the start: %2 was fastest.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Bilder vom Anfang: %2 war am schnellsten.</translation>
     </message>
     <message>
         <source>Stopped. </source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten. </translation>
     </message>
     <message>
         <source> The scene has changed since.</source>
-        <translation type="unfinished"></translation>
+        <translation> Die Szene hat sich seitdem geändert.</translation>
     </message>
     <message>
         <source>What each algorithm took</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jedes Verfahren gebraucht hat</translation>
     </message>
     <message>
         <source>Means of the frames behind the first: of the broad-phase, the whole step, pairs tested, pairs overlapping, and tested for each overlapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel der Bilder nach dem ersten: der Grobphase, des ganzen Schrittes, geprüfte Paare, überlappende Paare, und geprüfte je überlappendem</translation>
     </message>
     <message>
         <source>Median time of a step [ms] behind the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Median der Zeit eines Schrittes [ms] nach dem ersten</translation>
     </message>
     <message>
         <source>nothing was compared yet; choose Compare all first</source>
-        <translation type="unfinished"></translation>
+        <translation>noch wurde nichts verglichen; zuerst „Alle vergleichen“ wählen</translation>
     </message>
     <message>
         <source>there is no chart of so few figures</source>
-        <translation type="unfinished"></translation>
+        <translation>aus so wenigen Zahlen gibt es kein Diagramm</translation>
     </message>
     <message>
         <source>there are no single frames; compare all on this scene first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written to %1</source>
-        <translation>Nach %1 geschrieben</translation>
-    </message>
-    <message>
-        <source>Not exported: %1</source>
-        <translation>Nicht ausgegeben: %1</translation>
+        <translation>es gibt keine einzelnen Bilder; zuerst auf dieser Szene alle vergleichen</translation>
     </message>
 </context>
 <context>
@@ -1086,7 +1300,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Boxes looked at in the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader, die im Bild angesehen wurden</translation>
     </message>
     <message>
         <source>Overlapping pairs</source>
@@ -1094,7 +1308,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Pairs whose boxes overlap: what the narrow phase gets</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare, deren Quader überlappen: was die Feinphase bekommt</translation>
     </message>
     <message>
         <source>Pairs tested</source>
@@ -1102,7 +1316,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Pairs of boxes compared to find them</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare von Quadern, die dafür verglichen wurden</translation>
     </message>
     <message>
         <source>Tested / overlapping</source>
@@ -1118,7 +1332,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Pairs found touching or overlapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare, die sich berühren oder überlappen</translation>
     </message>
     <message>
         <source>Swaps</source>
@@ -1126,15 +1340,15 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Exchanges of neighbouring end points (sweep and sort)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertauschungen benachbarter Endpunkte (Sweep-and-Sort)</translation>
     </message>
     <message>
         <source>Pairs added / removed</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare hinzu / fort</translation>
     </message>
     <message>
         <source>Pairs that began and ceased to overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare, die zu überlappen begannen und aufhörten</translation>
     </message>
     <message>
         <source>Cells or nodes</source>
@@ -1142,7 +1356,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Cells of a grid or nodes of a tree visited</source>
-        <translation type="unfinished"></translation>
+        <translation>Besuchte Zellen eines Gitters oder Knoten eines Baumes</translation>
     </message>
     <message>
         <source>Memory</source>
@@ -1150,23 +1364,23 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Held by the algorithm</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Verfahren belegt</translation>
     </message>
     <message>
         <source>Axes tried</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen versucht</translation>
     </message>
     <message>
         <source>Pairs tried along the direction that parted them in the frame before</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare, die entlang der Richtung versucht wurden, die sie im Bild davor trennte</translation>
     </message>
     <message>
         <source>Full tests spared</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Tests erspart</translation>
     </message>
     <message>
         <source>Of the axes tried, those that still part the pair: no full test was needed</source>
-        <translation type="unfinished"></translation>
+        <translation>Von den versuchten Achsen die, die das Paar noch trennen: kein ganzer Test war nötig</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1174,7 +1388,7 @@ The simulation above goes on meanwhile.</source>
     </message>
     <message>
         <source>Wall time of the broad-phase in the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit der Grobphase im Bild</translation>
     </message>
     <message>
         <source>Broad-phase</source>
@@ -1302,7 +1516,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
     <message>
         <source>Write the chart or its figures to a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Diagramm oder seine Zahlen in eine Datei schreiben</translation>
     </message>
     <message>
         <source>%1…</source>
@@ -1383,16 +1597,20 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <source>Carom</source>
         <translation>Carom</translation>
     </message>
+    <message>
+        <source>opened %1 as a new scene</source>
+        <translation>%1 als neue Szene geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>carom::Film</name>
     <message>
         <source>the film was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>der Film wurde abgebrochen</translation>
     </message>
     <message>
         <source>the run stopped at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>der Lauf hielt bei %1 s an</translation>
     </message>
 </context>
 <context>
@@ -1451,93 +1669,10 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
     <message numerus="yes">
         <source>%n replaced</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n ersetzt</numerusform>
+            <numerusform>%n ersetzt</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>carom::Frames</name>
-    <message>
-        <source>Timing</source>
-        <translation>Zeiten</translation>
-    </message>
-    <message>
-        <source>total</source>
-        <translation>gesamt</translation>
-    </message>
-    <message>
-        <source>now [ms]</source>
-        <translation>jetzt [ms]</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>median</source>
-        <translation>Median</translation>
-    </message>
-    <message>
-        <source>p95</source>
-        <translation>p95</translation>
-    </message>
-    <message>
-        <source>p99</source>
-        <translation>p99</translation>
-    </message>
-    <message>
-        <source>max</source>
-        <translation>max</translation>
-    </message>
-    <message>
-        <source>Statistics of frame times</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>Fill the height with the frames shown, instead of always showing the lines of 1/60 and 1/30 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 [ms]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frame %1 at %2 s: %3 pairs, %4 contacts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>First frame: %1 ms (apart)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of the last %1 frames, without the first; rendering of those that were shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Where the time of each frame goes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
-        <source>there are no frames yet; run the simulation first</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1560,7 +1695,8 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>The scene is empty.
 Click a body, or put the caret into its declaration, to see its values here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Szene ist leer.
+Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt hier seine Werte.</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -1569,10 +1705,6 @@ Click a body, or put the caret into its declaration, to see its values here.</so
     <message>
         <source>Value</source>
         <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
     </message>
     <message>
         <source>Values of the selected body</source>
@@ -1604,7 +1736,7 @@ Click a body, or put the caret into its declaration, to see its values here.</so
     </message>
     <message>
         <source>distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand vom Ursprung</translation>
     </message>
     <message>
         <source>mass</source>
@@ -1620,7 +1752,7 @@ Click a body, or put the caret into its declaration, to see its values here.</so
     </message>
     <message>
         <source>elasticity</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizität</translation>
     </message>
     <message>
         <source>friction</source>
@@ -1841,15 +1973,15 @@ Strg+J fügt eine Deklaration ein.</translation>
     <name>carom::PictureCommands</name>
     <message>
         <source>Save the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht speichern</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
@@ -1865,7 +1997,7 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Record a film</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Film aufnehmen</translation>
     </message>
     <message>
         <source> s</source>
@@ -1873,23 +2005,23 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source> pictures a second</source>
-        <translation type="unfinished"></translation>
+        <translation> Bilder je Sekunde</translation>
     </message>
     <message>
         <source> × real time</source>
-        <translation type="unfinished"></translation>
+        <translation> × Echtzeit</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Von</translation>
     </message>
     <message>
         <source>To</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -1897,38 +2029,38 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegte Bilder (*.gif);;Filme (*.mp4);;Jedes Bild einzeln (*.png)</translation>
     </message>
     <message>
         <source>Recording…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme läuft …</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Picture %1 of %2, %3 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 von %2, noch %3 s</translation>
     </message>
     <message>
         <source>recorded %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aufgenommen</translation>
     </message>
     <message>
         <source>not recorded: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht aufgenommen: %1</translation>
     </message>
     <message>
         <source>the camera is in the scene now</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kamera steht jetzt in der Szene</translation>
     </message>
 </context>
 <context>
     <name>carom::PlotsDock</name>
     <message>
         <source>Plots</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1936,7 +2068,7 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Draw this quantity over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Größe über der Zeit zeichnen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -1944,11 +2076,11 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Take the selected curve off the chart (Delete)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Kurve aus dem Diagramm nehmen (Entf)</translation>
     </message>
     <message>
         <source>Choose a body and a quantity at the left and press Add to see it over time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links einen Körper und eine Größe wählen und „Hinzufügen“ drücken, um sie über der Zeit zu sehen.</translation>
     </message>
     <message>
         <source>Body</source>
@@ -1960,15 +2092,15 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>the whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>die ganze Szene</translation>
     </message>
     <message>
         <source>whole</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzes</translation>
     </message>
     <message>
         <source>time</source>
@@ -1976,15 +2108,11 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
     <message>
         <source>value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>there are no curves yet; add one first</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt noch keine Kurven; zuerst eine hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -2224,15 +2352,86 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     </message>
     <message>
         <source>Stopped at frame %1: the %2 of %3 is no longer a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten bei Bild %1: „%2“ von %3 ist keine endliche Zahl mehr</translation>
     </message>
     <message>
         <source>No breakpoint held before this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor diesem Bild traf kein Haltepunkt zu</translation>
     </message>
     <message>
         <source>Frame %1, %2 s: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, %2 s: %3</translation>
+    </message>
+    <message>
+        <source>broad-phase: as the scene asks</source>
+        <translation>Grobphase: wie die Szene verlangt</translation>
+    </message>
+    <message>
+        <source>%1 bodies, %2</source>
+        <translation>%1 Körper, %2</translation>
+    </message>
+</context>
+<context>
+    <name>carom::RunComparison</name>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Take the first run off the list</source>
+        <translation>Den ersten Lauf von der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>the run on screen</source>
+        <translation>der Lauf auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>First run</source>
+        <translation>Erster Lauf</translation>
+    </message>
+    <message>
+        <source>Second run</source>
+        <translation>Zweiter Lauf</translation>
+    </message>
+    <message>
+        <source>Part of the frame</source>
+        <translation>Teil des Bildes</translation>
+    </message>
+    <message>
+        <source>first [ms]</source>
+        <translation>erster [ms]</translation>
+    </message>
+    <message>
+        <source>second [ms]</source>
+        <translation>zweiter [ms]</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Medians of both runs</source>
+        <translation>Mediane beider Läufe</translation>
+    </message>
+    <message>
+        <source>Median time of a frame behind the first, and second by first</source>
+        <translation>Median der Zeit eines Bildes nach dem ersten, und zweiter durch ersten</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
     </message>
 </context>
 <context>
@@ -2278,48 +2477,252 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     </message>
 </context>
 <context>
+    <name>carom::StabilityDock</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben …</translation>
+    </message>
+    <message>
+        <source>long forms</source>
+        <translation>lange Formen</translation>
+    </message>
+    <message>
+        <source>Write every figure as CSV</source>
+        <translation>Jede Zahl als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>The cases as published, which take hours in all; otherwise their short forms</source>
+        <translation>Die Fälle wie veröffentlicht, zusammen Stunden; sonst ihre kurzen Formen</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>Harte Fälle</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>Richtige Antwort</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Accurate</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Double-click a case to open it as a scene, in the column&apos;s setting</source>
+        <translation>Ein Doppelklick öffnet den Fall als Szene, in der Einstellung der Spalte</translation>
+    </message>
+    <message>
+        <source>not run yet; it must hold: %1</source>
+        <translation>noch nicht gelaufen; es muss gelten: %1</translation>
+    </message>
+    <message>
+        <source>does not apply</source>
+        <translation>trifft nicht zu</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Run the %n selected</source>
+        <translation>
+            <numerusform>Den gewählten laufen lassen</numerusform>
+            <numerusform>Die %n gewählten laufen lassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run all</source>
+        <translation>Alle laufen lassen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>scheitert</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Stopped. </source>
+        <translation>Angehalten. </translation>
+    </message>
+    <message>
+        <source>hard cases: %1</source>
+        <translation>harte Fälle: %1</translation>
+    </message>
+</context>
+<context>
     <name>carom::Timeline</name>
     <message>
         <source>Timeline</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitleiste</translation>
     </message>
     <message>
         <source>frame %1, %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, %2 s</translation>
     </message>
     <message>
         <source> (not simulated yet)</source>
-        <translation type="unfinished"></translation>
+        <translation> (noch nicht simuliert)</translation>
     </message>
     <message>
         <source>
 %1 new contacts</source>
-        <translation type="unfinished"></translation>
+        <translation>
+%1 neue Kontakte</translation>
     </message>
     <message>
         <source>
 the run stopped here: a number was no longer finite</source>
-        <translation type="unfinished"></translation>
+        <translation>
+der Lauf hielt hier an: eine Zahl war nicht mehr endlich</translation>
     </message>
     <message>
         <source>
 a breakpoint held</source>
-        <translation type="unfinished"></translation>
+        <translation>
+ein Haltepunkt traf zu</translation>
     </message>
     <message>
         <source>0 s</source>
-        <translation type="unfinished"></translation>
+        <translation>0 s</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>carom::TimingDock</name>
+    <message>
+        <source>Timing</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Show two runs in one chart: one that was kept, and this one or another</source>
+        <translation>Zwei Läufe in einem Diagramm zeigen: einen behaltenen, und diesen oder einen anderen</translation>
+    </message>
+    <message>
+        <source>now [ms]</source>
+        <translation>jetzt [ms]</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>p95</source>
+        <translation>p95</translation>
+    </message>
+    <message>
+        <source>p99</source>
+        <translation>p99</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>Statistics of frame times</source>
+        <translation>Statistik der Bildzeiten</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep the times of this run to compare another one with them</source>
+        <translation>Die Zeiten dieses Laufs behalten, um einen anderen mit ihnen zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Fill the height with the frames shown, instead of always showing the lines of 1/60 and 1/30 s</source>
+        <translation>Die Höhe mit den gezeigten Bildern füllen, statt immer die Linien von 1/60 und 1/30 s zu zeigen</translation>
+    </message>
+    <message>
+        <source>there are no frames yet; run the simulation first</source>
+        <translation>es gibt noch keine Bilder; zuerst die Simulation laufen lassen</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>Lauf %1</translation>
+    </message>
+    <message>
+        <source>run %1: %2</source>
+        <translation>Lauf %1: %2</translation>
+    </message>
+    <message>
+        <source>kept %1; run again and choose Compare</source>
+        <translation>%1 behalten; noch einmal laufen lassen und „Vergleichen“ wählen</translation>
+    </message>
+    <message>
+        <source>%1 [ms]</source>
+        <translation>%1 [ms]</translation>
+    </message>
+    <message>
+        <source>Frame %1 at %2 s: %3 pairs, %4 contacts</source>
+        <translation>Bild %1 bei %2 s: %3 Paare, %4 Kontakte</translation>
+    </message>
+    <message>
+        <source>First frame: %1 ms (apart)</source>
+        <translation>Erstes Bild: %1 ms (für sich)</translation>
+    </message>
+    <message>
+        <source>Of the last %1 frames, without the first; rendering of those that were shown</source>
+        <translation>Von den letzten %1 Bildern, ohne das erste; Zeichnen von denen, die gezeigt wurden</translation>
+    </message>
+    <message>
+        <source>Where the time of each frame goes</source>
+        <translation>Wohin die Zeit jedes Bildes geht</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>
     <name>carom::TimingStrip</name>
     <message>
         <source>frame %1, %2 s: %3 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1, %2 s: %3 ms</translation>
     </message>
     <message>
         <source>Frame times</source>
@@ -2327,7 +2730,7 @@ a breakpoint held</source>
     </message>
     <message>
         <source>%1 ms; the line of 1/60 s lies %2 times higher</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms; die Linie von 1/60 s liegt %2-mal höher</translation>
     </message>
     <message>
         <source>Run the simulation to see the time of every frame</source>

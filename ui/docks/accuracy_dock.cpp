@@ -5,18 +5,17 @@
 #include "core/integrators/integrator.h"
 #include "core/study/accuracy_csv.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/export_menu.h"
+#include "ui/widgets/text_file.h"
+#include "ui/widgets/text_of.h"
 
 #include <QApplication>
-#include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSysInfo>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -31,10 +30,6 @@ constexpr double chartInterval = 700;  ///< [ms] between two diagrams of a study
 constexpr int progressSteps = 1000;
 constexpr int heightForLegend = 400; ///< [px] of the diagram
 constexpr int pointWidth = 300;      ///< [px] of what is said about a point
-
-QString textOf(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
 
 /// A checkable action for every row of a catalogue.
 template<class Rows>
@@ -72,7 +67,7 @@ bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
 AccuracyDock::AccuracyDock(QWidget* parent)
     : QDockWidget(tr("Accuracy"), parent), m_start(new QPushButton), m_knobs(new QToolButton),
       m_duration(new QDoubleSpinBox), m_progress(new QProgressBar), m_state(new QLabel),
-      m_keep(new QToolButton), m_export(new QToolButton), m_plot(new PlotWidget), m_point(new QLabel),
+      m_keep(new QToolButton), m_export(new ExportMenu), m_plot(new PlotWidget), m_point(new QLabel),
       m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
     setObjectName(QStringLiteral("accuracy"));
     m_start->setObjectName(QStringLiteral("accuracyStart"));
@@ -99,10 +94,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_keep->setText(tr("Keep"));
     m_keep->setCheckable(true);
     m_keep->setToolTip(tr("Show this study together with the next one"));
-    m_export->setText(tr("Export"));
-    m_export->setToolTip(tr("Write the diagram or the figures to a file"));
-    m_export->setPopupMode(QToolButton::InstantPopup);
-    m_export->setMenu(exportMenu());
+    connect(m_export, &ExportMenu::chosen, this, &AccuracyDock::askForExport);
 
     QHBoxLayout* top = new QHBoxLayout;
     for (QWidget* widget : std::initializer_list<QWidget*>{m_start, m_knobs, m_duration, m_progress})
@@ -170,16 +162,6 @@ QMenu* AccuracyDock::knobsMenu() {
     m_methods = choices(*menu, solvers());
     menu->addSection(tr("Integrators"));
     m_integrators = choices(*menu, integrators());
-    return menu;
-}
-
-QMenu* AccuracyDock::exportMenu() {
-    QMenu* menu = new QMenu(m_export);
-    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
-        const QString name = QLatin1StringView(ending);
-        connect(menu->addAction(tr("%1…").arg(name.toUpper())), &QAction::triggered, this,
-                [this, name] { askForExport(name); });
-    }
     return menu;
 }
 
@@ -316,28 +298,18 @@ void AccuracyDock::choose(int series, int point) {
 
 QString AccuracyDock::exportTo(const QString& path) const {
     if (!hasFigures(m_result)) return tr("nothing was studied yet; choose Study first");
-    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) != 0)
-        return writeChart(m_chart.spec, path);
+    if (!isCsv(path)) return writeChart(m_chart.spec, path);
     const StudyOrigin origin{
         "carom", QApplication::applicationVersion().toStdString(),
         (QSysInfo::prettyProductName() + QStringLiteral(", ") + QSysInfo::currentCpuArchitecture())
             .toStdString()};
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(
-        pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin));
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return {};
-    return tr("`%1` cannot be written: %2").arg(path, file.errorString());
+    return writeText(path, QByteArray::fromStdString(
+                               pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin)));
 }
 
 void AccuracyDock::askForExport(const QString& ending) {
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Export the study"), QStringLiteral("accuracy.") + ending,
-                                     tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
-    if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
-    const QString problem = exportTo(path);
-    Q_EMIT reported(problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
-                                      : tr("Not exported: %1").arg(problem));
+    const QString path = askForExportPath(this, QStringLiteral("accuracy"), ending);
+    if (!path.isEmpty()) Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

@@ -22,6 +22,7 @@ class QToolButton;
 namespace carom {
 
 class EmptyState;
+class ExportMenu;
 
 /// What accuracy costs in time on the scene in the editor: a study runs on a thread of its own, the diagram
 /// grows with it, a click on a point runs that setting in the viewport or writes it into the text. A study
@@ -62,7 +63,6 @@ class AccuracyDock : public QDockWidget {
     void choose(int series, int point);
     void updateControls();
     QMenu* knobsMenu();
-    QMenu* exportMenu();
     void askForExport(const QString& ending);
 
     SharedBuild m_build, m_studied, m_keptBuild;
@@ -76,7 +76,8 @@ class AccuracyDock : public QDockWidget {
     QDoubleSpinBox* m_duration; ///< [s]
     QProgressBar* m_progress;
     QLabel* m_state;
-    QToolButton *m_keep, *m_export;
+    QToolButton* m_keep;
+    ExportMenu* m_export;
     PlotWidget* m_plot;
     QLabel* m_point;
     QPushButton *m_run, *m_use;

@@ -3,6 +3,8 @@
 
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/panel_parts.h"
+#include "ui/widgets/text_of.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -18,27 +20,16 @@ namespace {
 
 constexpr int formWidth = 300; // [px]
 
-QString text(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
-QToolButton* button(const char* name, const QString& words, const QString& tip) {
-    QToolButton* made = new QToolButton;
-    made->setObjectName(QLatin1StringView(name));
-    made->setText(words);
-    made->setToolTip(tip);
-    return made;
-}
-
 } // namespace
 
 BreakpointsDock::BreakpointsDock(QWidget* parent)
     : QDockWidget(tr("Breakpoints"), parent), m_kind(new QComboBox), m_a(new QComboBox), m_b(new QComboBox),
       m_axis(new QComboBox), m_limitName(new QLabel), m_limit(new QDoubleSpinBox),
-      m_add(button("breakAdd", tr("Add"), tr("Stop the run when this happens"))),
-      m_remove(button("breakRemove", tr("Remove"), tr("Forget the selected breakpoint"))),
-      m_back(button("breakBack", tr("Back to the last one"),
-                    tr("Go back to the last frame before this one at which a breakpoint held (Shift+F9)"))),
+      m_add(wordButton("breakAdd", tr("Add"), tr("Stop the run when this happens"))),
+      m_remove(wordButton("breakRemove", tr("Remove"), tr("Forget the selected breakpoint"))),
+      m_back(
+          wordButton("breakBack", tr("Back to the last one"),
+                     tr("Go back to the last frame before this one at which a breakpoint held (Shift+F9)"))),
       m_list(new QListWidget),
       m_state(new EmptyState(m_list, tr("Choose an event at the left and press Add: the run stops when it "
                                         "happens.\nShift+F9 finds the last one backwards."))) {
@@ -54,7 +45,7 @@ BreakpointsDock::BreakpointsDock(QWidget* parent)
     m_axis->setAccessibleName(tr("Axis"));
     m_limit->setAccessibleName(tr("Limit"));
     m_list->setAccessibleName(tr("Breakpoints"));
-    for (const BreakKindRow& row : breakKinds()) m_kind->addItem(text(row.name));
+    for (const BreakKindRow& row : breakKinds()) m_kind->addItem(textOf(row.name));
     for (const char* axis : {"x", "y", "z"}) m_axis->addItem(QLatin1StringView(axis));
     m_limit->setDecimals(6);
     m_limit->setRange(-1e6, 1e6);
@@ -87,16 +78,7 @@ void BreakpointsDock::layOut() {
     column->addLayout(form);
     column->addLayout(buttons);
     column->addStretch();
-    QWidget* left = new QWidget;
-    left->setLayout(column);
-    left->setFixedWidth(formWidth);
-    column->setContentsMargins(0, 0, 0, 0);
-    QWidget* content = new QWidget;
-    QHBoxLayout* row = new QHBoxLayout(content);
-    row->setContentsMargins(6, 4, 6, 6);
-    row->addWidget(left);
-    row->addWidget(m_state, 1);
-    setWidget(content);
+    setWidget(besideControls(column, formWidth, m_state));
     setFocusProxy(m_kind);
 }
 
@@ -126,7 +108,7 @@ void BreakpointsDock::showFields() {
     m_b->setEnabled(row.bodies > 1);
     m_axis->setEnabled(row.kind == BreakKind::PlaneCrossed);
     m_limit->setEnabled(!row.limit.empty());
-    m_limitName->setText(row.limit.empty() ? tr("limit") : text(row.limit));
+    m_limitName->setText(row.limit.empty() ? tr("limit") : textOf(row.limit));
 }
 
 void BreakpointsDock::add() {

@@ -5,21 +5,20 @@
 #include "core/study/benchmark_report.h"
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/export_menu.h"
 #include "ui/widgets/text_file.h"
+#include "ui/widgets/text_of.h"
 #include "ui/widgets/value_table.h"
 
+#include <QAction>
 #include <QComboBox>
-#include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -28,16 +27,14 @@ namespace {
 constexpr std::int64_t comparedFrames = 120;
 constexpr double progressInterval = 100; ///< [ms] between two reports of the thread
 constexpr int progressSteps = 1000;
-
-QString textOf(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
+constexpr int widestTable = 560;   ///< [px] that it takes from the chart at most
+constexpr int chartNameWidth = 24; ///< [characters] of the box that chooses the chart
 
 } // namespace
 
 BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     : QWidget(parent), m_button(new QPushButton), m_subject(new QComboBox), m_progress(new QProgressBar),
-      m_state(new QLabel), m_chart(new QComboBox), m_export(new QToolButton), m_plot(new PlotWidget) {
+      m_state(new QLabel), m_chart(new QComboBox), m_export(new ExportMenu), m_plot(new PlotWidget) {
     m_button->setObjectName(QStringLiteral("compare"));
     m_subject->setObjectName(QStringLiteral("comparisonSubject"));
     m_subject->setAccessibleName(tr("What to compare on"));
@@ -61,11 +58,13 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     m_state->setWordWrap(true);
     m_chart->setObjectName(QStringLiteral("comparisonChart"));
     m_chart->setAccessibleName(tr("Chart"));
+    m_chart->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_chart->setMinimumContentsLength(chartNameWidth);
     m_export->setObjectName(QStringLiteral("comparisonExport"));
-    m_export->setText(tr("Export"));
-    m_export->setToolTip(tr("Write the chart or the figures to a file"));
-    m_export->setPopupMode(QToolButton::InstantPopup);
-    fillExportMenu();
+    connect(m_export, &ExportMenu::chosen, this,
+            [this](const QString& ending) { askForExport(ending, &BroadphaseComparison::exportTo); });
+    connect(&m_export->addEntry(tr("CSV, a row a frame…")), &QAction::triggered, this,
+            [this] { askForExport(QStringLiteral("csv"), &BroadphaseComparison::exportFramesTo); });
 
     QWidget* figures = new QWidget;
     QHBoxLayout* sideBySide = new QHBoxLayout(figures);
@@ -93,22 +92,6 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     connect(m_subject, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::updateControls);
     connect(m_chart, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::showChart);
     updateControls();
-}
-
-void BroadphaseComparison::fillExportMenu() {
-    QMenu* menu = new QMenu(m_export);
-    for (const char* ending : {"png", "svg", "pdf"}) {
-        const QString name = QLatin1StringView(ending);
-        connect(menu->addAction(tr("%1…").arg(name.toUpper())), &QAction::triggered, this,
-                [this, name] { ask(tr("Export the chart"), name, &BroadphaseComparison::exportTo); });
-    }
-    connect(menu->addAction(tr("CSV, a row an algorithm…")), &QAction::triggered, this, [this] {
-        ask(tr("Export the figures"), QStringLiteral("csv"), &BroadphaseComparison::exportTo);
-    });
-    connect(menu->addAction(tr("CSV, a row a frame…")), &QAction::triggered, this, [this] {
-        ask(tr("Export every frame"), QStringLiteral("csv"), &BroadphaseComparison::exportFramesTo);
-    });
-    m_export->setMenu(menu);
 }
 
 void BroadphaseComparison::setPipeline(std::shared_ptr<const Pipeline> pipeline) {
@@ -234,7 +217,7 @@ void BroadphaseComparison::showTable() {
                             ? tr("Means of the frames behind the first: of the broad-phase, the whole step, "
                                  "pairs tested, pairs overlapping, and tested for each overlapping")
                             : tr("Median time of a step [ms] behind the first"));
-    m_table->setMinimumWidth(m_table->sizeHint().width() + 30);
+    m_table->setMinimumWidth(std::min(m_table->sizeHint().width() + 30, widestTable));
     for (std::size_t row = 0; row < content.values.size(); ++row) {
         m_table->setRowColour(static_cast<int>(row), seriesColour(row));
         for (std::size_t column = 0; column < content.decimals.size(); ++column)
@@ -248,15 +231,14 @@ void BroadphaseComparison::showChart() {
     if (m_chart->currentIndex() < 0) return;
     ChartSpec chart = m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart;
     chart.title.clear(); // the box above says it, and the table shows whose the colours are
-    chart.legend = !m_result->plan.scenes.empty();
+    chart.legend = chart.series.size() > static_cast<std::size_t>(m_table->rowCount());
     m_plot->setChart(chart);
 }
 
 QString BroadphaseComparison::exportTo(const QString& path) const {
     if (!m_result || m_result->points.empty())
         return tr("nothing was compared yet; choose Compare all first");
-    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
-        return writeText(path, pointsAsCsv(*m_result));
+    if (isCsv(path)) return writeText(path, pointsAsCsv(*m_result));
     if (m_chart->currentIndex() < 0) return tr("there is no chart of so few figures");
     return writeChart(m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart, path);
 }
@@ -267,15 +249,11 @@ QString BroadphaseComparison::exportFramesTo(const QString& path) const {
     return writeText(path, tracesAsCsv(*m_result));
 }
 
-void BroadphaseComparison::ask(const QString& title, const QString& ending,
-                               QString (BroadphaseComparison::*write)(const QString&) const) {
-    QString path = QFileDialog::getSaveFileName(this, title, QStringLiteral("broadphases.") + ending,
-                                                tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
+void BroadphaseComparison::askForExport(const QString& ending,
+                                        QString (BroadphaseComparison::*write)(const QString&) const) {
+    const QString path = askForExportPath(this, QStringLiteral("broadphases"), ending);
     if (path.isEmpty()) return;
-    if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
-    const QString problem = (this->*write)(path);
-    const QString sentence = problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
-                                               : tr("Not exported: %1").arg(problem);
+    const QString sentence = exportSentence(path, (this->*write)(path));
     m_state->setText(sentence);
     Q_EMIT reported(sentence);
 }

@@ -16,11 +16,11 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QToolButton;
 
 namespace carom {
 
 class EmptyState;
+class ExportMenu;
 class ValueTable;
 
 /// "Compare all": every broad-phase on the scene from its start, over the same frames, or on a generator's
@@ -58,9 +58,7 @@ class BroadphaseComparison : public QWidget {
     QString sentenceOf(const Benchmark& result) const;
     void showTable();
     void showChart();
-    void fillExportMenu();
-    void ask(const QString& title, const QString& ending,
-             QString (BroadphaseComparison::*write)(const QString&) const);
+    void askForExport(const QString& ending, QString (BroadphaseComparison::*write)(const QString&) const);
 
     std::shared_ptr<const Pipeline> m_pipeline, m_compared;
     std::optional<Benchmark> m_result;
@@ -70,7 +68,7 @@ class BroadphaseComparison : public QWidget {
     QProgressBar* m_progress;
     QLabel* m_state;
     QComboBox* m_chart;
-    QToolButton* m_export;
+    ExportMenu* m_export;
     EmptyState* m_empty;
     ValueTable* m_table = nullptr;
     PlotWidget* m_plot;

@@ -2,6 +2,7 @@
 #include "ui/docks/broadphase_dock.h"
 
 #include "ui/docks/broadphase_comparison.h"
+#include "ui/widgets/text_of.h"
 
 #include <QComboBox>
 #include <QFontDatabase>
@@ -18,10 +19,6 @@ namespace carom {
 namespace {
 
 constexpr qint64 refreshInterval = 120; // [ms]
-
-QString toText(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString count(std::uint64_t value) { return QLocale::c().toString(static_cast<qulonglong>(value)); }
 
@@ -100,8 +97,8 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     m_algorithm->setAccessibleName(tr("Algorithm"));
     m_algorithm->addItem(tr("As the scene asks"));
     for (const BroadphaseRow& row : broadphases()) {
-        m_algorithm->addItem(toText(row.title), QVariant::fromValue(toText(row.name)));
-        m_algorithm->setItemData(m_algorithm->count() - 1, toText(row.cost) + u'\n' + toText(row.source),
+        m_algorithm->addItem(textOf(row.title), QVariant::fromValue(textOf(row.name)));
+        m_algorithm->setItemData(m_algorithm->count() - 1, textOf(row.cost) + u'\n' + textOf(row.source),
                                  Qt::ToolTipRole);
     }
     m_reason->setWordWrap(true);
@@ -157,7 +154,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
 
 void BroadphaseDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const RunSettings& settings = pipeline->settings();
-    const QString name = settings.broadphase != nullptr ? toText(settings.broadphase->title) : tr("none");
+    const QString name = settings.broadphase != nullptr ? textOf(settings.broadphase->title) : tr("none");
     m_algorithm->setItemText(0, tr("As the scene asks (%1)").arg(name));
     const QString reason = QString::fromStdString(settings.broadphaseReason);
     m_reason->setText(reason.isEmpty() ? tr("The scene names it.") : tr("Chosen: %1").arg(reason));

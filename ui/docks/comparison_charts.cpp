@@ -2,6 +2,7 @@
 #include "ui/docks/comparison_charts.h"
 
 #include "core/study/benchmark_report.h"
+#include "ui/widgets/text_of.h"
 
 #include <QCoreApplication>
 
@@ -11,18 +12,18 @@
 namespace carom {
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("ComparisonCharts", text); }
-
-QString textOf(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
+struct ComparisonChartsTexts {
+    Q_DECLARE_TR_FUNCTIONS(ComparisonCharts)
+};
 
 ComparisonTable tableOfOneScene(const Benchmark& benchmark) {
-    ComparisonTable table{.rows = {},
-                          .columns = {say("Broad [ms]"), say("Step [ms]"), say("First [ms]"), say("Tested"),
-                                      say("Overlap"), say("Ratio")},
-                          .decimals = {3, 3, 3, 1, 1, 1},
-                          .values = {}};
+    ComparisonTable table{
+        .rows = {},
+        .columns = {ComparisonChartsTexts::tr("Broad [ms]"), ComparisonChartsTexts::tr("Step [ms]"),
+                    ComparisonChartsTexts::tr("First [ms]"), ComparisonChartsTexts::tr("Tested"),
+                    ComparisonChartsTexts::tr("Overlap"), ComparisonChartsTexts::tr("Ratio")},
+        .decimals = {3, 3, 3, 1, 1, 1},
+        .values = {}};
     for (const BenchmarkPoint& point : benchmark.points) {
         table.rows << textOf(point.algorithm->title);
         table.values.push_back({point.broadphase, point.simulate.mean, point.first, point.tested, point.pairs,
@@ -35,7 +36,7 @@ ComparisonTable tableAgainstNumbers(const Benchmark& benchmark) {
     ComparisonTable table;
     const GeneratorRow& scene = *benchmark.plan.scenes.front();
     for (const std::int64_t n : benchmark.plan.counts) {
-        table.columns << say("N=%1").arg(n);
+        table.columns << ComparisonChartsTexts::tr("N=%1").arg(n);
         table.decimals.push_back(2);
     }
     for (const BroadphaseRow* algorithm : benchmark.plan.algorithms) {
@@ -73,9 +74,9 @@ constexpr Course courses[] = {
 
 // Logarithmic, or the slowest algorithm would press all others onto the axis.
 ChartSpec chartOf(const Benchmark& benchmark, const Course& course) {
-    ChartSpec chart{.title = say(course.title),
-                    .x = {say("frame"), {}, false},
-                    .y = {say(course.axis), QString::fromLatin1(course.unit), true},
+    ChartSpec chart{.title = ComparisonChartsTexts::tr(course.title),
+                    .x = {ComparisonChartsTexts::tr("frame"), {}, false},
+                    .y = {ComparisonChartsTexts::tr(course.axis), QString::fromLatin1(course.unit), true},
                     .series = {},
                     .levels = {}};
     for (const BenchmarkTrace& trace : benchmark.traces) {

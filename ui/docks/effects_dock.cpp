@@ -5,6 +5,7 @@
 
 #include "core/base/catalogue.h"
 #include "core/effects/effect.h"
+#include "ui/widgets/text_of.h"
 
 #include <QScrollBar>
 #include <QTextBrowser>
@@ -13,9 +14,7 @@
 namespace carom {
 namespace {
 
-QString toHtml(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())).toHtmlEscaped();
-}
+QString toHtml(std::string_view text) { return textOf(text).toHtmlEscaped(); }
 
 QColor colourOf(EffectStatus status, const Theme& theme) {
     switch (status) {

@@ -4,6 +4,7 @@
 #include "core/simulation/quantities.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/text_of.h"
 
 #include <QHeaderView>
 #include <QTreeWidget>
@@ -21,10 +22,6 @@ constexpr int figureRole = Qt::UserRole, unitRole = Qt::UserRole + 1;
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
 
-QString text(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
 QString figure(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', digits) : QStringLiteral("–");
 }
@@ -32,7 +29,9 @@ QString figure(double value) {
 void setFigure(QTreeWidgetItem& row, const QString& value) {
     const QString unit = row.data(Value, unitRole).toString();
     row.setData(Value, figureRole, value);
-    row.setText(Value, unit.isEmpty() || value.isEmpty() ? value : value + u' ' + unit);
+    const QString words = unit.isEmpty() || value.isEmpty() ? value : value + u' ' + unit;
+    row.setText(Value, words);
+    row.setToolTip(Value, words);
 }
 
 QString triple(const Vec3& v) {
@@ -52,8 +51,8 @@ InspectorDock::InspectorDock(QWidget* parent)
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setAccessibleName(tr("Values of the selected body"));
-    m_tree->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-    m_tree->header()->setSectionResizeMode(Value, QHeaderView::ResizeToContents);
+    m_tree->header()->setSectionResizeMode(Name, QHeaderView::ResizeToContents);
+    m_tree->header()->setSectionResizeMode(Value, QHeaderView::Stretch); // the mouse tells long ones
     m_tree->header()->setStretchLastSection(false);
     setWidget(m_state);
     setFocusProxy(m_tree);
@@ -120,7 +119,8 @@ void InspectorDock::rebuild() {
     if (!wall) {
         m_live = addGroup(whole ? tr("The whole scene now") : tr("Now"));
         for (const QuantityRow& row : whole ? wholeQuantities() : bodyQuantities())
-            addRow(m_live, text(row.name), {}, text(row.unit));
+            if (!row.booked) // the run on screen keeps no ledger
+                addRow(m_live, textOf(row.name), {}, textOf(row.unit));
     }
     m_tree->expandAll();
     refresh();
@@ -169,8 +169,9 @@ void InspectorDock::refresh() {
         moment.elapsed = m_snapshot->time - m_before->time;
     }
     const std::span<const QuantityRow> rows = m_body == noBody ? wholeQuantities() : bodyQuantities();
-    for (int i = 0; i < m_live->childCount(); ++i)
-        setFigure(*m_live->child(i), figure(rows[static_cast<std::size_t>(i)].measure(moment, m_body)));
+    int child = 0;
+    for (const QuantityRow& row : rows)
+        if (!row.booked) setFigure(*m_live->child(child++), figure(row.measure(moment, m_body)));
 }
 
 } // namespace carom

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/outline_model.h"
 
+#include "ui/widgets/text_of.h"
+
 #include <QPainter>
 #include <QPixmap>
 
@@ -10,10 +12,6 @@ namespace carom {
 namespace {
 
 constexpr int swatchSize = 12; // [px]
-
-QString shown(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 } // namespace
 
@@ -54,7 +52,7 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
         return text(entry, index.column());
     case FilterRole:
-        return nameOf(entry) + u' ' + shown(entry.type);
+        return nameOf(entry) + u' ' + textOf(entry.type);
     case Qt::ForegroundRole:
         if (!entry.built) return m_broken;
         return index.column() == Name && !entry.label.empty() ? QVariant() : QVariant(m_muted);
@@ -69,14 +67,14 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
 
 /// The label, else the name messages give the body.
 QString OutlineModel::nameOf(const OutlineEntry& entry) const {
-    if (!entry.label.empty()) return shown(entry.label);
+    if (!entry.label.empty()) return textOf(entry.label);
     if (entry.body != noBody) return QString::fromStdString(m_result->scene().nameOf(entry.body));
-    return shown(entry.type);
+    return textOf(entry.type);
 }
 
 QVariant OutlineModel::text(const OutlineEntry& entry, int column) const {
     if (column == Name) return nameOf(entry);
-    if (column == Type) return shown(entry.type);
+    if (column == Type) return textOf(entry.type);
     return m_result->build.analysis.lines.lineAt(entry.range.offset);
 }
 

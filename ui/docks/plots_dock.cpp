@@ -5,12 +5,13 @@
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
+#include "ui/widgets/panel_parts.h"
+#include "ui/widgets/text_file.h"
+#include "ui/widgets/text_of.h"
 
 #include <QComboBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -23,31 +24,18 @@ namespace {
 constexpr int refreshInterval = 200; // [ms]
 constexpr int listWidth = 230;       // [px]
 
-QString text(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
-QToolButton* button(const QString& words, const QString& tip) {
-    QToolButton* made = new QToolButton;
-    made->setText(words);
-    made->setToolTip(tip);
-    return made;
-}
-
 } // namespace
 
 PlotsDock::PlotsDock(QWidget* parent)
     : QDockWidget(tr("Plots"), parent), m_bodies(new QComboBox), m_quantities(new QComboBox),
-      m_list(new QListWidget), m_add(button(tr("Add"), tr("Draw this quantity over time"))),
-      m_remove(button(tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
+      m_list(new QListWidget), m_add(wordButton("plotAdd", tr("Add"), tr("Draw this quantity over time"))),
+      m_remove(wordButton("plotRemove", tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
       m_plot(new PlotWidget),
       m_state(new EmptyState(m_plot, tr("Choose a body and a quantity at the left and "
                                         "press Add to see it over time."))) {
     setObjectName(QStringLiteral("plots"));
     m_bodies->setObjectName(QStringLiteral("plotBody"));
     m_quantities->setObjectName(QStringLiteral("plotQuantity"));
-    m_add->setObjectName(QStringLiteral("plotAdd"));
-    m_remove->setObjectName(QStringLiteral("plotRemove"));
     m_bodies->setAccessibleName(tr("Body"));
     m_quantities->setAccessibleName(tr("Quantity"));
     m_list->setAccessibleName(tr("Curves"));
@@ -78,16 +66,7 @@ void PlotsDock::layOut() {
     column->addWidget(m_quantities);
     column->addLayout(buttons);
     column->addWidget(m_list, 1);
-    QWidget* left = new QWidget;
-    left->setLayout(column);
-    left->setFixedWidth(listWidth);
-    column->setContentsMargins(0, 0, 0, 0);
-    QWidget* content = new QWidget;
-    QHBoxLayout* row = new QHBoxLayout(content);
-    row->setContentsMargins(6, 4, 6, 6);
-    row->addWidget(left);
-    row->addWidget(m_state, 1);
-    setWidget(content);
+    setWidget(besideControls(column, listWidth, m_state));
     setFocusProxy(m_bodies);
 }
 
@@ -129,7 +108,7 @@ void PlotsDock::fillQuantities() {
     m_quantities->clear();
     const bool whole = m_bodies->currentIndex() <= 0;
     for (const QuantityRow& row : whole ? wholeQuantities() : bodyQuantities())
-        m_quantities->addItem(text(row.name));
+        m_quantities->addItem(textOf(row.name));
     m_quantities->setCurrentIndex(std::max(0, m_quantities->findText(before)));
 }
 
@@ -153,7 +132,7 @@ void PlotsDock::removeCurve() {
 
 QString PlotsDock::titleOf(const Curve& curve) const {
     const QString of = curve.ofWhole ? tr("whole") : curve.body;
-    return QStringLiteral("%1: %2").arg(of, text(curve.quantity->name));
+    return QStringLiteral("%1: %2").arg(of, textOf(curve.quantity->name));
 }
 
 /// All curves from the start: the same scene gives the same figures.
@@ -190,13 +169,13 @@ void PlotsDock::redraw() {
     if (!m_curves.empty()) {
         const QuantityRow& first = *m_curves.front().quantity;
         m_chart.y = {m_curves.size() == 1 ? titleOf(m_curves.front()) : tr("value"),
-                     sameUnit ? text(first.unit) : QString(), false};
+                     sameUnit ? textOf(first.unit) : QString(), false};
     }
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         const Curve& curve = m_curves[i];
         QString name = titleOf(curve);
         if (!sameUnit && !curve.quantity->unit.empty())
-            name += QStringLiteral(" [%1]").arg(text(curve.quantity->unit));
+            name += QStringLiteral(" [%1]").arg(textOf(curve.quantity->unit));
         m_chart.series.push_back({name, m_times, curve.figures, SeriesStyle::Line, seriesColour(i)});
         QPixmap square(10, 10);
         square.fill(seriesColour(i));
@@ -210,7 +189,7 @@ void PlotsDock::redraw() {
 QString PlotsDock::writeCsv(const QString& path) const {
     QByteArray lines = "time_s";
     for (const Curve& curve : m_curves) {
-        QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), text(curve.quantity->unit));
+        QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), textOf(curve.quantity->unit));
         lines += ",\"" + title.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"';
     }
     lines += '\n';
@@ -222,16 +201,12 @@ QString PlotsDock::writeCsv(const QString& path) const {
         }
         lines += '\n';
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(lines) != lines.size() || !file.commit())
-        return tr("`%1` cannot be written: %2").arg(path, file.errorString());
-    return {};
+    return writeText(path, lines);
 }
 
 QString PlotsDock::exportTo(const QString& path) const {
     if (m_curves.empty()) return tr("there are no curves yet; add one first");
-    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
-        return writeCsv(path);
+    if (isCsv(path)) return writeCsv(path);
     return writeChart(m_chart, path);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/problems_model.h"
 
+#include "ui/widgets/text_of.h"
+
 namespace carom {
 
 ProblemsModel::ProblemsModel(const Theme& theme, QObject* parent) : QAbstractTableModel(parent) {
@@ -59,7 +61,7 @@ QVariant ProblemsModel::text(const Diagnostic& diagnostic, int column) const {
         return position.column;
     default: {
         const std::string_view code = rowOf(diagnostic.code).code;
-        return QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size()));
+        return textOf(code);
     }
     }
 }

@@ -2,11 +2,12 @@
 #include "ui/docks/stability_dock.h"
 
 #include "core/study/stability_report.h"
+#include "ui/widgets/export_menu.h"
 #include "ui/widgets/text_file.h"
+#include "ui/widgets/text_of.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -25,10 +26,6 @@ enum Column { Case, Answer, FirstVerdict };
 
 constexpr int caseRole = Qt::UserRole;
 constexpr int answerWidth = 420; // [px]
-
-QString textOf(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
 
 int columnOf(StudyColumn column) { return FirstVerdict + static_cast<int>(column); }
 
@@ -214,12 +211,8 @@ QString StabilityDock::exportTo(const QString& path) const {
 }
 
 void StabilityDock::askForExport() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the figures"), QStringLiteral("stability.csv"), tr("CSV files (*.csv)"));
-    if (path.isEmpty()) return;
-    const QString problem = exportTo(path);
-    Q_EMIT reported(problem.isEmpty() ? tr("Written to %1").arg(QDir::toNativeSeparators(path))
-                                      : tr("Not exported: %1").arg(problem));
+    const QString path = askForExportPath(this, QStringLiteral("stability"), QStringLiteral("csv"));
+    if (!path.isEmpty()) Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

@@ -3,13 +3,15 @@
 
 #include "core/base/text.h"
 #include "core/math/statistics.h"
+#include "ui/docks/run_comparison.h"
 #include "ui/widgets/export_menu.h"
+#include "ui/widgets/panel_parts.h"
 #include "ui/widgets/text_file.h"
 #include "ui/widgets/value_table.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -30,7 +32,7 @@ constexpr std::size_t framesCharted = 3000;
 enum Column : int { Single, Mean, Median, P95, P99, Maximum };
 
 /// What a row of the table counts.
-enum class Frames { All, Shown };
+enum Frames : int { All, Shown };
 
 /// The first frame of a run also pays for what is made once; it counts apart.
 std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& samples) {
@@ -41,55 +43,96 @@ std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& sample
 } // namespace
 
 TimingDock::TimingDock(QWidget* parent)
-    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_first(new QLabel), m_report(new QLabel) {
+    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_comparison(new RunComparison(*m_strip)),
+      m_pages(new QStackedWidget),
+      m_compare(wordButton("timingCompare", tr("Compare"),
+                           tr("Show two runs in one chart: one that was kept, and this one or another"))),
+      m_first(new QLabel), m_report(new QLabel) {
     setObjectName(QStringLiteral("timingDock"));
 
     QStringList rows;
     for (const FramePart& part : frameParts()) rows += nameOf(part);
-    rows += tr("total");
+    rows += nameOfWhole();
     m_table =
         new ValueTable(rows, {tr("now [ms]"), tr("mean"), tr("median"), tr("p95"), tr("p99"), tr("max")});
     for (std::size_t i = 0; i < framePartCount; ++i)
         m_table->setRowColour(static_cast<int>(i), frameParts()[i].colour);
+    m_table->setObjectName(QStringLiteral("frameTimes"));
     m_table->setAccessibleName(tr("Statistics of frame times"));
 
-    QToolButton* fit = new QToolButton;
-    fit->setText(tr("Fit"));
+    m_first->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->setWordWrap(true);
+    m_report->hide();
+    QWidget* onScreen = new QWidget;
+    QHBoxLayout* sideBySide = new QHBoxLayout(onScreen);
+    sideBySide->setContentsMargins(0, 0, 0, 0);
+    sideBySide->addWidget(m_strip, 3);
+    sideBySide->addWidget(m_table, 2);
+    m_pages->addWidget(onScreen);
+    m_pages->addWidget(m_comparison);
+    QWidget* content = new QWidget;
+    QVBoxLayout* column = new QVBoxLayout(content);
+    column->setContentsMargins(6, 4, 6, 6);
+    column->addWidget(makeBar());
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_report);
+    setWidget(content);
+    setFocusProxy(m_strip);
+
+    connect(m_strip, &TimingStrip::framePicked, this, &TimingDock::showPicked);
+    connect(m_comparison, &RunComparison::countChanged, this, [this] {
+        m_compare->setEnabled(m_comparison->count() > 0);
+        if (m_comparison->count() == 0) m_compare->setChecked(false);
+    });
+    m_refresh.setInterval(refreshInterval);
+    m_refresh.setSingleShot(true);
+    connect(&m_refresh, &QTimer::timeout, this, &TimingDock::updateStatistics);
+    updateStatistics();
+}
+
+QWidget* TimingDock::makeBar() {
+    QToolButton* keep = wordButton("timingKeep", tr("Keep"),
+                                   tr("Keep the times of this run to compare another one with them"));
+    connect(keep, &QToolButton::clicked, this, &TimingDock::keepRun);
+    m_compare->setCheckable(true);
+    m_compare->setEnabled(false);
+    QToolButton* fit = wordButton("timingFit", tr("Fit"),
+                                  tr("Fill the height with the frames shown, instead of always showing the "
+                                     "lines of 1/60 and 1/30 s"));
     fit->setCheckable(true);
-    fit->setToolTip(
-        tr("Fill the height with the frames shown, instead of always showing the lines of 1/60 and 1/30 s"));
     connect(fit, &QToolButton::toggled, this, [this](bool on) {
         m_strip->setScale(on ? TimingStrip::Scale::Fit : TimingStrip::Scale::Budget);
+    });
+    connect(m_compare, &QToolButton::toggled, this, [this, fit](bool two) {
+        m_pages->setCurrentIndex(two ? 1 : 0);
+        fit->setEnabled(!two);
+        if (two) m_comparison->refresh();
     });
     ExportMenu* save = new ExportMenu;
     save->setObjectName(QStringLiteral("timingExport"));
     connect(save, &ExportMenu::chosen, this, &TimingDock::askForExport);
 
-    m_first->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_report->setWordWrap(true);
-    QHBoxLayout* bar = new QHBoxLayout;
-    bar->addWidget(m_first, 1);
-    bar->addWidget(fit);
-    bar->addWidget(save);
-    QVBoxLayout* left = new QVBoxLayout;
-    left->addLayout(bar);
-    left->addWidget(m_strip, 1);
-    left->addWidget(m_report);
-    m_report->hide();
-    QWidget* content = new QWidget;
-    QHBoxLayout* layout = new QHBoxLayout(content);
-    layout->setContentsMargins(6, 4, 6, 6);
-    layout->addLayout(left, 3);
-    layout->addWidget(m_table, 2);
-    setWidget(content);
-    setFocusProxy(m_strip);
+    QWidget* bar = new QWidget;
+    QHBoxLayout* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_first, 1);
+    for (QToolButton* button : {keep, m_compare, fit, static_cast<QToolButton*>(save)})
+        row->addWidget(button);
+    return bar;
+}
 
-    connect(m_strip, &TimingStrip::framePicked, this, &TimingDock::showPicked);
-    m_refresh.setInterval(refreshInterval);
-    m_refresh.setSingleShot(true);
-    connect(&m_refresh, &QTimer::timeout, this, &TimingDock::updateStatistics);
-    updateStatistics();
+bool TimingDock::compares() const { return m_compare->isChecked(); }
+
+void TimingDock::keepRun() {
+    if (m_strip->samples().empty()) {
+        Q_EMIT reported(tr("there are no frames yet; run the simulation first"));
+        return;
+    }
+    const QString name = m_description.isEmpty() ? tr("run %1").arg(++m_kept)
+                                                 : tr("run %1: %2").arg(++m_kept).arg(m_description);
+    m_comparison->keep(name);
+    Q_EMIT reported(tr("kept %1; run again and choose Compare").arg(name));
 }
 
 void TimingDock::addSamples(std::span<const FrameSample> samples) {
@@ -104,6 +147,7 @@ void TimingDock::clear() {
 }
 
 void TimingDock::updateStatistics() {
+    if (compares() && isVisible()) m_comparison->refresh();
     const std::vector<FrameSample>& samples = m_strip->samples();
     const FrameSample* single = samples.empty() ? nullptr : &samples.back();
     m_table->setColumnTitle(Single, tr("now [ms]"));
@@ -129,7 +173,7 @@ void TimingDock::updateStatistics() {
     const auto fill = [&](int row, double (*milliseconds)(const FrameSample&), Frames shown) {
         values.clear();
         for (const FrameSample& sample : frames)
-            if (shown == Frames::All || sample.render > 0) values.push_back(milliseconds(sample));
+            if (shown == All || sample.render > 0) values.push_back(milliseconds(sample));
         const Summary summary = summarise(values);
         const bool any = !values.empty();
         m_table->setValue(row, Single, single ? milliseconds(*single) : NAN);
@@ -141,9 +185,9 @@ void TimingDock::updateStatistics() {
     };
     for (std::size_t i = 0; i < framePartCount; ++i) {
         const FramePart& part = frameParts()[i];
-        fill(static_cast<int>(i), part.milliseconds, part.ofShownFrames ? Frames::Shown : Frames::All);
+        fill(static_cast<int>(i), part.milliseconds, part.ofShownFrames ? Shown : All);
     }
-    fill(static_cast<int>(framePartCount), totalOf, Frames::All);
+    fill(static_cast<int>(framePartCount), totalOf, All);
 }
 
 void TimingDock::showPicked(std::ptrdiff_t index) {
@@ -186,9 +230,9 @@ QString TimingDock::writeCsv(const QString& path) const {
 }
 
 QString TimingDock::exportTo(const QString& path) const {
+    if (compares()) return m_comparison->exportTo(path);
     if (m_strip->samples().empty()) return tr("there are no frames yet; run the simulation first");
-    if (QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0)
-        return writeCsv(path);
+    if (isCsv(path)) return writeCsv(path);
     return writeChart(chart(), path);
 }
 

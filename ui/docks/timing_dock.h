@@ -9,15 +9,17 @@
 
 #include <span>
 
-class QAction;
 class QLabel;
+class QStackedWidget;
+class QToolButton;
 
 namespace carom {
 
+class RunComparison;
 class ValueTable;
 
 /// Where the time of every frame goes: the live graph, its statistics with the first frame apart, the parts
-/// of the frame that was picked, and all of it as a file.
+/// of the frame that was picked, and all of it as a file. A run can be kept and compared with a later one.
 class TimingDock : public QDockWidget {
     Q_OBJECT
 
@@ -26,10 +28,12 @@ class TimingDock : public QDockWidget {
 
     void addSamples(std::span<const FrameSample> samples);
     void clear();
+    /// What a kept run is called: "500 bodies, contacts".
+    void describeRun(const QString& description) { m_description = description; }
 
     const TimingStrip& strip() const { return *m_strip; }
     /// Writes .png, .svg, .pdf (the stacked graph) or .csv (every figure of every frame) by the path's
-    /// ending. Returns what went wrong, or an empty text.
+    /// ending; of the two runs where they are compared. Returns what went wrong, or an empty text.
     QString exportTo(const QString& path) const;
 
   Q_SIGNALS:
@@ -39,13 +43,21 @@ class TimingDock : public QDockWidget {
     void reported(const QString& sentence);
 
   private:
+    QWidget* makeBar();
     void updateStatistics();
+    void keepRun();
+    bool compares() const;
     void showPicked(std::ptrdiff_t index);
     void askForExport(const QString& ending);
     ChartSpec chart() const;
     QString writeCsv(const QString& path) const;
 
     TimingStrip* m_strip;
+    RunComparison* m_comparison;
+    QStackedWidget* m_pages; ///< the run on screen, or two runs
+    QToolButton* m_compare;  ///< checked: two runs
+    QString m_description;
+    int m_kept = 0; ///< runs, also those forgotten
     ValueTable* m_table;
     QLabel* m_first; ///< the first frame's time, or what the picked frame held
     QLabel* m_report;

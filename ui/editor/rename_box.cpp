@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/rename_box.h"
 
+#include "ui/widgets/text_of.h"
+
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -41,7 +43,7 @@ bool RenameBox::begin() {
     const std::optional<LabelUse> use = labelAt(m_analysis, m_place);
     if (!use) return false;
     const std::string_view old = textOf(m_analysis.text, use->label);
-    m_name->setText(QString::fromUtf8(old.data(), static_cast<qsizetype>(old.size())));
+    m_name->setText(textOf(old));
     m_name->selectAll();
     judge();
     const int x = static_cast<int>(m_editor.send(Sci::SCI_POINTXFROMPOSITION, 0, use->label.offset));

@@ -70,6 +70,7 @@ void ProbeRun::work(const std::shared_ptr<Job>& job) {
     };
     if (!job->world) {
         job->world = std::make_unique<World>(job->pipeline);
+        job->world->keepLedger(job->probes.needLedger());
         measure();
     }
     while (!job->abandoned && job->hasMore()) {

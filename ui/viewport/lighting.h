@@ -21,6 +21,7 @@ struct PictureOptions {
     ViewTheme theme;
     BodyIndex selected = noBody;
     bool dimmed = false;
+    bool shadows = true;
     bool smooth = false; ///< several samples a pixel, for the edges of meshes: spheres are smooth without
 };
 

@@ -154,8 +154,10 @@ void Renderer::drawPicture(const PictureOptions& options) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     drawWalls(false);
-    drawWallShadows();
-    drawContactShadows();
+    if (options.shadows) {
+        drawWallShadows();
+        drawContactShadows();
+    }
     drawBodies(Pass::SphereLit, Pass::MeshLit);
     drawWalls(true);
     drawLines();
@@ -199,7 +201,7 @@ void Renderer::drawShadowMap(const PictureOptions& options) {
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    drawBodies(Pass::SphereShadow, Pass::MeshFlat);
+    if (options.shadows) drawBodies(Pass::SphereShadow, Pass::MeshFlat); // else everything is in the light
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
 }
 

@@ -6,6 +6,7 @@
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/renderer.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
@@ -28,11 +29,38 @@ constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel
 constexpr double pixelsPerNotch = 30;   ///< [px] of a drag that zooms
 constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
 constexpr int restAfter = 250;          ///< [ms] without a change
+constexpr double typingPause = 3;       ///< in times of a picture, between two of them while somebody types
 constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
 
 bool same(const CameraSettings& a, const CameraSettings& b) {
     return a.position == b.position && a.target == b.target && a.fieldOfView == b.fieldOfView;
 }
+
+/// Knows when a key was last pressed, anywhere in the program.
+class Typing : public QObject {
+  public:
+    static Typing& instance() {
+        static Typing* const typing = new Typing; // the application's, which it ends with
+        return *typing;
+    }
+    bool isUnderWay() const { return m_pressed && m_since.elapsed() < goesOnFor; }
+
+  protected:
+    bool eventFilter(QObject* object, QEvent* event) override {
+        if (event->type() == QEvent::KeyPress) {
+            m_pressed = true;
+            m_since.lap();
+        }
+        return QObject::eventFilter(object, event);
+    }
+
+  private:
+    Typing() : QObject(qApp) { qApp->installEventFilter(this); }
+
+    static constexpr double goesOnFor = 400; // [ms] after a key
+    bool m_pressed = false;
+    Stopwatch m_since;
+};
 
 bool declared(const CameraSettings& camera) { return camera.position || camera.target; }
 
@@ -61,6 +89,8 @@ Viewport::Viewport(QWidget* parent)
         m_atRest = true;
         update();
     });
+    m_pause.setSingleShot(true);
+    connect(&m_pause, &QTimer::timeout, this, qOverload<>(&Viewport::update));
 }
 
 Viewport::~Viewport() {
@@ -82,6 +112,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     m_snapshot.reset();
     m_explanations.clear();
     m_startPoses.clear();
+    m_pace.forget();
     m_sceneChanged = m_linesChanged = true;
     redraw();
     if (!m_pipeline) {
@@ -163,7 +194,15 @@ void Viewport::setCamera(const Camera& camera) {
 void Viewport::redraw() {
     m_atRest = false;
     if (m_ready && m_renderer->isSoftware()) m_rest.start();
-    update();
+    if (m_pause.isActive()) return;
+    // A picture under way delays a key, and one that is due goes to the display together with the text.
+    const bool yields = m_ready && m_renderer->isSoftware() && Typing::instance().isUnderWay();
+    const double pause = yields ? typingPause * m_lastRenderTime : m_pace.pause();
+    const double wait = pause - m_sincePicture.elapsed();
+    if (wait > 1)
+        m_pause.start(static_cast<int>(wait));
+    else
+        update();
 }
 
 void Viewport::moveCamera() {
@@ -265,6 +304,12 @@ QImage Viewport::picture(const QSize& size, const Snapshot* of) {
     return image;
 }
 
+void Viewport::paintEvent(QPaintEvent* event) {
+    m_onScreen = true;
+    QOpenGLWidget::paintEvent(event);
+    m_onScreen = false;
+}
+
 void Viewport::paintGL() {
     if (!m_ready) return;
     const Stopwatch watch;
@@ -275,12 +320,15 @@ void Viewport::paintGL() {
     m_linesChanged = false;
     const double scale = devicePixelRatioF();
     const PictureSize size = pictureSize();
+    const bool moving = m_renderer->isSoftware() && !m_atRest;
+    const bool hurried = moving && m_onScreen && m_pace.leavesShadowsOut();
     m_renderer->draw(poses(), {.size = {std::round(size.width * scale), std::round(size.height * scale)},
                                .camera = m_camera,
                                .theme = viewTheme(m_dark),
                                .selected = m_selected,
                                .dimmed = m_dimmed,
-                               .smooth = m_atRest || !m_renderer->isSoftware()});
+                               .shadows = !hurried,
+                               .smooth = !moving});
     if (m_pipeline && holds(overlays(), Overlay::Labels)) {
         QPainter painter(this);
         paintLabels(painter, m_pipeline->scene(), poses(), m_camera, size, m_dark);
@@ -288,6 +336,8 @@ void Viewport::paintGL() {
     // OpenGL only queues the work; the time that counts is the one until it is done.
     m_renderer->finish();
     m_lastRenderTime = watch.elapsed();
+    if (moving && m_onScreen) m_pace.note(m_lastRenderTime, !hurried);
+    m_sincePicture.lap();
     ++m_framesRendered;
     Q_EMIT frameRendered(m_lastRenderTime);
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
 #include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/picking.h"
+#include "ui/viewport/picture_pace.h"
 #include "ui/viewport/room.h"
 
 #include <QImage>
@@ -98,6 +100,7 @@ class Viewport : public QOpenGLWidget {
   protected:
     void initializeGL() override;
     void resizeGL(int width, int height) override;
+    void paintEvent(QPaintEvent* event) override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -137,6 +140,10 @@ class Viewport : public QOpenGLWidget {
     BodyIndex m_selected = noBody;
     bool m_atRest = false; ///< nothing has changed for a moment: worth a smooth picture
     QTimer m_rest;
+    PicturePace m_pace;
+    Stopwatch m_sincePicture;
+    QTimer m_pause;          ///< a picture is due when it ends
+    bool m_onScreen = false; ///< the picture being drawn is for the screen, not for a file
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;

@@ -16,7 +16,9 @@ namespace {
 constexpr double leastShown = 1e-16, mostShown = 10;
 constexpr double realTime = 1000; ///< [ms] a simulated second
 
-QString say(const char* text) { return QCoreApplication::translate("AccuracyChart", text); }
+struct AccuracyChartTexts {
+    Q_DECLARE_TR_FUNCTIONS(AccuracyChart)
+};
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
 double shownError(const AccuracyPoint& point) {
@@ -26,10 +28,10 @@ double shownError(const AccuracyPoint& point) {
 ChartSpec emptyChart(const QString& title) {
     return {.title = title,
             .note = {},
-            .x = {say("error: distance by scene size, or angle in rad"), {}, true},
-            .y = {say("time per simulated second"), QStringLiteral("ms"), true},
+            .x = {AccuracyChartTexts::tr("error: distance by scene size, or angle in rad"), {}, true},
+            .y = {AccuracyChartTexts::tr("time per simulated second"), QStringLiteral("ms"), true},
             .series = {},
-            .levels = {{realTime, say("real time"), true}}};
+            .levels = {{realTime, AccuracyChartTexts::tr("real time"), true}}};
 }
 
 void append(const AccuracyPoint& point, ChartSeries& series) {
@@ -66,7 +68,7 @@ void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optiona
     for (const AccuracyFamily& family : familiesOf(study)) {
         QString name = prefix + text(family.name);
         if (const std::optional<double> order = orderOf(family, study.resolution()))
-            name += say(" (order %1)").arg(*order, 0, 'f', 1);
+            name += AccuracyChartTexts::tr(" (order %1)").arg(*order, 0, 'f', 1);
         const bool counting = family.points.front()->setting.method->name == "microcollisions";
         ChartSeries series{.name = name,
                            .x = {},
@@ -91,11 +93,13 @@ void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optiona
 /// Marks over the points that are not what they seem, in the colours of their families.
 void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
     const QColor grey(0x90, 0x90, 0x90), red(0xC0, 0x30, 0x20);
-    ChartSeries doubtful = marksOnly(say("deviation from the finest run"), SeriesMark::Disc, grey);
-    ChartSeries broken = marksOnly(say("an invariant broke"), SeriesMark::Ring, grey);
-    ChartSeries failed = marksOnly(say("failed"), SeriesMark::Cross, red);
-    ChartSeries own = marksOnly(say("the scene's own"), SeriesMark::Halo, grey);
-    ChartSeries best = marksOnly(say("recommended"), SeriesMark::Halo, QColor(0xC0, 0x20, 0x80));
+    ChartSeries doubtful =
+        marksOnly(AccuracyChartTexts::tr("deviation from the finest run"), SeriesMark::Disc, grey);
+    ChartSeries broken = marksOnly(AccuracyChartTexts::tr("an invariant broke"), SeriesMark::Ring, grey);
+    ChartSeries failed = marksOnly(AccuracyChartTexts::tr("failed"), SeriesMark::Cross, red);
+    ChartSeries own = marksOnly(AccuracyChartTexts::tr("the scene's own"), SeriesMark::Halo, grey);
+    ChartSeries best =
+        marksOnly(AccuracyChartTexts::tr("recommended"), SeriesMark::Halo, QColor(0xC0, 0x20, 0x80));
     const bool converged = study.truth && study.truth->kind == TruthKind::ConvergedRun;
     for (const AccuracyPoint& point : study.points) {
         if (point.times.empty()) continue;
@@ -115,7 +119,7 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
 }
 
 void addFront(const AccuracyStudy& study, ChartSpec& chart) {
-    ChartSeries front{.name = say("Pareto front"),
+    ChartSeries front{.name = AccuracyChartTexts::tr("Pareto front"),
                       .x = {},
                       .y = {},
                       .style = SeriesStyle::Line,
@@ -132,23 +136,24 @@ void addFront(const AccuracyStudy& study, ChartSpec& chart) {
 } // namespace
 
 QString describe(const AccuracyPoint& point) {
-    QString words = say("%1\nerror %2 (distance %3, angle %4 rad)")
+    QString words = AccuracyChartTexts::tr("%1\nerror %2 (distance %3, angle %4 rad)")
                         .arg(text(point.setting.name()), text(figure(point.errors.worst())),
                              text(figure(point.errors.position)), text(figure(point.errors.attitude)));
     words +=
-        say("\n%1 ms per simulated second (%2 to %3)")
+        AccuracyChartTexts::tr("\n%1 ms per simulated second (%2 to %3)")
             .arg(text(figure(point.cost())), text(figure(point.leastCost())), text(figure(point.mostCost())));
-    words += say("\nenergy off by %1, drift %2 /s; overlap %3")
+    words += AccuracyChartTexts::tr("\nenergy off by %1, drift %2 /s; overlap %3")
                  .arg(text(figure(point.energy.worst)), text(figure(point.energy.drift)),
                       text(figure(point.penetration)));
     if (point.impacts && point.impacts->expected > 0)
-        words += say("\n%1 of %2 impacts; up to number %3 off by %4 s at most")
+        words += AccuracyChartTexts::tr("\n%1 of %2 impacts; up to number %3 off by %4 s at most")
                      .arg(point.impacts->seen)
                      .arg(point.impacts->expected)
                      .arg(point.impacts->matched)
                      .arg(text(figure(point.impacts->time)));
     if (point.crowd)
-        words += say("\nbeyond the horizon, medians of %1 copies: speeds off by %2 %, pressure by %3 %, time "
+        words += AccuracyChartTexts::tr(
+                     "\nbeyond the horizon, medians of %1 copies: speeds off by %2 %, pressure by %3 %, time "
                      "between impacts by %4 %")
                      .arg(point.crowd->copies)
                      .arg(text(figure(100 * point.crowd->speeds.median, 2)),
@@ -169,7 +174,8 @@ AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
 
 AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstName,
                                const AccuracyStudy& second, const QString& secondName) {
-    AccuracyChart chart{.spec = emptyChart(say("%1 and %2").arg(firstName, secondName)), .points = {}};
+    AccuracyChart chart{.spec = emptyChart(AccuracyChartTexts::tr("%1 and %2").arg(firstName, secondName)),
+                        .points = {}};
     addFamilies(first, firstName + QStringLiteral(": "), true, chart.spec, chart.points);
     for (std::vector<std::size_t>& places : chart.points) places.clear();
     addFamilies(second, secondName + QStringLiteral(": "), false, chart.spec, chart.points);

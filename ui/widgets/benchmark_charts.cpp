@@ -2,6 +2,7 @@
 #include "ui/widgets/benchmark_charts.h"
 
 #include "core/study/benchmark_report.h"
+#include "ui/widgets/text_of.h"
 
 #include <QCoreApplication>
 
@@ -10,28 +11,31 @@ namespace {
 
 constexpr double realTimeRate = 30; ///< frames a second
 
-QString say(const char* text) { return QCoreApplication::translate("BenchmarkCharts", text); }
-
-QString text(std::string_view utf8) {
-    return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
+struct BenchmarkChartsTexts {
+    Q_DECLARE_TR_FUNCTIONS(BenchmarkCharts)
+};
 
 QString nameOf(const char* kind, const GeneratorRow& scene) {
-    return QString::fromLatin1(kind) + QLatin1Char('_') + text(scene.name);
+    return QString::fromLatin1(kind) + QLatin1Char('_') + textOf(scene.name);
 }
 
-ChartAxis bodiesAxis(bool logarithmic) { return {say("number of objects N"), {}, logarithmic}; }
+ChartAxis bodiesAxis(bool logarithmic) {
+    return {BenchmarkChartsTexts::tr("number of objects N"), {}, logarithmic};
+}
 
-ChartAxis timeAxis() { return {say("simulation time of a frame"), QStringLiteral("ms"), false}; }
+ChartAxis timeAxis() {
+    return {BenchmarkChartsTexts::tr("simulation time of a frame"), QStringLiteral("ms"), false};
+}
 
 void addFrameRates(const Benchmark& benchmark, const GeneratorRow& scene, std::vector<NamedChart>& charts) {
-    ChartSpec chart{.title = say("Frame rate against number of objects: %1").arg(text(scene.name)),
-                    .x = bodiesAxis(true),
-                    .y = {say("frame rate"), QStringLiteral("1/s"), true},
-                    .series = {},
-                    .levels = {{realTimeRate, say("30 frames/s")}}};
+    ChartSpec chart{
+        .title = BenchmarkChartsTexts::tr("Frame rate against number of objects: %1").arg(textOf(scene.name)),
+        .x = bodiesAxis(true),
+        .y = {BenchmarkChartsTexts::tr("frame rate"), QStringLiteral("1/s"), true},
+        .series = {},
+        .levels = {{realTimeRate, BenchmarkChartsTexts::tr("30 frames/s")}}};
     for (const BroadphaseRow* algorithm : benchmark.plan.algorithms) {
-        ChartSeries series{.name = text(algorithm->title),
+        ChartSeries series{.name = textOf(algorithm->title),
                            .x = {},
                            .y = {},
                            .style = SeriesStyle::LineAndMarks,
@@ -48,7 +52,7 @@ void addFrameRates(const Benchmark& benchmark, const GeneratorRow& scene, std::v
 /// Marks where it was measured, and the parabola through them.
 void addMeasuredAndFitted(const std::vector<BenchmarkPoint>& points, std::size_t colour, ChartSpec& chart) {
     if (points.empty()) return;
-    const QString title = text(points.front().algorithm->title);
+    const QString title = textOf(points.front().algorithm->title);
     ChartSeries marks{
         .name = title, .x = {}, .y = {}, .style = SeriesStyle::Marks, .colour = seriesColour(colour)};
     for (const BenchmarkPoint& point : points) {
@@ -59,7 +63,7 @@ void addMeasuredAndFitted(const std::vector<BenchmarkPoint>& points, std::size_t
     chart.series.push_back(std::move(marks));
     const std::optional<QuadraticFit> fit = fitQuadratic(points);
     if (!fit) return;
-    ChartSeries curve{.name = say("%1: parabola").arg(title),
+    ChartSeries curve{.name = BenchmarkChartsTexts::tr("%1: parabola").arg(title),
                       .x = {},
                       .y = {},
                       .style = SeriesStyle::Line,
@@ -80,19 +84,21 @@ void addNaiveAndBaraff(const Benchmark& benchmark, const GeneratorRow& scene,
     if (naive.empty() || baraff.empty()) return;
     // As far as both were measured: beyond, the chart would show one of them only.
     std::erase_if(baraff, [&naive](const BenchmarkPoint& point) { return point.n > naive.back().n; });
-    ChartSpec chart{.title = say("All pairs and sweep and sort: %1").arg(text(scene.name)),
+    ChartSpec chart{.title =
+                        BenchmarkChartsTexts::tr("All pairs and sweep and sort: %1").arg(textOf(scene.name)),
                     .x = bodiesAxis(false),
                     .y = timeAxis(),
                     .series = {},
-                    .levels = {{1000 / realTimeRate, say("33 ms: 30 frames/s")}}};
+                    .levels = {{1000 / realTimeRate, BenchmarkChartsTexts::tr("33 ms: 30 frames/s")}}};
     addMeasuredAndFitted(naive, 0, chart);
     addMeasuredAndFitted(baraff, 1, chart);
     charts.push_back({nameOf("naive_and_baraff", scene), std::move(chart)});
 }
 
 ChartSpec emptyTraceChart(const BenchmarkTrace& trace, const QString& what) {
-    return {.title = say("%1: %2, N = %3").arg(what, text(trace.scene->name)).arg(trace.n),
-            .x = {say("frame"), {}, false},
+    return {.title =
+                BenchmarkChartsTexts::tr("%1: %2, N = %3").arg(what, textOf(trace.scene->name)).arg(trace.n),
+            .x = {BenchmarkChartsTexts::tr("frame"), {}, false},
             .y = timeAxis(),
             .series = {},
             .levels = {}};
@@ -100,7 +106,7 @@ ChartSpec emptyTraceChart(const BenchmarkTrace& trace, const QString& what) {
 
 ChartSeries courseOf(const BenchmarkTrace& trace, std::size_t firstShown) {
     ChartSeries series{
-        .name = text(trace.algorithm->title), .x = {}, .y = {}, .style = SeriesStyle::Line, .colour = {}};
+        .name = textOf(trace.algorithm->title), .x = {}, .y = {}, .style = SeriesStyle::Line, .colour = {}};
     for (std::size_t f = firstShown; f < trace.frames.size(); ++f) {
         series.x.push_back(static_cast<double>(trace.frames[f].frame));
         series.y.push_back(trace.frames[f].simulate);
@@ -111,11 +117,11 @@ ChartSeries courseOf(const BenchmarkTrace& trace, std::size_t firstShown) {
 void addTraces(const Benchmark& benchmark, std::vector<NamedChart>& charts) {
     if (benchmark.traces.empty()) return;
     const auto add = [&charts](const QString& name, const BenchmarkTrace& trace, std::size_t firstShown) {
-        ChartSpec chart = emptyTraceChart(trace, text(trace.algorithm->title));
+        ChartSpec chart = emptyTraceChart(trace, textOf(trace.algorithm->title));
         chart.series.push_back(courseOf(trace, firstShown));
         charts.push_back({name, std::move(chart)});
     };
-    ChartSpec all = emptyTraceChart(benchmark.traces.front(), say("Every algorithm"));
+    ChartSpec all = emptyTraceChart(benchmark.traces.front(), BenchmarkChartsTexts::tr("Every algorithm"));
     all.y.logarithmic = true;
     for (const BenchmarkTrace& trace : benchmark.traces) {
         all.series.push_back(courseOf(trace, 1));

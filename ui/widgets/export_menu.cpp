@@ -10,7 +10,9 @@
 namespace carom {
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("Export", text); }
+struct ExportTexts {
+    Q_DECLARE_TR_FUNCTIONS(Export)
+};
 
 } // namespace
 
@@ -27,16 +29,23 @@ ExportMenu::ExportMenu(QWidget* parent) : QToolButton(parent) {
     setMenu(menu);
 }
 
+QAction& ExportMenu::addEntry(const QString& text) { return *menu()->addAction(text); }
+
 QString askForExportPath(QWidget* parent, const QString& name, const QString& ending) {
-    QString path = QFileDialog::getSaveFileName(parent, say("Export"), name + u'.' + ending,
-                                                say("%1 files (*.%2)").arg(ending.toUpper(), ending));
+    QString path =
+        QFileDialog::getSaveFileName(parent, ExportTexts::tr("Export"), name + u'.' + ending,
+                                     ExportTexts::tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
     if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += u'.' + ending;
     return path;
 }
 
+bool isCsv(const QString& path) {
+    return QFileInfo(path).suffix().compare(QLatin1StringView("csv"), Qt::CaseInsensitive) == 0;
+}
+
 QString exportSentence(const QString& path, const QString& problem) {
-    return problem.isEmpty() ? say("Written to %1").arg(QDir::toNativeSeparators(path))
-                             : say("Not exported: %1").arg(problem);
+    return problem.isEmpty() ? ExportTexts::tr("Written to %1").arg(QDir::toNativeSeparators(path))
+                             : ExportTexts::tr("Not exported: %1").arg(problem);
 }
 
 } // namespace carom

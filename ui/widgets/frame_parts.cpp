@@ -38,6 +38,8 @@ const std::array<FramePart, framePartCount>& frameParts() {
 
 QString nameOf(const FramePart& part) { return QCoreApplication::translate("FrameParts", part.name); }
 
+QString nameOfWhole() { return QCoreApplication::translate("FrameParts", "total"); }
+
 double totalOf(const FrameSample& sample) {
     double total = 0;
     for (const FramePart& part : frameParts()) total += part.milliseconds(sample);

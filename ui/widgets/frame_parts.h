@@ -28,6 +28,8 @@ struct FramePart {
 /// From the bottom of the stack to its top.
 const std::array<FramePart, framePartCount>& frameParts();
 QString nameOf(const FramePart& part);
+/// Of all parts together: "total".
+QString nameOfWhole();
 
 /// All parts together: the whole step and what it took to show it [ms].
 double totalOf(const FrameSample& sample);

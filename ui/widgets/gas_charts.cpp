@@ -10,15 +10,17 @@
 namespace carom {
 namespace {
 
-QString say(const char* text) { return QCoreApplication::translate("GasCharts", text); }
+struct GasChartsTexts {
+    Q_DECLARE_TR_FUNCTIONS(GasCharts)
+};
 
 ChartSeries seriesOf(const QString& name, SeriesStyle style) {
     return {.name = name, .x = {}, .y = {}, .style = style, .colour = {}};
 }
 
 ChartSpec speedChart(const GasStudy& study) {
-    ChartSeries measured = seriesOf(say("measured"), SeriesStyle::Marks);
-    ChartSeries theory = seriesOf(say("Maxwell"), SeriesStyle::Line);
+    ChartSeries measured = seriesOf(GasChartsTexts::tr("measured"), SeriesStyle::Marks);
+    ChartSeries theory = seriesOf(GasChartsTexts::tr("Maxwell"), SeriesStyle::Line);
     for (const SpeedBin& bin : study.speeds) {
         measured.x.push_back(0.5 * (bin.from + bin.to));
         measured.y.push_back(bin.density);
@@ -29,16 +31,16 @@ ChartSpec speedChart(const GasStudy& study) {
         theory.x.push_back(speed);
         theory.y.push_back(maxwellDensity(speed));
     }
-    return {.title = say("Speeds of %1 balls").arg(study.balls),
-            .x = {say("speed in units of √(kT/m)"), {}, false},
-            .y = {say("share a unit"), {}, false},
+    return {.title = GasChartsTexts::tr("Speeds of %1 balls").arg(study.balls),
+            .x = {GasChartsTexts::tr("speed in units of √(kT/m)"), {}, false},
+            .y = {GasChartsTexts::tr("share a unit"), {}, false},
             .series = {std::move(measured), std::move(theory)},
             .levels = {}};
 }
 
 ChartSpec compressibilityChart(const GasStudy& study) {
-    ChartSeries batches = seriesOf(say("of each batch"), SeriesStyle::Marks);
-    ChartSeries mean = seriesOf(say("mean of all so far"), SeriesStyle::Line);
+    ChartSeries batches = seriesOf(GasChartsTexts::tr("of each batch"), SeriesStyle::Marks);
+    ChartSeries mean = seriesOf(GasChartsTexts::tr("mean of all so far"), SeriesStyle::Line);
     double sum = 0;
     for (std::size_t k = 0; k < study.compressibilityOfBatches.size(); ++k) {
         const double batch = static_cast<double>(k + 1);
@@ -48,20 +50,21 @@ ChartSpec compressibilityChart(const GasStudy& study) {
         mean.x.push_back(batch);
         mean.y.push_back(sum / batch);
     }
-    ChartSpec chart{.title = say("Compressibility at packing %1").arg(study.packing, 0, 'g', 4),
-                    .x = {say("batch"), {}, false},
-                    .y = {say("Z = p/(n kT)"), {}, false},
+    ChartSpec chart{.title =
+                        GasChartsTexts::tr("Compressibility at packing %1").arg(study.packing, 0, 'g', 4),
+                    .x = {GasChartsTexts::tr("batch"), {}, false},
+                    .y = {GasChartsTexts::tr("Z = p/(n kT)"), {}, false},
                     .series = {std::move(batches), std::move(mean)},
                     .levels = {}};
     if (!std::isnan(study.compressibility->theory))
-        chart.levels.push_back({study.compressibility->theory, say("Carnahan and Starling")});
+        chart.levels.push_back({study.compressibility->theory, GasChartsTexts::tr("Carnahan and Starling")});
     return chart;
 }
 
 // The highest layer has no upper end without a lid, so no density.
 ChartSpec heightChart(const GasStudy& study) {
-    ChartSeries measured = seriesOf(say("measured"), SeriesStyle::Marks);
-    ChartSeries theory = seriesOf(say("barometric formula"), SeriesStyle::LineAndMarks);
+    ChartSeries measured = seriesOf(GasChartsTexts::tr("measured"), SeriesStyle::Marks);
+    ChartSeries theory = seriesOf(GasChartsTexts::tr("barometric formula"), SeriesStyle::LineAndMarks);
     for (const HeightBin& layer : study.heights) {
         const double thickness = layer.to - layer.from;
         if (!std::isfinite(thickness)) continue;
@@ -71,9 +74,9 @@ ChartSpec heightChart(const GasStudy& study) {
         theory.x.push_back(middle);
         theory.y.push_back(layer.theory / thickness);
     }
-    return {.title = say("Heights of %1 balls").arg(study.balls),
-            .x = {say("height"), QStringLiteral("m"), false},
-            .y = {say("balls a metre"), QStringLiteral("1/m"), true},
+    return {.title = GasChartsTexts::tr("Heights of %1 balls").arg(study.balls),
+            .x = {GasChartsTexts::tr("height"), QStringLiteral("m"), false},
+            .y = {GasChartsTexts::tr("balls a metre"), QStringLiteral("1/m"), true},
             .series = {std::move(measured), std::move(theory)},
             .levels = {}};
 }

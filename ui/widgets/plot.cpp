@@ -33,7 +33,9 @@ constexpr double pointReach = 12; ///< [px] from a point at which the mouse is o
 constexpr double clickSlack = 4;  ///< [px] a click may move
 constexpr int pngScale = 2;       ///< pixels of a PNG along a unit of the chart: crisp on paper
 
-QString say(const char* text) { return QCoreApplication::translate("Plot", text); }
+struct PlotTexts {
+    Q_DECLARE_TR_FUNCTIONS(Plot)
+};
 
 QString titleOf(const ChartAxis& axis) {
     return axis.unit.isEmpty() ? axis.label : QStringLiteral("%1 [%2]").arg(axis.label, axis.unit);
@@ -223,7 +225,8 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
         double highest = plot.yAxis->range().upper;
         for (const ChartLevel& level : spec.levels) highest = std::max(highest, level.y);
         const double lowest = std::min(0.0, plot.yAxis->range().lower);
-        plot.yAxis->setRange(lowest, highest + 0.06 * (highest - lowest));
+        const double room = 0.06 * (highest - lowest);
+        plot.yAxis->setRange(lowest < 0 ? lowest - room : lowest, highest + room);
     }
     if (!spec.x.logarithmic && !stacked) plot.xAxis->scaleRange(1.04);
     if (spec.x.logarithmic) widen(*plot.xAxis);
@@ -337,14 +340,14 @@ QString writeChart(const ChartSpec& spec, const QString& path, const QSize& size
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1StringView("png") && ending != QLatin1StringView("svg") &&
         ending != QLatin1StringView("pdf"))
-        return say("`%1` has no ending of a chart; name it .png, .svg or .pdf").arg(path);
+        return PlotTexts::tr("`%1` has no ending of a chart; name it .png, .svg or .pdf").arg(path);
     QCustomPlot plot;
     plot.resize(size);
     draw(plot, spec, {Qt::white, rgb(0x202428), rgb(0xDADDE2)});
     const QByteArray bytes = encoded(plot, ending, size);
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return say("`%1` cannot be written: %2").arg(path, file.errorString());
+        return PlotTexts::tr("`%1` cannot be written: %2").arg(path, file.errorString());
     return {};
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/timeline.h"
 
-#include <QHelpEvent>
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +26,7 @@ double roundUp(double value) {
 
 } // namespace
 
-Timeline::Timeline(QWidget* parent) : QWidget(parent) {
+Timeline::Timeline(QWidget* parent) : ScrubStrip(parent) {
     setObjectName(QStringLiteral("timeline"));
     setAccessibleName(tr("Timeline"));
     setFocusPolicy(Qt::ClickFocus);
@@ -103,14 +100,6 @@ void Timeline::seekTo(std::int64_t frame) {
     Q_EMIT seeked(wanted);
 }
 
-void Timeline::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) seekTo(frameAt(event->position().x()));
-}
-
-void Timeline::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons().testFlag(Qt::LeftButton)) seekTo(frameAt(event->position().x()));
-}
-
 void Timeline::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Left:
@@ -130,18 +119,15 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-bool Timeline::event(QEvent* event) {
-    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-    const QHelpEvent* help = static_cast<QHelpEvent*>(event);
-    const std::int64_t frame = frameAt(help->pos().x());
+QString Timeline::tellOf(double x) const {
+    const std::int64_t frame = frameAt(x);
     QString text = tr("frame %1, %2 s").arg(frame).arg(static_cast<double>(frame) * m_step, 0, 'f', 3);
     if (frame > furthest()) text += tr(" (not simulated yet)");
     if (impactsIn(frame) > 0) text += tr("\n%1 new contacts").arg(impactsIn(frame));
     if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0)
         text += tr("\nthe run stopped here: a number was no longer finite");
     if (std::count(m_hits.begin(), m_hits.end(), frame) > 0) text += tr("\na breakpoint held");
-    QToolTip::showText(help->globalPos(), text, this);
-    return true;
+    return text;
 }
 
 // One bar a column of pixels, as high as the most new contacts in the frames it stands for.

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/simulation/statistics.h"
+#include "ui/widgets/scrub_strip.h"
 #include "ui/window/theme.h"
-
-#include <QWidget>
 
 #include <cstdint>
 #include <optional>
@@ -19,7 +18,7 @@ namespace carom {
 ///     ────────────────────────●───────────────────┄┄┄┄┄┄┄┄┄┄┄
 ///     0 s            ▲        now       furthest         end of the scale
 ///                    warning, stop
-class Timeline : public QWidget {
+class Timeline : public ScrubStrip {
     Q_OBJECT
 
   public:
@@ -53,11 +52,10 @@ class Timeline : public QWidget {
     void seeked(std::int64_t frame);
 
   protected:
+    void goTo(double x) override { seekTo(frameAt(x)); }
+    QString tellOf(double x) const override;
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    bool event(QEvent* event) override;
 
   private:
     void seekTo(std::int64_t frame);

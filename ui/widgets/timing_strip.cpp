@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/timing_strip.h"
 
-#include <QHelpEvent>
 #include <QImage>
 #include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -16,10 +13,11 @@ namespace carom {
 
 namespace {
 
-/// The oldest half goes when there are more: an hour at 60 frames a second, 50 MB.
-constexpr std::size_t mostSamples = 216'000;
+/// The oldest half goes when there are more: half an hour at 60 frames a second, 60 MB with their ledgers.
+constexpr std::size_t mostSamples = 108'000;
 /// The scale of Budget leaves room above the line of 1/30 s [ms].
 constexpr double budgetScale = 40;
+constexpr int labelMargin = 4; // [px]
 
 /// The next of 1, 2, 5 times a power of ten that is not below x.
 double roundedUp(double x) {
@@ -56,7 +54,7 @@ QString breakdownOf(const FrameSample& sample) {
     return text;
 }
 
-TimingStrip::TimingStrip(QWidget* parent) : QWidget(parent) {
+TimingStrip::TimingStrip(QWidget* parent) : ScrubStrip(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -163,9 +161,13 @@ void TimingStrip::paintLines(QPainter& painter) const {
     QColor line = text;
     line.setAlpha(170);
     const QFontMetrics metrics = painter.fontMetrics();
+    // On a large scale the lines lie close together: a label that would cover another stands beside it.
+    QRect last;
     const auto label = [&](const QString& words, int y) {
-        const QRect box(4, std::max(y - metrics.height() - 1, 0), metrics.horizontalAdvance(words) + 6,
-                        metrics.height());
+        QRect box(labelMargin, std::max(y - metrics.height() - 1, 0), metrics.horizontalAdvance(words) + 6,
+                  metrics.height());
+        if (box.intersects(last)) box.moveLeft(last.right() + labelMargin);
+        last = box;
         QColor ground = palette().color(QPalette::Base);
         ground.setAlpha(190);
         painter.fillRect(box, ground);
@@ -209,14 +211,6 @@ void TimingStrip::paintEvent(QPaintEvent*) {
     }
 }
 
-void TimingStrip::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) pick(frameAt(static_cast<int>(event->position().x())));
-}
-
-void TimingStrip::mouseMoveEvent(QMouseEvent* event) {
-    if (event->buttons().testFlag(Qt::LeftButton)) pick(frameAt(static_cast<int>(event->position().x())));
-}
-
 void TimingStrip::wheelEvent(QWheelEvent* event) {
     const int notch = event->angleDelta().y() + event->angleDelta().x();
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
@@ -245,15 +239,9 @@ void TimingStrip::keyPressEvent(QKeyEvent* event) {
         QWidget::keyPressEvent(event);
 }
 
-bool TimingStrip::event(QEvent* event) {
-    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
-    const QHelpEvent* help = static_cast<QHelpEvent*>(event);
-    const std::ptrdiff_t index = frameAt(help->x());
-    if (index == noFrame)
-        QToolTip::hideText();
-    else
-        QToolTip::showText(help->globalPos(), breakdownOf(m_samples[static_cast<std::size_t>(index)]), this);
-    return true;
+QString TimingStrip::tellOf(double x) const {
+    const std::ptrdiff_t index = frameAt(static_cast<int>(x));
+    return index == noFrame ? QString() : breakdownOf(m_samples[static_cast<std::size_t>(index)]);
 }
 
 } // namespace carom

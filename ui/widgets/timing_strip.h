@@ -2,8 +2,7 @@
 #pragma once
 
 #include "ui/widgets/frame_parts.h"
-
-#include <QWidget>
+#include "ui/widgets/scrub_strip.h"
 
 #include <array>
 #include <cstddef>
@@ -18,7 +17,7 @@ std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fu
 
 /// The live graph of frame times: one column a frame, its parts stacked, the newest at the right. The columns
 /// are written straight into an image, which costs a tenth of a plotting library's repaint.
-class TimingStrip : public QWidget {
+class TimingStrip : public ScrubStrip {
     Q_OBJECT
 
   public:
@@ -50,12 +49,11 @@ class TimingStrip : public QWidget {
     void framePicked(std::ptrdiff_t index);
 
   protected:
+    void goTo(double x) override { pick(frameAt(static_cast<int>(x))); }
+    QString tellOf(double x) const override;
     void paintEvent(QPaintEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    bool event(QEvent* event) override;
 
   private:
     std::ptrdiff_t firstVisible() const;

@@ -10,6 +10,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>
@@ -24,6 +25,7 @@ namespace {
 constexpr QSize firstSize{980, 720}; // [px]
 constexpr int contentsWidth = 240;   // [px]
 constexpr int margin = 24;           // [px] around the text
+constexpr int pictureWidth = 660;    // [px] at most
 constexpr int deepestHeading = 3;    // that the contents list
 constexpr int pageRole = Qt::UserRole;
 constexpr int headingRole = Qt::UserRole + 1;
@@ -42,7 +44,29 @@ std::vector<std::pair<int, QString>> headingsOf(const QString& markdown) {
     return headings;
 }
 
-/// Tables and pictures need more air than the import gives them.
+/// The names of the pictures on a page: ![words](images/name.png).
+QStringList picturesOf(const QString& markdown) {
+    static const QRegularExpression picture(QStringLiteral(R"(!\[[^\]]*\]\(([^)]+)\))"));
+    QStringList names;
+    for (QRegularExpressionMatchIterator found = picture.globalMatch(markdown); found.hasNext();)
+        names.append(found.next().captured(1));
+    return names;
+}
+
+/// Pictures that are wider than the page are made to fit it; scaled here, they stay smooth.
+void addPictures(QTextDocument& document, const QString& markdown, double pixelRatio) {
+    for (const QString& name : picturesOf(markdown)) {
+        QImage picture(QStringLiteral(":/help/") + name);
+        const int widest = static_cast<int>(pictureWidth * pixelRatio);
+        if (picture.width() > widest) {
+            picture = picture.scaledToWidth(widest, Qt::SmoothTransformation);
+            picture.setDevicePixelRatio(pixelRatio);
+        }
+        document.addResource(QTextDocument::ImageResource, QUrl(name), picture);
+    }
+}
+
+/// Tables need more air than the import gives them.
 void layOut(QTextDocument& document) {
     document.setDocumentMargin(margin);
     for (QTextFrame* frame : document.rootFrame()->childFrames()) {
@@ -165,6 +189,7 @@ void ManualWindow::showPage(std::size_t page) {
     if (page == m_shown && !m_text->document()->isEmpty()) return;
     m_shown = page;
     m_text->document()->setMarkdown(m_pages[page].markdown, QTextDocument::MarkdownDialectGitHub);
+    addPictures(*m_text->document(), m_pages[page].markdown, devicePixelRatioF());
     layOut(*m_text->document());
     m_text->verticalScrollBar()->setValue(0);
 }

@@ -3,6 +3,7 @@
 
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/resources.h"
+#include "ui/widgets/text_of.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -31,10 +32,6 @@ constexpr qsizetype largestPreview = 4 << 20; // [bytes] of text; some 30,000 bo
 constexpr int largestCount = 10'000'000;      // what a spin box offers at most
 constexpr int nameRole = Qt::UserRole;        // a generator's name, or a template's file
 constexpr int isTemplateRole = Qt::UserRole + 1;
-
-QString shown(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 /// "pool_break" as one would read it: "Pool break".
 QString title(QString name) {
@@ -126,7 +123,7 @@ void NewSceneDialog::fillList() {
     for (const QString& file : QDir(QStringLiteral(":/templates")).entryList())
         entry(title(file.chopped(4)), file, true); // without ".sdl"
     heading(tr("Generators"));
-    for (const GeneratorRow& row : generators()) entry(title(shown(row.name)), shown(row.name), false);
+    for (const GeneratorRow& row : generators()) entry(title(textOf(row.name)), textOf(row.name), false);
     m_list->setCurrentRow(1);
 }
 
@@ -144,7 +141,7 @@ void NewSceneDialog::showOptions() {
 }
 
 void NewSceneDialog::showGenerator(const GeneratorRow& row) {
-    m_help->setText(shown(row.help));
+    m_help->setText(textOf(row.help));
     const auto changed = [this] { m_idle.start(); };
     if (row.defaultN > 0) {
         m_count = new QSpinBox;
@@ -159,7 +156,7 @@ void NewSceneDialog::showGenerator(const GeneratorRow& row) {
     for (const GeneratorOption& option : row.options) {
         QDoubleSpinBox* field = optionField(option);
         connect(field, &QDoubleSpinBox::valueChanged, this, changed);
-        m_form->addRow(title(shown(option.name)), field);
+        m_form->addRow(title(textOf(option.name)), field);
         m_options[std::string(option.name)] = field;
     }
     m_seed = new QSpinBox;
@@ -176,14 +173,14 @@ QDoubleSpinBox* NewSceneDialog::optionField(const GeneratorOption& option) {
     const double scale = option.defaultValue != 0 ? std::abs(option.defaultValue) : 1;
     const int decimals = std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(scale))), 0, 6);
     QDoubleSpinBox* field = new QDoubleSpinBox;
-    field->setObjectName(shown(option.name));
+    field->setObjectName(textOf(option.name));
     field->setDecimals(decimals);
     field->setRange(option.minimum, option.maximum);
     field->setSingleStep(std::max(std::pow(10.0, -decimals), scale / 10));
     field->setValue(option.defaultValue);
-    if (!option.unit.empty()) field->setSuffix(QStringLiteral(" ") + shown(option.unit));
-    field->setToolTip(shown(option.help));
-    field->setAccessibleName(shown(option.help));
+    if (!option.unit.empty()) field->setSuffix(QStringLiteral(" ") + textOf(option.unit));
+    field->setToolTip(textOf(option.help));
+    field->setAccessibleName(textOf(option.help));
     return field;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/window/recovery_dialog.h"
 
 #include "core/base/line_difference.h"
+#include "ui/widgets/text_of.h"
 
 #include <QDialogButtonBox>
 #include <QFile>
@@ -131,8 +132,7 @@ void RecoveryDialog::showDifference(const QByteArray& before, const QByteArray& 
         const QString sign = change == LineChange::Added     ? QStringLiteral("+ ")
                              : change == LineChange::Removed ? QStringLiteral("− ")
                                                              : QStringLiteral("  ");
-        const QString text =
-            QString::fromUtf8(lines[i].text.data(), static_cast<qsizetype>(lines[i].text.size()));
+        const QString text = textOf(lines[i].text);
         add(sign + text, change == LineChange::Added     ? added
                          : change == LineChange::Removed ? removed
                                                          : plain);

@@ -9,6 +9,7 @@
 #include "ui/simulation/frame_log.h"
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/text_of.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/actions.h"
@@ -109,6 +110,7 @@ void RunCommands::connectPanels() {
                 broadphase.addSamples(samples);
             });
     connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
+    connect(&m_simulation, &Simulation::restarted, this, &RunCommands::describeRun);
     connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);
     connect(&m_simulation, &Simulation::restarted, &broadphase, &BroadphaseDock::clear);
     connectBreakpoints();
@@ -123,13 +125,26 @@ void RunCommands::connectPanels() {
             [&plots](const std::vector<FrameStatistics>& frames) { plots.reach(frames.back().frame); });
     connect(&broadphase, &BroadphaseDock::algorithmChosen, this, [this](const BroadphaseRow* row) {
         m_simulation.useBroadphase(row);
-        const std::string_view title = row != nullptr ? row->title : std::string_view("as the scene asks");
-        Q_EMIT reported(
-            tr("broad-phase: %1").arg(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()))));
+        m_broadphase = row;
+        describeRun();
+        Q_EMIT reported(row != nullptr ? tr("broad-phase: %1").arg(textOf(row->title))
+                                       : tr("broad-phase: as the scene asks"));
     });
     connect(&m_preview, &LivePreview::shownChanged, &broadphase,
             [&broadphase](const SharedBuild& shown) { broadphase.showPipeline(shown->build.pipeline); });
     connect(&m_preview, &LivePreview::noticeChanged, &m_window.transport(), &TransportBar::showNotice);
+}
+
+/// What tells this run from another one in the panels.
+void RunCommands::describeRun() {
+    const std::shared_ptr<const Pipeline> pipeline = m_simulation.pipeline();
+    if (!pipeline) return;
+    const RunSettings& settings = pipeline->settings();
+    const BroadphaseRow* broadphase = m_broadphase != nullptr ? m_broadphase : settings.broadphase;
+    QString description =
+        tr("%1 bodies, %2").arg(pipeline->bodies().count()).arg(textOf(settings.method->name));
+    if (broadphase != nullptr) description += QStringLiteral(", ") + textOf(broadphase->title);
+    m_window.timing().describeRun(description);
 }
 
 void RunCommands::connectBreakpoints() {
@@ -171,8 +186,7 @@ void RunCommands::showStatus(const RunStatus& status) {
     if (!stopped) return;
     m_window.timeline().markWarning(status.health.frame);
     const std::string name = m_simulation.pipeline()->scene().nameOf(status.health.body);
-    const QString quantity = QString::fromUtf8(status.health.quantity.data(),
-                                               static_cast<qsizetype>(status.health.quantity.size()));
+    const QString quantity = textOf(status.health.quantity);
     const QString sentence = tr("Stopped at frame %1: the %2 of %3 is no longer a finite number")
                                  .arg(status.health.frame)
                                  .arg(quantity, QString::fromStdString(name));

@@ -11,6 +11,7 @@ class FrameLog;
 class LivePreview;
 class MainWindow;
 class Simulation;
+struct BroadphaseRow;
 struct RunStatus;
 
 /// The Simulation menu and the transport bar, and the way of snapshots and samples to what shows them.
@@ -29,12 +30,14 @@ class RunCommands : public QObject {
     void connectFrames();
     void connectPanels();
     void connectBreakpoints();
+    void describeRun();
     void showStatus(const RunStatus& status);
 
     MainWindow& m_window;
     Simulation& m_simulation;
     FrameLog& m_log;
     LivePreview& m_preview;
+    const BroadphaseRow* m_broadphase = nullptr; ///< chosen in its panel; null: what the scene asks for
     Theme m_theme;
 };
 

@@ -48,6 +48,7 @@ QToolBar { background: @window; border: none; border-bottom: 1px solid @border; 
 QToolBar::separator { background: @border; width: 1px; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
 QToolButton[popupMode="2"] { padding-right: 16px; }
+QToolButton[popupMode="2"]::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 3px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @selection; }
 QStatusBar { background: @window; border-top: 1px solid @border; color: @mutedText; }
@@ -84,6 +85,7 @@ QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; sel
 QPushButton { background: @button; border: 1px solid @border; border-radius: 4px; padding: 4px 12px; }
 QPushButton:hover { background: @hover; }
 QPushButton:default { border-color: @accent; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 11px; }
 QScrollBar:horizontal { height: 11px; }

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <numeric>
 
 using namespace carom;
 
@@ -105,6 +106,38 @@ class QuantitiesTest : public QObject {
         QCOMPARE(depth.measure(moment, 0), 0.25);
         QVERIFY(std::abs(depth.measure(moment, 1) - 0.25) < rounding);
         QCOMPARE(depth.measure(moment, 3), 0.0);
+    }
+
+    void whatTheLedgerBooksAddsUpToTheChangeOfEnergy() {
+        // A ball that is thrown along a rough floor bounces with losses, slides, and rolls on.
+        Scene scene = test::sceneOf(
+            {test::wall(Vec3::UnitY(), 0), test::sphere(0.5, 2, {0, 2, 0}, {4, 0, 0})}, Vec3(0, -9.8, 0));
+        for (Body& body : scene.bodies) {
+            body.elastic = 0.5;
+            body.friction = 0.3;
+        }
+        std::vector<Probe> probes;
+        for (const QuantityRow& row : wholeQuantities())
+            if (row.booked) probes.push_back({&row, noBody});
+        QCOMPARE(probes.size(), ledgerAccounts + 1);
+        probes.push_back({&wholeQuantity("energy"), noBody});
+        Probes followed(probes);
+        QVERIFY(followed.needLedger());
+        World world = test::worldOf(scene);
+        world.keepLedger(true);
+        const double before = followed.measure(world.pipeline(), world.state(), world.statistics()).back();
+        std::vector<double> now;
+        for (int frame = 0; frame < 120; ++frame) {
+            world.step();
+            now = followed.measure(world.pipeline(), world.state(), world.statistics());
+        }
+        const double booked = std::accumulate(now.begin(), now.end() - 1, 0.0);
+        QVERIFY2(std::abs(now.back() - before - booked) < rounding * before * 120,
+                 qPrintable(QString::number(booked)));
+        constexpr std::size_t restitution = 1, friction = 3;
+        QVERIFY(now[restitution] < -0.3 * before);
+        QVERIFY(now[friction] < 0);
+        QVERIFY(!Probes({{&wholeQuantity("energy"), noBody}}).needLedger());
     }
 
     void aBodyTheSceneDoesNotHaveHasNoFigures() {

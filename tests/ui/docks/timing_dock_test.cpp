@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/statistics.h"
+#include "ui/docks/run_comparison.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/widgets/value_table.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QXmlStreamReader>
 
 #include <vector>
@@ -47,7 +50,7 @@ class TimingDockTest : public QObject {
     void theTableHoldsTheStatisticsWithoutTheFirstFrame() {
         TimingDock dock;
         dock.addSamples(countingSamples(100));
-        const ValueTable* table = dock.findChild<ValueTable*>();
+        const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         constexpr int respond = 3;                                       // row
         QTRY_COMPARE(table->text(respond, 1), QStringLiteral("50.500")); // mean
         QCOMPARE(table->text(respond, 0), QStringLiteral("100.000"));    // now
@@ -68,7 +71,7 @@ class TimingDockTest : public QObject {
         std::vector<FrameSample> samples = countingSamples(30);
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i].render = i % 3 == 0 ? 12 : 0;
         dock.addSamples(samples);
-        const ValueTable* table = dock.findChild<ValueTable*>();
+        const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         constexpr int render = 5;
         QTRY_COMPARE(table->text(render, 1), QStringLiteral("12.000"));
         QCOMPARE(table->text(render, 2), QStringLiteral("12.000"));
@@ -78,7 +81,7 @@ class TimingDockTest : public QObject {
         TimingDock dock;
         dock.addSamples(countingSamples(5));
         dock.clear();
-        const ValueTable* table = dock.findChild<ValueTable*>();
+        const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         QCOMPARE(table->text(0, 1), QStringLiteral("–"));
         QVERIFY(!dock.exportTo(m_folder.filePath(QStringLiteral("none.csv"))).isEmpty());
     }
@@ -94,7 +97,7 @@ class TimingDockTest : public QObject {
         QTest::mouseClick(strip, Qt::LeftButton, {}, {strip->width() - 1, 20});
         QCOMPARE(picked.size(), 1);
         QCOMPARE(picked.front().at(0).value<std::int64_t>(), std::int64_t{11});
-        const ValueTable* table = dock.findChild<ValueTable*>();
+        const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         QCOMPARE(table->text(3, 0), QStringLiteral("10.000"));
         QTest::keyClick(strip, Qt::Key_Left);
         QCOMPARE(table->text(3, 0), QStringLiteral("9.000"));
@@ -142,6 +145,61 @@ class TimingDockTest : public QObject {
         const QString pdf = m_folder.filePath(QStringLiteral("timing.pdf"));
         QCOMPARE(dock.exportTo(pdf), QString());
         QVERIFY(contentOf(pdf).startsWith("%PDF-"));
+    }
+
+    void twoRunsAreComparedInOneChart() {
+        TimingDock dock;
+        QToolButton* compare = dock.findChild<QToolButton*>(QStringLiteral("timingCompare"));
+        QVERIFY(!compare->isEnabled());
+        dock.describeRun(QStringLiteral("the slow one"));
+        dock.addSamples(countingSamples(100));
+        dock.findChild<QToolButton*>(QStringLiteral("timingKeep"))->click();
+        QVERIFY(compare->isEnabled());
+        dock.clear(); // another run begins
+        std::vector<FrameSample> faster = countingSamples(50);
+        for (FrameSample& sample : faster) sample.statistics.respond = sample.statistics.simulate = 4;
+        dock.addSamples(faster);
+        compare->click();
+
+        const RunComparison* comparison = dock.findChild<RunComparison*>();
+        const ChartSpec& chart = comparison->chart();
+        QCOMPARE(chart.series.size(), std::size_t{2});
+        QVERIFY(chart.series[0].name.contains(QStringLiteral("the slow one")));
+        QCOMPARE(chart.series[0].x.size(), std::size_t{100}); // the first frame of each is apart
+        QCOMPARE(chart.series[1].x.size(), std::size_t{50});
+        QCOMPARE(chart.series[0].y.back(), 100.0); // without rendering
+        QCOMPARE(chart.series[1].y.back(), 4.0);
+        const ValueTable* medians = dock.findChild<ValueTable*>(QStringLiteral("comparedMedians"));
+        constexpr int respond = 3; // row
+        QCOMPARE(medians->text(respond, 0), QStringLiteral("50.500"));
+        QCOMPARE(medians->text(respond, 1), QStringLiteral("4.000"));
+        QCOMPARE(medians->text(respond, 2), QStringLiteral("0.08"));
+        dock.findChild<QComboBox*>(QStringLiteral("comparedPart"))->setCurrentIndex(respond);
+        QCOMPARE(comparison->chart().series[0].y.back(), 100.0);
+    }
+
+    void aComparisonIsExportedAndARunForgotten() {
+        TimingDock dock;
+        dock.describeRun(QStringLiteral("5 \"big\" bodies"));
+        dock.addSamples(countingSamples(20));
+        dock.findChild<QToolButton*>(QStringLiteral("timingKeep"))->click();
+        QToolButton* compare = dock.findChild<QToolButton*>(QStringLiteral("timingCompare"));
+        compare->click();
+        const QString csv = m_folder.filePath(QStringLiteral("two.csv"));
+        QCOMPARE(dock.exportTo(csv), QString());
+        const QList<QByteArray> lines = contentOf(csv).split('\n');
+        QCOMPARE(lines[0],
+                 QByteArray("run,frame,integrate_ms,broadphase_ms,narrowphase_ms,respond_ms,other_ms,"
+                            "render_ms,step_ms"));
+        QCOMPARE(lines.size(), 1 + 2 * 20 + 1);
+        QVERIFY(lines[1].startsWith("\"run 1: 5 \"\"big\"\" bodies\",2,0,0,0,1,0,0.25,1"));
+        QVERIFY(lines[21].startsWith("the run on screen,2,"));
+        const QString png = m_folder.filePath(QStringLiteral("two.png"));
+        QCOMPARE(dock.exportTo(png), QString());
+        QVERIFY(QImage(png).width() > 900);
+        dock.findChild<QToolButton*>(QStringLiteral("forgetRun"))->click();
+        QVERIFY(!compare->isChecked());
+        QVERIFY(!compare->isEnabled());
     }
 
     void aFileThatCannotBeWrittenIsReportedByName() {

@@ -27,6 +27,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
 
@@ -216,6 +217,30 @@ class ShellTest : public QObject {
         for (const ActionRow& row : actionRows())
             if (row.text != nullptr) QVERIFY2(page.contains(actions[row.id].statusTip()), row.text);
         QVERIFY(page.contains(QStringLiteral("| Ctrl+Shift+P |")));
+    }
+
+    void everyPictureOfTheManualIsThereAndFitsThePage() {
+        const Ide ide;
+        ManualWindow& manual = ide.bench.help().manual();
+        const QTextBrowser* shown = manual.findChild<QTextBrowser*>();
+        int pictures = 0;
+        for (const char* page : {"tutorial", "diagrams"}) {
+            manual.open(QString::fromLatin1(page));
+            const QTextDocument& document = *shown->document();
+            for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+                for (QTextBlock::iterator part = block.begin(); !part.atEnd(); ++part) {
+                    const QTextImageFormat format = part.fragment().charFormat().toImageFormat();
+                    if (!format.isValid()) continue;
+                    const QImage image =
+                        document.resource(QTextDocument::ImageResource, QUrl(format.name())).value<QImage>();
+                    QVERIFY2(!image.isNull(), qPrintable(format.name()));
+                    QVERIFY2(image.deviceIndependentSize().width() <= document.textWidth(),
+                             qPrintable(format.name()));
+                    ++pictures;
+                }
+        }
+        QCOMPARE(pictures, 4);
+        manual.close();
     }
 
     void everySceneOfTheGalleryHasItsPictureAndBuilds() {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace carom {
+
+/// Keeps pictures out of the way where the processor draws them: whoever types waits for the picture under
+/// way, so dear ones leave their shadows out while things move, and then leave the thread free for a while.
+/// With a graphics card no picture is dear.
+class PicturePace {
+  public:
+    /// Another scene: nothing is known of what its pictures cost.
+    void forget() { *this = {}; }
+
+    /// A picture took so long; `whole`: with its shadows.
+    void note(double milliseconds, bool whole) {
+        m_last = milliseconds;
+        if (whole)
+            m_plain = milliseconds > dear;
+        else if (milliseconds < cheap)
+            m_plain = false;
+    }
+
+    bool leavesShadowsOut() const { return m_plain; }
+    /// What the next picture waits after the end of the last one [ms].
+    double pause() const { return m_last > dear ? m_last / 2 : 0; }
+
+  private:
+    /// [ms]; 30 pictures a second can be had up to here, with time left for typing between them.
+    static constexpr double dear = 25;
+    /// [ms]; shadows cost about three times as much as the rest, so with them it will not be dear.
+    static constexpr double cheap = 6;
+
+    double m_last = 0; ///< [ms]
+    bool m_plain = false;
+};
+
+} // namespace carom
