@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t comparedFrames = 120;
 constexpr double progressInterval = 100; ///< [ms] between two reports of the thread
 constexpr int progressSteps = 1000;
-constexpr int widestTable = 560;   ///< [px] that it takes from the chart at most
+constexpr int widestTable = 660;   ///< [px] that it takes from the chart at most
 constexpr int chartNameWidth = 24; ///< [characters] of the box that chooses the chart
 
 } // namespace
