@@ -14,6 +14,8 @@ namespace {
 
 /// Fewer balls are a scene of collisions, some of which may be meant to happen at one instant.
 constexpr std::size_t fewest = 100;
+/// Balls on a table lose energy, but not so much that they come to rest on each other.
+constexpr double leastElastic = 0.9;
 
 enum class Mover : std::uint8_t { Undecided, General, Events };
 
@@ -50,7 +52,7 @@ class ElasticGas final : public Solver {
   private:
     Solver& mover(Mover which) const { return which == Mover::General ? *m_general : *m_events; }
     void updateBroadphase(const SolverInput& input);
-    bool touchesAnywhere(const SolverInput& input) const;
+    bool isOfImpacts(const SolverInput& input) const;
 
     std::unique_ptr<Solver> m_general, m_events;
     Mover m_mover = Mover::Undecided; // up to the first substep
@@ -67,7 +69,7 @@ SolverReport ElasticGas::advance(const SolverInput& input) {
     Stopwatch watch;
     updateBroadphase(input);
     if (m_mover == Mover::Undecided) {
-        m_mover = touchesAnywhere(input) ? Mover::General : Mover::Events;
+        m_mover = isOfImpacts(input) ? Mover::Events : Mover::General;
         if (m_mover == Mover::General) return m_general->advance(input);
     }
     const double broadphase = watch.lap();
@@ -94,19 +96,32 @@ void ElasticGas::updateBroadphase(const SolverInput& input) {
     input.broadphase.update({m_boxes, bodies.bounded, m_mobile});
 }
 
-bool ElasticGas::touchesAnywhere(const SolverInput& input) const {
+// Whether impacts are all that happens: nothing touches, or all balls lie on one level wall and touch nothing
+// else. There gravity is borne, and they move as a gas in the plane.
+bool ElasticGas::isOfImpacts(const SolverInput& input) const {
     const Bodies& bodies = input.bodies;
+    const Vec3 up = -input.gravity.normalized();
     const auto touches = [&](BodyIndex a, BodyIndex b, double radius) {
         return boundingGap(bodies, input.state, {a, b}) <= touchingGap * radius;
     };
-    for (const BodyIndex wall : bodies.walls)
-        for (const BodyIndex ball : bodies.mobileBodies)
-            if (touches(ball, wall, bodies.boundingRadius[ball])) return true;
     const std::span<const BodyPair> pairs = input.broadphase.pairs();
-    return std::any_of(pairs.begin(), pairs.end(), [&](BodyPair pair) {
-        return touches(pair.a, pair.b,
-                       std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]));
-    });
+    if (std::any_of(pairs.begin(), pairs.end(), [&](BodyPair pair) {
+            return touches(pair.a, pair.b,
+                           std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]));
+        }))
+        return false;
+    std::size_t lying = 0;
+    for (const BodyIndex wall : bodies.walls) {
+        const Vec3& normal = std::get<Wall>(bodies.shape[wall]).normal;
+        for (const BodyIndex ball : bodies.mobileBodies) {
+            if (!touches(ball, wall, bodies.boundingRadius[ball])) continue;
+            if (normal != up || normal.dot(input.state.velocity[ball]) != 0) return false;
+            ++lying;
+        }
+    }
+    const bool losesNothing = std::all_of(bodies.elastic.begin(), bodies.elastic.end(),
+                                          [](double elastic) { return elastic == 1; });
+    return lying == bodies.mobileBodies.size() || (lying == 0 && losesNothing);
 }
 
 } // namespace
@@ -116,9 +131,10 @@ bool isElasticGas(const Bodies& bodies) {
         !bodies.springs.empty())
         return false;
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
-        const bool suits = isWall(bodies.shape[i]) || std::holds_alternative<Sphere>(bodies.shape[i]);
-        if (!suits || bodies.elastic[i] != 1 || bodies.friction[i] != 0 || bodies.rolling[i] != 0)
-            return false;
+        const bool wall = isWall(bodies.shape[i]);
+        if (!wall && !std::holds_alternative<Sphere>(bodies.shape[i])) return false;
+        if (!wall && bodies.elastic[i] < leastElastic) return false;
+        if (bodies.friction[i] != 0 || bodies.rolling[i] != 0) return false;
     }
     return true;
 }

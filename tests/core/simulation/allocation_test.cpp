@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
 
+#include "core/generators/generator.h"
 #include "core/math/random.h"
+#include "core/simulation/build.h"
 
 #include <QTest>
 
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 // A step allocates nothing once the first frames have sized the scratch: operator new is counted.
 
@@ -85,6 +88,27 @@ class AllocationTest : public QObject {
         }
         QCOMPARE(allocations - before, 0);
         QVERIFY(contacts > 1000);
+    }
+
+    // Bodies that rest, slide, lean and hang, each scene once it does what it will go on doing.
+    void scenesOfContactAllocateNothingAfterWarmUp_data() {
+        QTest::addColumn<int>("bodies");
+        for (const auto& [name, bodies] :
+             {std::pair("stone_wall", 4), std::pair("log_pile", 6), std::pair("tower", 5),
+              std::pair("chain", 8), std::pair("dominoes", 10), std::pair("card_house", 2)})
+            QTest::newRow(name) << bodies;
+    }
+    void scenesOfContactAllocateNothingAfterWarmUp() {
+        QFETCH(int, bodies);
+        GeneratorRequest request;
+        request.n = bodies;
+        const GeneratorRow* scene = findGenerator(QTest::currentDataTag());
+        QVERIFY(scene != nullptr);
+        World world(build(generate(*scene, request)).pipeline);
+        test::run(world, 180);
+        const long before = allocations;
+        test::run(world, 60);
+        QCOMPARE(allocations - before, 0);
     }
 
     void theExactMethodAllocatesNothingAfterWarmUp() {
