@@ -151,11 +151,18 @@ bool BlockMatrix::factor() {
     return true;
 }
 
-bool BlockMatrix::factorGeneral() {
+bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
     m_general = true;
+    const auto divideRotation = [](Mat6& block, double length) {
+        block.bottomRows<3>() /= length;
+        block.rightCols<3>() /= length;
+    };
     for (std::size_t j = 0; j < m_columns.size(); ++j) {
+        const double length = lengths[static_cast<std::size_t>(m_block[j])];
+        divideRotation(m_diagonal[j], length);
         const Eigen::PartialPivLU<Mat6> pivot(m_diagonal[j]);
         m_diagonal[j] = pivot.inverse();
+        divideRotation(m_diagonal[j], length);
         if (!m_diagonal[j].allFinite()) return false;
         const Column& column = m_columns[j];
         std::size_t update = column.firstUpdate;

@@ -42,8 +42,10 @@ class BlockMatrix {
 
     /// Overwrites a symmetric H by L; false if H is not positive definite to working precision.
     bool factor();
-    /// Overwrites any H by L U, pivoting within blocks only; false if a pivot block is singular.
-    bool factorGeneral();
+    /// Overwrites any H by L U, pivoting within blocks only; false if a pivot block is singular. Pivots are
+    /// chosen with the last three rows and columns of a block (rotation) divided by its `lengths`, powers of
+    /// two [m]: unlike quantities cannot be compared.
+    bool factorGeneral(std::span<const double> lengths);
     /// x := H⁻¹ x, one Vec6 a block, by the factorisation made last.
     void solve(std::vector<Vec6>& x) const;
 

@@ -4,6 +4,7 @@
 #include "core/math/types.h"
 #include "core/solvers/block_matrix.h"
 
+#include <algorithm>
 #include <vector>
 
 // What the contact solvers solve, for the bodies of one island: find velocities v and impulses p such that
@@ -38,6 +39,11 @@ struct ContactBody {
     Mat3 inverseInertia = Mat3::Zero();
     double gyration = 0; ///< [m], turns an angular velocity into a speed of the body's rim
 };
+
+/// The speed of a body's centre or rim, whichever is faster [m/s]: what (v, ω) measures in one unit.
+inline double fastestPart(const Vec6& velocity, double gyration) {
+    return std::max(velocity.head<3>().norm(), velocity.tail<3>().norm() * gyration);
+}
 
 /// One contact point.
 struct ContactRow {

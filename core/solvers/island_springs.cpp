@@ -46,8 +46,9 @@ void IslandMotion::solveSprings(const MotionInput& input, double duration) {
         solve(input);
         double change = 0, fastest = 0;
         for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) {
-            change = std::max(change, (m_problem.bodies[i].velocity - m_lastVelocity[i]).norm());
-            fastest = std::max(fastest, m_lastVelocity[i].norm());
+            const ContactBody& body = m_problem.bodies[i];
+            change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
+            fastest = std::max(fastest, fastestPart(m_lastVelocity[i], body.gyration));
         }
         if (change <= std::max(roundsEnd * fastest, m_problem.rows.empty() ? 0 : m_tolerance)) break;
     }
@@ -70,7 +71,8 @@ Pose IslandMotion::middlePose(const MotionInput& input, BodyIndex i, double dura
 void IslandMotion::linkSprings(const MotionInput& input, double duration) {
     m_problem.springs.clear();
     double fastest = 0, pulled = 0;
-    for (const ContactBody& body : m_problem.bodies) fastest = std::max(fastest, body.velocity.norm());
+    for (const ContactBody& body : m_problem.bodies)
+        fastest = std::max(fastest, fastestPart(body.velocity, body.gyration));
     const auto middleOf = [&](BodyIndex i, const Vec3& point) -> Vec3 {
         if (i == noBody) return point;
         if (localOf(i) == immobile || input.bodies.mobile[i] == 0) return input.state.pose[i].toWorld(point);

@@ -25,6 +25,10 @@
 // redundant contacts (four corners of a cube) need no care. A larger κ makes the outer loop converge faster
 // and conditions H worse.
 //
+// Masses enter H in a unit of the problem and pivots are chosen with lengths in a unit of each body, powers
+// of two both: the same problem in other units gives the same bits. (Roots of masses would differ for every
+// other power of two, and kg against kg m² would decide on pivots.)
+//
 // The problem's impulses are the start. If they already solve it to the tolerance nothing is computed: that
 // is what makes rest exactly still and cheap.
 
@@ -82,6 +86,8 @@ class NewtonSolver {
     std::vector<RowState> m_rows;
     std::vector<int> m_springEdge;
     std::vector<Vec3> m_springU, m_springDu;
+    double m_perMass = 1;         // one over the unit of mass that H is written in [1/kg]
+    std::vector<double> m_length; // by body, the unit of length that its pivots are chosen in [m]
     std::vector<BlockEdge> m_edges;
     std::vector<double> m_carried; // by each body, the sum of impulses [N s]
     std::vector<Vec6> m_gradient, m_step, m_saved;

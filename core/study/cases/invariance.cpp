@@ -2,6 +2,7 @@
 #include "core/study/cases/generated.h"
 #include "core/study/cases/scene_text.h"
 #include "core/study/trial.h"
+#include "core/study/units.h"
 
 #include "core/language/analysis.h"
 
@@ -9,68 +10,11 @@
 #include <array>
 #include <cmath>
 
-// Units and origins are ours, not nature's. Lengths times 4^k and times times 2^k leave gravity as it is, so
-// every number of the motion must come out multiplied by a power of two, to the bit; and a scene far from the
-// origin must move as it does near it.
+// Units and origins are ours, not nature's: a scene in other units (units.h) must move the same to the bit,
+// and one far from the origin as it does near it.
 
 namespace carom {
 namespace {
-
-struct Units {
-    int length = 0; ///< lengths times 4^length, times times 2^length
-    int mass = 0;   ///< masses times 2^mass
-
-    double metre() const { return std::ldexp(1.0, 2 * length); }
-    double second() const { return std::ldexp(1.0, length); }
-    double kilogram() const { return std::ldexp(1.0, mass); }
-};
-
-Shape scaled(const Shape& shape, double metre) {
-    struct Scale {
-        double metre;
-        Shape operator()(Sphere sphere) const { return Sphere{sphere.radius * metre}; }
-        Shape operator()(Wall wall) const { return Wall{wall.normal, wall.offset * metre}; }
-        Shape operator()(Cylinder cylinder) const {
-            return Cylinder{cylinder.radius * metre, cylinder.halfHeight * metre};
-        }
-        Shape operator()(Cuboid cuboid) const { return Cuboid{cuboid.halfSize * metre}; }
-    };
-    return std::visit(Scale{metre}, shape);
-}
-
-Scene scaled(Scene scene, const Units& units) {
-    const double metre = units.metre(), second = units.second(), kilogram = units.kilogram();
-    for (Body& body : scene.bodies) {
-        body.shape = scaled(body.shape, metre);
-        body.pose.position *= metre;
-        body.velocity *= metre / second;
-        body.angularVelocity /= second;
-        body.mass *= kilogram;
-        body.rolling *= metre;
-    }
-    for (Spring& spring : scene.springs) {
-        spring.fromAt *= metre;
-        spring.toAt *= metre;
-        spring.stiffness *= kilogram / (second * second);
-        spring.damping *= kilogram / second;
-        if (spring.length) spring.length = *spring.length * metre;
-    }
-    return scene;
-}
-
-Scene moved(Scene scene, const Vec3& by) {
-    for (Body& body : scene.bodies) {
-        if (Wall* wall = std::get_if<Wall>(&body.shape))
-            wall->offset += wall->normal.dot(by);
-        else
-            body.pose.position += by;
-    }
-    for (Spring& spring : scene.springs) {
-        if (spring.from == noBody) spring.fromAt += by;
-        if (spring.to == noBody) spring.toAt += by;
-    }
-    return scene;
-}
 
 std::vector<std::string> shippedScenes(std::int64_t bodies) {
     std::vector<std::string> scenes;
