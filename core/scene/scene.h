@@ -111,6 +111,8 @@ struct Scene {
 /// How the parameters of two bodies combine.
 double pairRestitution(const Body& a, const Body& b);
 double pairFriction(const Body& a, const Body& b);
+/// The same of two coefficients; positive however small they are.
+double pairFriction(double a, double b);
 double pairRolling(const Body& a, const Body& b);
 
 } // namespace carom

@@ -24,7 +24,7 @@ Flights::Law Flights::lawOf(const FlightInput& input, BodyIndex a, BodyIndex b) 
     const double restitution = std::min(bodies.elastic[a], bodies.elastic[b]);
     const double scale = input.gravity.norm() * input.substep;
     return {.restitution = restitution,
-            .friction = std::sqrt(bodies.friction[a] * bodies.friction[b]),
+            .friction = pairFriction(bodies.friction[a], bodies.friction[b]),
             .leastImpact = std::max(leastImpactPart(restitution) * scale, input.resting),
             .rolls = std::max(bodies.rolling[a], bodies.rolling[b]) > 0};
 }
