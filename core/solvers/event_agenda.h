@@ -35,6 +35,7 @@ struct alignas(64) Agenda {
     std::uint32_t rest = nobody; ///< what it rests on, if it does not fly free
     std::uint16_t other = 0;     ///< what otherTime is the time of
     std::uint8_t level = 0;      ///< of its cell
+    std::uint8_t tied = 0;       ///< 1: it saw another meeting at the time of `pairTime`
 
     double earliest() const { return std::min(pairTime, otherTime); }
     /// At equal times crossings and walls come before pairs.

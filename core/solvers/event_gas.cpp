@@ -9,10 +9,6 @@
 namespace carom {
 namespace {
 
-// The clock is set back by one second whenever one has passed: times stay below two, so that their rounding
-// (2e-16 s) does not grow with the length of the run.
-constexpr double clockTurn = 1;
-
 // A meeting of two balls that follows the last lossy one sooner than this share of the typical time is
 // treated as elastic: otherwise three balls can collide infinitely often in finite time (S. Luding,
 // S. McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model",
@@ -32,7 +28,7 @@ Loss EventGas::advanceTo(double time) {
     const auto before = [this](std::uint32_t i, std::uint32_t j) { return comesBefore(i, j); };
     keepDaysFitting();
     for (;;) {
-        const double target = std::min(time - m_secondsPast, clockTurn);
+        const double target = std::min(time - m_secondsPast, m_clockTurn);
         for (std::uint32_t i = m_queue.earliest(m_agendas, target, before); i != nobody;
              i = m_queue.earliest(m_agendas, target, before)) {
             const double happens = m_agendas[i].earliest();
@@ -46,9 +42,9 @@ Loss EventGas::advanceTo(double time) {
             keepDaysFitting();
         }
         m_now = target;
-        if (target < clockTurn) return {};
+        if (target < m_clockTurn) return {};
         setClockBack();
-        windowStart -= clockTurn;
+        windowStart -= m_clockTurn;
     }
 }
 
@@ -67,41 +63,53 @@ void EventGas::handle(std::uint32_t i) {
 }
 
 void EventGas::collide(std::uint32_t i, std::uint32_t j, double time) {
-    ++m_counts.collisions;
+    if (isCrowded(i, j, time)) return meetAtOnce(i, j, time);
     m_queue.remove(m_agendas, j);
-    Stamp& a = m_stamps[i];
-    Stamp& b = m_stamps[j];
     restamp(i, time);
     restamp(j, time);
-    const Material& materialA = m_materials[m_agendas[i].material];
-    const Material& materialB = m_materials[m_agendas[j].material];
-    const Vec3 D = b.position - a.position;
-    const double distance = D.norm();
-    const Vec3 normal = D / distance;
+    strike(i, j, time);
+    finishStrike(i);
+    finishStrike(j);
+}
+
+/// The restitution of two balls that collide at `time`; notes that they lose energy then.
+double EventGas::restitutionAt(std::uint32_t i, std::uint32_t j, double time) {
+    const double e =
+        std::min(m_materials[m_agendas[i].material].elastic, m_materials[m_agendas[j].material].elastic);
+    if (!(e < 1)) return e;
+    const double since = time - std::max(m_lastLosses[i], m_lastLosses[j]);
+    m_lastLosses[i] = time;
+    m_lastLosses[j] = time;
+    return since < shortest * m_typicalTime ? 1 : e;
+}
+
+/// One collision of two balls whose stamps are of now.
+void EventGas::strike(std::uint32_t i, std::uint32_t j, double time) {
+    ++m_counts.collisions;
+    const Stamp &a = m_stamps[i], &b = m_stamps[j];
+    const Vec3 normal = (b.position - a.position).normalized();
     const double approach = normal.dot(b.velocity - a.velocity);
     if (approach < 0) {
-        double e = std::min(materialA.elastic, materialB.elastic);
-        if (e < 1) {
-            const double since = time - std::max(m_lastLosses[i], m_lastLosses[j]);
-            if (since < shortest * m_typicalTime) e = 1;
-            m_lastLosses[i] = time;
-            m_lastLosses[j] = time;
-        }
-        const double impulse = -(1 + e) * approach / (materialA.inverseMass + materialB.inverseMass);
-        a.velocity -= (impulse * materialA.inverseMass) * normal;
-        b.velocity += (impulse * materialB.inverseMass) * normal;
-        const Vec3 middle = 0.5 * (a.position + b.position);
-        if (contains(m_watched, {middle, middle})) {
-            ++m_tally.collisions;
-            m_tally.virial += impulse * distance;
-        }
+        const double e = restitutionAt(i, j, time);
+        push(i, j, normal, -(1 + e) * approach / (inverseMassOf(i) + inverseMassOf(j)));
     }
-    for (const std::uint32_t k : {i, j})
-        if (!isFree(k) && isMobile(k)) settle(k, Rest(m_rests[m_agendas[k].rest]));
     m_agendas[i].last = j;
     m_agendas[j].last = i;
+}
+
+void EventGas::push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double impulse) {
+    Stamp &a = m_stamps[i], &b = m_stamps[j];
+    a.velocity -= (impulse * inverseMassOf(i)) * normal;
+    b.velocity += (impulse * inverseMassOf(j)) * normal;
+    const Vec3 middle = 0.5 * (a.position + b.position);
+    if (!contains(m_watched, {middle, middle})) return;
+    ++m_tally.collisions;
+    m_tally.virial += impulse * (b.position - a.position).norm();
+}
+
+void EventGas::finishStrike(std::uint32_t i) {
+    if (!isFree(i) && isMobile(i)) settle(i, Rest(m_rests[m_agendas[i].rest]));
     plan(i);
-    plan(j);
 }
 
 void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
@@ -164,6 +172,7 @@ void EventGas::plan(std::uint32_t i) {
 void EventGas::planPairs(std::uint32_t i) {
     m_agendas[i].pairTime = never;
     m_agendas[i].partner = nobody;
+    m_agendas[i].tied = 0;
     m_cells.aroundBall(m_agendas, i, [&](std::uint32_t j) { considerPair(i, j); });
 }
 
@@ -177,8 +186,10 @@ inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
     const bool alike = free || acceleration == accelerationOf(j);
     const double time = alike ? pairTime(m_stamps[i], m_stamps[j], acceleration)
                               : pairTime(m_stamps[i], acceleration, m_stamps[j], accelerationOf(j));
-    if (!(time <= agenda.pairTime) || time == never) return;
+    if (!(time <= agenda.pairTime + m_tie) || time == never) return;
     if (alike && agenda.last == j && m_agendas[j].last == i) return;
+    agenda.tied = agenda.pairTime - time <= m_tie ? 1 : 0;
+    if (!(time <= agenda.pairTime)) return;
     if (time == agenda.pairTime && !pairBefore(i, j, i, agenda.partner)) return;
     agenda.pairTime = time;
     agenda.partner = j;
@@ -251,8 +262,9 @@ void EventGas::considerWall(std::uint32_t i, std::size_t k) {
     }
 }
 
-// At equal times: crossings, then walls, then pairs, and pairs by the places of their stamps. Numbers and
-// cells have no say, so neither the order of the text nor the size of the cells changes what happens.
+// At equal times: crossings, then walls, then pairs, and pairs that do not touch each other by the places of
+// their stamps (those that do: event_moments.cpp). Numbers and cells have no say, so neither the order of the
+// text nor the size of the cells changes what happens.
 bool EventGas::comesBefore(std::uint32_t i, std::uint32_t j) const {
     const Agenda& a = m_agendas[i];
     const Agenda& b = m_agendas[j];

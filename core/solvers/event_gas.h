@@ -29,7 +29,7 @@
 // B. J. Alder, T. E. Wainwright, "Studies in molecular dynamics I", Journal of Chemical Physics 31 (1959);
 // D. C. Rapaport, "The event scheduling problem in molecular dynamic simulation", Journal of Computational
 // Physics 34 (1980). Where we deviate: one pair event a ball instead of all, and ties in time are broken by
-// place, never by number, so the order of declarations does not matter.
+// place, or by speed where balls touch, never by number, so the order of declarations does not matter.
 
 namespace carom {
 
@@ -87,6 +87,13 @@ class EventGas {
         bool operator==(const Material&) const = default;
     };
 
+    /// Two balls that touch and close.
+    struct Touch {
+        std::uint32_t a = nobody, b = nobody;
+        double closing = 0;          ///< [m/s]
+        Vec3 normal = Vec3::UnitY(); ///< from a to b
+    };
+
     // Setting up, in event_gas_setup.cpp.
     void takeBodies(const Bodies& bodies, const State& state);
     void sortByPlace();
@@ -100,6 +107,10 @@ class EventGas {
 
     void handle(std::uint32_t i);
     void collide(std::uint32_t i, std::uint32_t j, double time);
+    double restitutionAt(std::uint32_t i, std::uint32_t j, double time);
+    void strike(std::uint32_t i, std::uint32_t j, double time);
+    void push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double impulse);
+    void finishStrike(std::uint32_t i);
     void bounce(std::uint32_t i, std::uint16_t index, double time);
     void crossCell(std::uint32_t i);
     void restamp(std::uint32_t i, double time);
@@ -108,13 +119,20 @@ class EventGas {
     void considerPair(std::uint32_t i, std::uint32_t j);
     void planOther(std::uint32_t i, double now);
     void considerWall(std::uint32_t i, std::size_t k);
-    double meetingOfBound(std::uint32_t i, std::uint32_t j) const;
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysFitting();
+
+    // Several collisions at one moment, in event_moments.cpp.
+    bool isCrowded(std::uint32_t i, std::uint32_t j, double time);
+    void gatherMoment(std::uint32_t i, std::uint32_t j, double time);
+    void meetAtOnce(std::uint32_t i, std::uint32_t j, double time);
+    std::vector<Touch> takeGroup();
+    void strikeJointly(const std::vector<Touch>& group, double time);
     void note(const BoundedWall& wall, const Stamp& stamp, double impulse);
 
-    bool isMobile(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass > 0; }
+    bool isMobile(std::uint32_t i) const { return inverseMassOf(i) > 0; }
+    double inverseMassOf(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass; }
     bool isFree(std::uint32_t i) const { return m_agendas[i].rest == nobody; }
     const Vec3& accelerationOf(std::uint32_t i) const {
         return isFree(i) ? m_gravity : m_rests[m_agendas[i].rest].acceleration;
@@ -132,12 +150,16 @@ class EventGas {
     std::vector<double> m_lastLosses; ///< when each ball last lost energy to another [s]; none if all bounce
                                       ///< elastically
     std::vector<BoundedWall> m_walls;
-    std::vector<std::uint64_t> m_order; ///< scratch of sortByPlace
+    std::vector<std::uint32_t> m_cluster; ///< scratch of meetAtOnce
+    std::vector<Touch> m_touches;         ///< the same
+    std::vector<std::uint64_t> m_order;   ///< scratch of sortByPlace
     EventCells m_cells;
     EventQueue m_queue;
     Vec3 m_gravity;
     bool m_weightless = false; ///< no gravity
     double m_typicalTime = 1;  ///< a radius at the scene's typical speed [s]: what counts as short
+    double m_tie = 0;          ///< times no further apart are one moment, but for rounding [s]
+    double m_clockTurn = 1;    ///< the clock is set back whenever so much time has passed [s]
     double m_now = 0;          ///< [s] since the clock was last set back
     double m_secondsPast = 0;  ///< by which it has been set back
     EventCounts m_counts;

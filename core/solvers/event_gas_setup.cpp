@@ -6,11 +6,22 @@
 #include <map>
 #include <utility>
 
-// How a gas is set up, and set up anew each second. Nothing of this changes what happens, to the bit: times
-// are functions of the stamps alone, and neither the order of the balls in memory nor the cells nor the days
-// of the queue has a say in them.
+// How a gas is set up, and set up anew whenever its clock is set back. Nothing of this changes what happens,
+// to the bit: times are functions of the stamps alone, and neither the order of the balls in memory nor the
+// cells nor the days of the queue has a say in them.
 
 namespace carom {
+namespace {
+
+/// The clock is set back whenever 2^clockBits typical times have passed, rounded down to a power of two:
+/// times stay below two of these turns, so that their rounding does not grow with the length of the run (a
+/// radius is crossed to 1e-13 of it at worst), and is the same in every unit of time. A turn plans every ball
+/// anew, which costs about an event a ball; it goes through some ten times as many in between.
+constexpr int clockBits = 8;
+/// Times are rounded to this part of a turn, a few times over.
+constexpr double tieRounding = 4e-15;
+
+} // namespace
 
 EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity)
     : m_gravity(gravity), m_weightless(gravity.isZero(0)) {
@@ -58,6 +69,8 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
     const double radius = count == 0 ? 1 : radii / static_cast<double>(count);
     const double speed = std::max(fastest, std::sqrt(m_gravity.norm() * radius));
     if (speed > 0) m_typicalTime = radius / speed;
+    m_clockTurn = std::ldexp(1.0, std::ilogb(m_typicalTime) + clockBits);
+    m_tie = tieRounding * m_clockTurn;
 }
 
 // Balls that are near each other should be near each other in memory: order by Morton's curve. The upper half
@@ -142,7 +155,7 @@ double EventGas::pendingRate(double now) const {
     std::vector<double> pending;
     for (const Agenda& agenda : m_agendas)
         if (agenda.earliest() < never) pending.push_back(agenda.earliest() - now);
-    if (pending.empty()) return 1;
+    if (pending.empty()) return 1 / m_clockTurn;
     const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(pending.size() / 2);
     std::nth_element(pending.begin(), pending.begin() + half, pending.end());
     constexpr double soonest = 0.01; // of the typical time: a burst at the start is no rate
@@ -151,8 +164,8 @@ double EventGas::pendingRate(double now) const {
 }
 
 void EventGas::fillQueue(double eventsPerSecond) {
-    constexpr double most = 1e9; // days: more would cost more to pass than their events
-    m_daysPerSecond = std::clamp(eventsPerSecond, 1.0, most);
+    constexpr double most = 1e9; // days a turn of the clock: more would cost more to pass than their events
+    m_daysPerSecond = std::clamp(eventsPerSecond, 1 / m_clockTurn, most / m_clockTurn);
     m_queue.restart(m_agendas, m_daysPerSecond, m_now);
     m_countsAtFilling = m_counts.events();
     m_timeOfFilling = m_now;
@@ -175,17 +188,17 @@ void EventGas::keepDaysFitting() {
 void EventGas::setClockBack() {
     const double events = static_cast<double>(m_counts.events() - m_countsAtTurn);
     m_countsAtTurn = m_counts.events();
-    m_secondsPast += 1;
-    m_now -= 1;
-    for (Stamp& stamp : m_stamps) stamp.time -= 1;
-    for (double& time : m_lastLosses) time -= 1;
+    m_secondsPast += m_clockTurn;
+    m_now -= m_clockTurn;
+    for (Stamp& stamp : m_stamps) stamp.time -= m_clockTurn;
+    for (double& time : m_lastLosses) time -= m_clockTurn;
     sortByPlace();
     if (m_cells.areOutgrown(m_agendas))
         layCells();
     else
         fillCells();
     planAll(m_now);
-    fillQueue(std::max(events, 1.0));
+    fillQueue(events / m_clockTurn);
 }
 
 } // namespace carom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/event_gas.h"
+#include "core/solvers/local_solver.h"
 #include "core/solvers/solver.h"
 
 #include "core/base/clock.h"
@@ -92,7 +93,12 @@ std::optional<SolverObjection> objection(const Scene& scene) {
     return std::nullopt;
 }
 
-std::unique_ptr<Solver> create(const Bodies&, const SolverSettings&) { return std::make_unique<Events>(); }
+std::unique_ptr<Solver> make(const Bodies&, const SolverSettings&) { return std::make_unique<Events>(); }
+
+// Balls know no order anyway; walls that are met at one moment do.
+std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
+    return inOwnTerms(bodies, settings, Numbering::Canonical, make);
+}
 
 } // namespace
 
