@@ -51,6 +51,7 @@ void RunSummary::add(const FrameStatistics& frame) {
     m_milliseconds.push_back(frame.simulate);
     m_deepest = std::max(m_deepest, frame.maxPenetration);
     m_sumOfDeepest += frame.maxPenetration;
+    m_residual = std::max(m_residual, frame.residual);
     m_sumOfPairs += static_cast<double>(frame.broad.pairs);
     m_sumOfContacts += static_cast<double>(frame.contacts);
     m_ledger.add(frame.ledger);
@@ -144,6 +145,8 @@ std::string RunSummary::asText() const {
                          vectorText(m_finalMomentum) + ") kg m/s");
     line("penetration",
          "max " + shortest(m_deepest) + " m, mean " + shortest(perFrame(m_sumOfDeepest)) + " m");
+    if (settings.tolerance > 0)
+        line("residual", "max " + shortest(m_residual) + " m/s of the contact problem");
     line("pairs", "mean " + shortest(perFrame(m_sumOfPairs)) + " of overlapping boxes, " +
                       shortest(perFrame(m_sumOfContacts)) + " contacts a frame");
     std::string names;
@@ -189,6 +192,7 @@ std::string RunSummary::asJson() const {
     writeVector(json, m_finalMomentum);
     json.endObject().key("penetration").beginObject().key("max").value(m_deepest);
     json.key("mean").value(perFrame(m_sumOfDeepest)).endObject();
+    json.key("residual_max").value(m_residual);
     json.key("pairs_mean")
         .value(perFrame(m_sumOfPairs))
         .key("contacts_mean")

@@ -45,6 +45,7 @@ class RunSummary {
     double m_initialEnergy, m_finalEnergy; ///< [J] kinetic and potential
     Vec3 m_initialMomentum, m_finalMomentum;
     double m_deepest = 0, m_sumOfDeepest = 0; ///< [m]
+    double m_residual = 0;                    ///< of the contact problem, the worst of any frame [m/s]
     double m_sumOfPairs = 0, m_sumOfContacts = 0;
     Ledger m_ledger;               ///< of all frames
     double m_worstUnexplained = 0; ///< of any frame [J]

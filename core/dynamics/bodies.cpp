@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/bodies.h"
 
+#include "core/dynamics/numbering.h"
+
+#include <algorithm>
+
 namespace carom {
 namespace {
 
@@ -37,9 +41,13 @@ Bodies bodiesOf(const Scene& scene) {
         if (spring.from != noBody && spring.fromAt != Vec3::Zero()) pulledAside[spring.from] = 1;
         if (spring.to != noBody && spring.toAt != Vec3::Zero()) pulledAside[spring.to] = 1;
     }
+    const bool resists = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                     [](const Body& body) { return body.rolling > 0; });
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        append(bodies, scene.bodies[i], pulledAside[i] != 0 || canRotate(scene, scene.bodies[i]));
+        append(bodies, scene.bodies[i], resists || pulledAside[i] != 0 || canRotate(scene, scene.bodies[i]));
     bodies.springs = springsOf(scene);
+    bodies.order = canonicalOrder(scene);
+    bodies.origin = originNear(scene);
     return bodies;
 }
 

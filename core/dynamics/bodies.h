@@ -33,10 +33,13 @@ struct Bodies {
     /// Mobile bodies whose orientation can change, ascending: those that spin at the start, those that are no
     /// spheres and can be hit, and those that a spring pulls beside their centre. A frictionless impulse
     /// passes through a sphere's centre and never turns it; friction may, so bodies that have some are here
-    /// too.
+    /// too, and so may rolling resistance, of which a pair has the larger: with one body that has some, all
+    /// are.
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move
+    std::vector<BodyIndex> order;     ///< all bodies, canonically (numbering.h)
+    Vec3 origin = Vec3::Zero();       ///< where coordinates had better begin [m] (numbering.h)
     BoxKind boxes = BoxKind::Tight;   ///< that the broad-phase works on
 
     std::size_t count() const { return shape.size(); }

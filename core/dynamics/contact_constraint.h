@@ -24,7 +24,7 @@ namespace carom {
 /// One point of a contact.
 struct ContactConstraint {
     Mat3 frame = Mat3::Identity();                 ///< rows n, t1, t2: world to contact frame
-    Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from the bodies' centres to the point [m], world
+    Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from a mobile body's centre to the point [m], world
     double separation = 0;                         ///< [m]
     Vec3 anchor = Vec3::Zero(); ///< the point in the frame of the pair's anchor body, to find it again [m]
     Vec3 force =
@@ -37,9 +37,10 @@ struct ContactPair {
     BodyIndex a = noBody, b = noBody;
     double restitution = 0;
     double friction = 0;
-    double rolling = 0; ///< [m]
-    double size = 0;    ///< of the smaller body [m]: what lengths of this contact are measured by
-    double margin = 0;  ///< points up to this separation are kept [m]
+    double rolling = 0;    ///< [m]
+    double size = 0;       ///< of the smaller body [m]: what lengths of this contact are measured by
+    double margin = 0;     ///< points up to this separation are kept [m]
+    double resolution = 0; ///< gaps cannot be told apart below this, by the rounding of coordinates [m]
     std::uint32_t first = 0, count = 0; ///< into ContactSet::points
     std::uint16_t patience = 0;         ///< substeps for which sweeps must do in its island
 

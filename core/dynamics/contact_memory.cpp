@@ -15,6 +15,9 @@ namespace {
 /// 5 % a rolling or sliding point is followed at any sensible step, and corners are never confused.
 constexpr double sameWithin = 0.05;
 
+/// Places are rounded to this part of their largest coordinate, and gaps come from several of them.
+constexpr double coordinateRounding = 4 * std::numeric_limits<double>::epsilon();
+
 Mat3 frameAlong(const Vec3& normal) {
     const Tangents tangents = tangentsOf(normal);
     Mat3 frame;
@@ -63,7 +66,7 @@ ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin) {
     return {.a = pair.a,
             .b = pair.b,
             .restitution = std::min(bodies.elastic[pair.a], bodies.elastic[pair.b]),
-            .friction = std::sqrt(bodies.friction[pair.a] * bodies.friction[pair.b]),
+            .friction = pairFriction(bodies.friction[pair.a], bodies.friction[pair.b]),
             .rolling = std::max(bodies.rolling[pair.a], bodies.rolling[pair.b]),
             .size = std::min(size(pair.a), size(pair.b)),
             .margin = margin};
@@ -71,28 +74,43 @@ ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin) {
 
 void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
                  std::span<const ContactConstraint> memory, ContactSet& set) {
-    const Pose& poseA = state.pose[pair.a];
-    const Pose& poseB = state.pose[pair.b];
+    collideAt(bodies, state.pose[pair.a], state.pose[pair.b], pair, memory, set);
+}
+
+// Seen from the centre of a body, so that far from the origin nothing is rounded but the coordinates
+// themselves.
+void collideAt(const Bodies& bodies, Pose poseA, Pose poseB, ContactPair pair,
+               std::span<const ContactConstraint> memory, ContactSet& set) {
+    const bool wallA = isWall(bodies.shape[pair.a]), wallB = isWall(bodies.shape[pair.b]);
+    const Vec3 origin = wallA ? poseB.position : poseA.position;
+    const double furthest = std::max(origin.cwiseAbs().maxCoeff(), poseB.position.cwiseAbs().maxCoeff());
+    pair.resolution = coordinateRounding * furthest;
+    Shape wall;
+    if (wallA || wallB) {
+        const Wall& there = std::get<Wall>(bodies.shape[wallA ? pair.a : pair.b]);
+        wall = Wall{there.normal, -distanceTo(there, origin)};
+    }
+    if (!wallA) poseA.position -= origin;
+    if (!wallB) poseB.position -= origin;
     Manifold manifold;
-    if (!collide({&bodies.shape[pair.a], &poseA}, {&bodies.shape[pair.b], &poseB}, pair.margin, manifold))
+    if (!collide({wallA ? &wall : &bodies.shape[pair.a], &poseA},
+                 {wallB ? &wall : &bodies.shape[pair.b], &poseB}, pair.margin, manifold))
         return;
     pair.first = static_cast<std::uint32_t>(set.points.size());
     pair.count = static_cast<std::uint32_t>(manifold.count);
-    const bool anchorOnA = isWall(bodies.shape[pair.b]);
     const Mat3 frame = frameAlong(manifold.normal);
+    const bool movesA = bodies.mobile[pair.a] != 0, movesB = bodies.mobile[pair.b] != 0;
     for (const ContactPoint& found : manifold) {
         // Equal and opposite forces must act at one point, or they would have a moment: the middle of the
         // gap, or the mobile body's surface, so that the arm of a rolling ball is its radius whatever the
         // gap.
-        const Vec3 point = bodies.mobile[pair.a] == 0   ? found.onB
-                           : bodies.mobile[pair.b] == 0 ? found.onA
-                                                        : Vec3(0.5 * (found.onA + found.onB));
+        const Vec3 point = !movesA ? found.onB : !movesB ? found.onA : Vec3(0.5 * (found.onA + found.onB));
         ContactConstraint& constraint = set.points.emplace_back();
         constraint.frame = frame;
-        constraint.armA = point - poseA.position;
-        constraint.armB = point - poseB.position;
+        if (movesA) constraint.armA = point - poseA.position;
+        if (movesB) constraint.armB = point - poseB.position;
         constraint.separation = found.separation;
-        constraint.anchor = anchorOnA ? poseA.toBody(point) : poseB.toBody(point);
+        constraint.anchor = wallB ? poseA.toBody(point) : poseB.toBody(point);
     }
     inherit(memory, sameWithin * pair.size, set.pointsOf(pair));
     set.pairs.push_back(pair);

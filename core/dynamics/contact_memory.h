@@ -20,5 +20,8 @@ ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin);
 /// it has the same points. Appends nothing where the bodies are further apart than pair.margin.
 void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
                  std::span<const ContactConstraint> memory, ContactSet& set);
+/// The same at poses of one's own.
+void collideAt(const Bodies& bodies, Pose poseA, Pose poseB, ContactPair pair,
+               std::span<const ContactConstraint> memory, ContactSet& set);
 
 } // namespace carom

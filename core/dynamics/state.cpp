@@ -39,6 +39,13 @@ std::string_view lostQuantity(const State& state, BodyIndex body) {
 
 } // namespace
 
+void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k) {
+    to.pose[k] = from.pose[i];
+    to.velocity[k] = from.velocity[i];
+    to.angularVelocity[k] = from.angularVelocity[i];
+    to.positionRest[k] = from.positionRest[i];
+}
+
 State initialStateOf(const Scene& scene) {
     State state;
     state.pose.reserve(scene.bodies.size());
@@ -50,6 +57,7 @@ State initialStateOf(const Scene& scene) {
         state.velocity.push_back(mobile ? body.velocity : Vec3::Zero());
         state.angularVelocity.push_back(mobile ? body.angularVelocity : Vec3::Zero());
     }
+    state.positionRest.assign(scene.bodies.size(), Vec3::Zero());
     return state;
 }
 

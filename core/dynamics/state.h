@@ -17,10 +17,14 @@ struct State {
     std::vector<Pose> pose;
     std::vector<Vec3> velocity;        ///< [m/s]
     std::vector<Vec3> angularVelocity; ///< [rad/s], world
+    std::vector<Vec3> positionRest;    ///< what `pose.position` rounded off [m]: the body is at their sum
 
     std::int64_t frame = 0;
     double time = 0; ///< [s] = frame · step
 };
+
+/// Gives body k of one state what body i of another has.
+void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k);
 
 /// The state a scene begins in. What cannot move has no velocity, whatever the scene says.
 State initialStateOf(const Scene& scene);

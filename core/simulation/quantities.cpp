@@ -119,6 +119,7 @@ double totalEnergyOf(const Moment& moment, BodyIndex) {
     return moment.statistics.kinetic + moment.statistics.potential;
 }
 double deepestOf(const Moment& moment, BodyIndex) { return moment.statistics.maxPenetration; }
+double residualOf(const Moment& moment, BodyIndex) { return moment.statistics.residual; }
 double contactsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.contacts); }
 double pairsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.broad.pairs); }
 
@@ -140,6 +141,7 @@ constexpr std::array wholeRows = {
     QuantityRow{"centre of mass y", "m", component<centreOfMassOf, 1>},
     QuantityRow{"centre of mass z", "m", component<centreOfMassOf, 2>},
     QuantityRow{"deepest penetration", "m", deepestOf},
+    QuantityRow{"contact residual", "m/s", residualOf},
     QuantityRow{"contacts", "", contactsOf},
     QuantityRow{"overlapping pairs", "", pairsOf},
     QuantityRow{"energy by gravity", "J", bookedOf<LedgerAccount::Gravity>, true},

@@ -12,7 +12,7 @@ std::string_view statisticsColumns() {
                            "max_penetration,events,axes_tried,axes_spared";
         for (std::size_t i = 0; i < ledgerAccounts; ++i)
             text.append(",energy_by_").append(nameOf(static_cast<LedgerAccount>(i)));
-        return text + ",energy_unexplained,momentum_unexplained";
+        return text + ",energy_unexplained,momentum_unexplained,residual";
     }();
     return columns;
 }
@@ -34,6 +34,7 @@ std::string statisticsRow(const FrameStatistics& frame) {
     for (const LedgerEntry& entry : frame.ledger.entries) add(entry.energy);
     add(frame.unexplained.energy);
     add(frame.unexplained.momentum.norm());
+    add(frame.residual);
     return row;
 }
 

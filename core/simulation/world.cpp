@@ -32,7 +32,12 @@ void World::useBroadphase(const BroadphaseRow& row) {
 }
 
 std::vector<Aabb> World::broadphaseStructure() const {
-    if (m_broadphase->counters().boxes > 0) return m_broadphase->structure();
+    if (m_broadphase->counters().boxes > 0) {
+        std::vector<Aabb> boxes = m_broadphase->structure(); // as the method sees them
+        const Vec3& origin = m_pipeline->bodies().origin;
+        for (Aabb& box : boxes) box = {box.lower + origin, box.upper + origin};
+        return boxes;
+    }
     const std::unique_ptr<Broadphase> first = m_broadphaseRow->create();
     updateAt(m_pipeline->bodies(), m_state.pose, *first);
     return first->structure();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dynamics/contact_constraint.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -13,9 +15,13 @@ namespace carom {
 inline constexpr double speedRounding = 4e-15;
 
 /// A gap or overlap up to this part of the smaller body's size counts as touching: neither pushed apart nor
-/// waited for. Rounding in positions is 1e-16 of the coordinates; without the dead band it would show up,
-/// divided by the substep, as inconsistent speeds at redundant contact points.
+/// waited for. Without the dead band the rounding of positions would show up, divided by the substep, as
+/// inconsistent speeds at redundant contact points. It is 1e-16 of the coordinates; so far from the origin,
+/// where that is more, the band is what the coordinates can resolve.
 inline constexpr double touchingGap = 1e-9;
+inline double touchingWithin(const ContactPair& pair) {
+    return std::max(touchingGap * pair.size, pair.resolution);
+}
 
 /// An overlap is parted by at most this part of the smaller body's size in a substep; with the substep h the
 /// parting speed is at most 0.02 size/h. It never becomes a velocity of the body.
@@ -33,6 +39,9 @@ inline double leastImpactPart(double restitution) {
     if (!(e < 1)) return elasticClosing;
     return std::max(restingClosing, 0.5 * (e > 0 ? std::min(1.0, (1 - e) / (2 * e)) : 1));
 }
+
+/// No part of a substep is shorter than this part of it: forces are impulses over a duration.
+inline constexpr double shortestPart = 1e-9;
 
 /// Contacts of an island up to which its impacts and stops are located within the substep, and how many of
 /// them one substep locates: so many, and so many for every contact.

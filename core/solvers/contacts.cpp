@@ -6,6 +6,7 @@
 #include "core/solvers/flights.h"
 #include "core/solvers/island_motion.h"
 #include "core/solvers/islands.h"
+#include "core/solvers/local_solver.h"
 #include "core/solvers/neighbours.h"
 #include "core/solvers/solver.h"
 
@@ -22,7 +23,8 @@
 // springs join them to, move as the integrator has it.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
-// their first body, contact points as the narrow phase gives them. Nothing depends on the broad-phase chosen.
+// their first body, contact points as the narrow phase gives them, and indices are canonical
+// (local_solver.h). Nothing depends on the broad-phase chosen, nor on the order of declarations.
 
 namespace carom {
 namespace {
@@ -88,6 +90,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     m_islands.find(input.bodies, m_members, m_found.pairs, m_links);
     moveIslands(input, report);
     report.respond = watch.lap();
+    if (report.loss) return report;
     fly(input);
     report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
@@ -256,9 +259,11 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
         } else {
             m_motion.advance(motion, island, m_found, m_kept);
         }
+        if ((report.loss = m_motion.report.loss)) return;
         if (input.ledger != nullptr) input.ledger->add(ledger);
     }
     report.maxPenetration = m_motion.report.maxPenetration;
+    report.residual = m_motion.report.residual;
 
     // Back into ascending order, as the next substep looks them up.
     m_order.resize(m_kept.pairs.size());
@@ -295,10 +300,14 @@ void Contacts::coast(const SolverInput& input, std::span<const BodyIndex> bodies
             spinEnergy(input.bodies, bodies, input.state) - spinBefore;
 }
 
-std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
+std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings& settings) {
     std::unique_ptr<Solver> contacts = std::make_unique<Contacts>(bodies, settings);
     return isElasticGas(bodies) && !settings.simultaneous ? elasticGas(bodies, std::move(contacts))
                                                           : std::move(contacts);
+}
+
+std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
+    return inOwnTerms(bodies, settings, Numbering::Canonical, make);
 }
 
 } // namespace

@@ -111,7 +111,7 @@ double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pa
             std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
                         [](std::uint8_t wait) { return wait != 0; });
         if (!waits && closing <= gentleClosing(pair)) return never;
-        if (!(closing > 0) || std::abs(near.distance) <= reached * touchingGap * pair.size) break;
+        if (!(closing > 0) || std::abs(near.distance) <= reached * touchingWithin(pair)) break;
         t = std::clamp(t + near.distance / closing, 0.0, duration);
     }
     return t;
@@ -151,7 +151,7 @@ double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pai
                 return (one.onA + one.onB - 2 * place).squaredNorm() <
                        (other.onA + other.onB - 2 * place).squaredNorm();
             });
-        if (std::abs(nearest->separation) <= reached * touchingGap * pair.size) return t;
+        if (std::abs(nearest->separation) <= reached * touchingWithin(pair)) return t;
         const Vec3 velocityA = velocityAt(pair.a, nearest->onA - poseA.position, t, duration);
         const Vec3 velocityB = velocityAt(pair.b, nearest->onB - poseB.position, t, duration);
         const double closing = manifold.normal.dot(velocityA - velocityB);
@@ -213,10 +213,17 @@ struct IslandMotion::Braked {
 // linearly under constant forces: the force that stopped it, as a part of what the law allows, tells about
 // when; a solve shortly before gives the slope.
 double IslandMotion::firstStop(const MotionInput& input, double duration) {
-    constexpr double stopped = 1e-9; // of the speed before
-    constexpr int mostTrials = 10;
     Braked braked;
     if (!findStop(braked)) return duration;
+    const double stop = findStopTime(input, braked, duration);
+    if (stop < (1 - shortestPart) * duration) return stop;
+    smooth(input, duration, true); // back from the trials
+    return duration;
+}
+
+double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked, double duration) {
+    constexpr double stopped = 1e-9; // of the speed before
+    constexpr int mostTrials = 10;
     double low = 0, speedLow = braked.before, high = duration;
     double guess = 0.9 * std::min(1.0, braked.part) * duration;
     for (int trial = 0; trial < mostTrials; ++trial) {

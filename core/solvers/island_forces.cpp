@@ -59,7 +59,7 @@ void IslandMotion::chooseRows(double duration, bool locating) {
     for (std::uint32_t i = 0; i < m_contacts.points.size(); ++i) {
         ContactConstraint& point = m_contacts.points[i];
         const ContactPair& pair = m_contacts.pairs[m_pairOf[i]];
-        const double open = point.separation - touchingGap * pair.size;
+        const double open = point.separation - touchingWithin(pair);
         ContactRow row = rowOf(pair, point);
         if (open > 0 && locating) {
             const double closing = -relativeVelocity(m_problem, row).x();
@@ -104,7 +104,7 @@ void IslandMotion::solve(const MotionInput& input) {
         const int sweeps = worthMore ? rescueSweeps : input.settings.iterations;
         residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweeps);
     }
-    if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
+    report.residual = std::max(report.residual, residual);
 }
 
 } // namespace carom

@@ -14,12 +14,7 @@
 namespace carom {
 namespace {
 
-/// No part of a substep is shorter than this part of it: forces are impulses over a duration.
-constexpr double shortestPart = 1e-9;
-
-double rimSpeed(const ContactBody& body) {
-    return std::max(body.velocity.head<3>().norm(), body.velocity.tail<3>().norm() * body.gyration);
-}
+double fastestPart(const ContactBody& body) { return carom::fastestPart(body.velocity, body.gyration); }
 
 } // namespace
 
@@ -50,6 +45,7 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
                 ++events;
             }
         }
+        if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) bookForces(input, duration);
         if (duration == left) {
             settle(input);
@@ -123,7 +119,7 @@ bool IslandMotion::movePile(const MotionInput& input, const Island& island) {
         bookDifference(before, after, weightOf(input.bodies, island.bodies, input.substep * input.gravity),
                        LedgerAccount::Contact, *input.ledger);
     }
-    if (m_scale > 0) report.residual = std::max(report.residual, residual / m_scale);
+    report.residual = std::max(report.residual, residual);
     report.impacts += static_cast<int>(m_pile.impacts());
     countPatience();
     return true;
@@ -157,7 +153,7 @@ void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
         body.inverseInertia =
             isotropic ? Mat3(inverse.asDiagonal()) : Mat3(turn * inverse.asDiagonal() * turn.transpose());
         body.gyration = std::sqrt(inertia.maxCoeff() / body.mass);
-        fastest = std::max(fastest, rimSpeed(body));
+        fastest = std::max(fastest, fastestPart(body));
     }
     const double scale = m_scale > 0 ? m_scale : fastest;
     m_tolerance = std::max(input.settings.tolerance * scale, speedRounding * fastest);
@@ -185,15 +181,15 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
     bool overlapping = false;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
-            overlapping = overlapping || point.separation < -touchingGap * pair.size;
+            overlapping = overlapping || point.separation < -touchingWithin(pair);
     if (!overlapping) return;
     loadBodies(input, island);
     m_parting.clear();
     m_parting.bodies = m_problem.bodies;
     for (ContactBody& body : m_parting.bodies) body.freeVelocity.setZero();
-    double size = std::numeric_limits<double>::infinity();
+    double narrowest = std::numeric_limits<double>::infinity(); // [m]
     for (const ContactPair& pair : m_contacts.pairs) {
-        size = std::min(size, pair.size);
+        narrowest = std::min(narrowest, touchingWithin(pair));
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(pair, point);
             row.friction = row.rolling = 0;
@@ -203,7 +199,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
     }
     const double spinBefore =
         input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
-    const double tolerance = 1e-3 * touchingGap * size;
+    const double tolerance = 1e-3 * narrowest;
     if (!m_newton.solve(m_parting, tolerance, m_newtonSteps).solved)
         m_gaussSeidel.solve(m_parting, tolerance, 2 * input.settings.iterations);
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -221,7 +217,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     m_problem.rows.clear();
     m_impactRows.clear();
     double fastest = 0;
-    for (const ContactBody& body : m_problem.bodies) fastest = std::max(fastest, rimSpeed(body));
+    for (const ContactBody& body : m_problem.bodies) fastest = std::max(fastest, fastestPart(body));
     const double rounding = std::max(speedRounding * fastest, 10 * input.settings.tolerance * m_scale);
     bool any = false;
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
@@ -231,7 +227,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(pair, point);
             const double closing = -relativeVelocity(m_problem, row).x();
-            const bool touching = point.separation <= touchingGap * pair.size ||
+            const bool touching = point.separation <= touchingWithin(pair) ||
                                   (!locating && closing * duration > point.separation);
             m_problem.rows.push_back(row);
             m_impactRows.push_back({e, threshold, p, touching});
@@ -255,12 +251,21 @@ void IslandMotion::settle(const MotionInput& input) {
     const double still = std::max(input.settings.tolerance * m_scale, 1e-14 * m_scale);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         const ContactBody& body = m_problem.bodies[i];
-        const Vec6& before = m_start[i].velocity;
-        const double was = std::max(before.head<3>().norm(), before.tail<3>().norm() * body.gyration);
-        if (rimSpeed(body) > still || was > still) return;
+        const double was = fastestPart(m_start[i].velocity, body.gyration);
+        if (fastestPart(body) > still || was > still) return;
     }
     if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
     for (ContactBody& body : m_problem.bodies) body.velocity.setZero();
+}
+
+// Velocities that are no numbers are found before they make places that are none.
+Loss IslandMotion::findLoss(const Island& island) const {
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        const Vec6& velocity = m_problem.bodies[i].velocity;
+        if (velocity.allFinite()) continue;
+        return {island.bodies[i], velocity.head<3>().allFinite() ? "angular velocity" : "velocity"};
+    }
+    return {};
 }
 
 void IslandMotion::commit(const MotionInput& input, const Island& island, double duration) {

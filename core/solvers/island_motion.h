@@ -41,10 +41,11 @@ struct MotionInput {
 
 /// What the motion of islands met in one substep.
 struct MotionReport {
-    double residual = 0;       ///< the worst of any island, relative to |g| h
+    double residual = 0;       ///< the worst of any island's contact problem [m/s]
     double maxPenetration = 0; ///< [m]
     int impacts = 0;
     int factorisations = 0;
+    Loss loss; ///< where the forces of an island came to be no numbers: it has not moved
 };
 
 inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -58,6 +59,7 @@ class IslandMotion {
     MotionReport report; ///< added up by advance
 
   private:
+    struct Braked;
     /// A velocity, and the position it leads from.
     struct Start {
         Vec6 velocity = Vec6::Zero();
@@ -81,6 +83,8 @@ class IslandMotion {
     void solveSprings(const MotionInput& input, double duration);
     double firstImpact(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
+    double findStopTime(const MotionInput& input, const Braked& braked, double duration);
+    Loss findLoss(const Island& island) const;
     void commit(const MotionInput& input, const Island& island, double duration);
     void settle(const MotionInput& input);
     void keep(ContactSet& kept) const;
@@ -90,7 +94,6 @@ class IslandMotion {
     void bookParting(const MotionInput& input, const Island& island, double spinBefore);
     void bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
 
-    struct Braked;
     bool findStop(Braked& first) const;
     double speedOf(const Braked& braked) const;
     void markHeld();

@@ -26,9 +26,9 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     const Vec3& normal = wall->normal;
     const double speed = normal.dot(velocity), pull = -normal.dot(input.gravity);
     const double noise = std::max(elasticClosing, 10 * input.settings.tolerance) * m_scale;
-    const bool touching = std::abs(point.separation) <= touchingGap * pair.size;
+    const bool touching = std::abs(point.separation) <= touchingWithin(pair);
     if (touching && std::abs(speed) <= std::max(noise, speedRounding * velocity.norm())) return false;
-    if (point.separation < -touchingGap * pair.size) return false; // to be parted first
+    if (point.separation < -touchingWithin(pair)) return false; // to be parted first
 
     loadBodies(input, island);
     const double h = input.substep;

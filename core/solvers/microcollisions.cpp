@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/separating_axis.h"
 #include "core/solvers/impulse.h"
+#include "core/solvers/local_solver.h"
 #include "core/solvers/solver.h"
 
 #include "core/base/clock.h"
@@ -303,8 +304,12 @@ void Microcollisions::book(const SolverInput& input, const Impact& impact, doubl
     if (bMoves) input.ledger->lifted -= bodies.mass[impact.b] * lifted;
 }
 
-std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings&) {
+std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings&) {
     return std::make_unique<Microcollisions>(bodies);
+}
+
+std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
+    return inOwnTerms(bodies, settings, Numbering::AsDeclared, make);
 }
 
 } // namespace

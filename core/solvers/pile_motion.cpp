@@ -136,7 +136,7 @@ void PileMotion::start(const PileInput& input, const ContactSet& contacts) {
             Row& row = m_rows[k];
             const ContactConstraint& point = contacts.points[k];
             const double closing = -row.normal.dot(m_before[row.b] - m_before[row.a]);
-            const double open = std::max(0.0, m_gap[k] - touchingGap * pair.size);
+            const double open = std::max(0.0, m_gap[k] - touchingWithin(pair));
             row.bound = open / h;
             if (closing > least && closing >= row.bound) {
                 row.bound = -pair.restitution * closing;

@@ -36,7 +36,8 @@ struct SolverReport {
     std::uint64_t axesTried = 0;  ///< pairs that were apart before, with the direction that parted them
     std::uint64_t axesSpared = 0; ///< of these, parted by it still: full tests not made
     double maxPenetration = 0;    ///< [m]
-    Loss loss;                    ///< the substep was broken off where a body is named
+    double residual = 0; ///< how far the worst contact problem was from solved [m/s]; 0 where there is none
+    Loss loss;           ///< the substep was broken off where a body is named
 };
 
 /// What a solver works on in one substep.
@@ -52,6 +53,20 @@ struct SolverInput {
     /// This substep of the frame, and how many it has. Only at the end of the last one need the state be that
     /// of one time for all bodies.
     int part = 0, parts = 1;
+
+    /// The same with other bodies and their state.
+    SolverInput about(const Bodies& otherBodies, State& otherState) const {
+        return {.bodies = otherBodies,
+                .motion = motion,
+                .gravity = gravity,
+                .substep = substep,
+                .broadphase = broadphase,
+                .workers = workers,
+                .state = otherState,
+                .ledger = ledger,
+                .part = part,
+                .parts = parts};
+    }
 };
 
 /// How carefully a solver works; what it does not need it ignores.
@@ -93,7 +108,8 @@ class Solver {
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// Checks that the state is finite after the smooth motion and again after the collisions.
+    /// Checks that the state is finite at two points: where forces or smooth motion have given velocities,
+    /// and again at the end.
     virtual SolverReport advance(const SolverInput& input) = 0;
 
     /// A copy of everything that the motion to come depends on, apart from the state.

@@ -22,7 +22,7 @@ const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase
                                  "events,axes_tried,axes_spared,energy_by_gravity,energy_by_restitution,"
                                  "energy_by_contact,energy_by_friction,energy_by_rolling,energy_by_spring,"
                                  "energy_by_rotation,energy_by_parting,energy_by_rest,energy_unexplained,"
-                                 "momentum_unexplained";
+                                 "momentum_unexplained,residual";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
 const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125 }\n"
@@ -89,6 +89,7 @@ void RunTest::theJsonSummaryHasEveryFieldInOrder() {
                               ",\"energy\":{\"initial\":1,\"final\":1,\"relative_drift\":0}",
                               ",\"momentum\":{\"initial\":[2,0,0],\"final\":[2,0,0]}",
                               ",\"penetration\":{\"max\":0,\"mean\":0}",
+                              ",\"residual_max\":0",
                               ",\"pairs_mean\":0",
                               ",\"contacts_mean\":0",
                               ",\"ledger\":{\"gravity\":0,\"restitution\":0,\"contact\":0,",
@@ -111,7 +112,7 @@ void RunTest::theTextSummarySaysTheSame() {
     for (const char* part : {"<stdin>: 3 bodies, 2 mobile; 0 diagnostics", "contacts, midpoint, all_pairs",
                              "4 of 0.125 s in 4 substeps", "initial 1 J, final 1 J, relative drift 0",
                              "at most 0 J a frame unexplained", "initial (2, 0, 0), final (2, 0, 0) kg m/s",
-                             "max 0 m, mean 0 m"})
+                             "max 0 m, mean 0 m", "max 0 m/s of the contact problem"})
         QVERIFY2(ended.out.contains(QLatin1String(part)), part);
     QVERIFY(ended.out.contains(summary({"-n", "4"}, glide)["state_hash"].toString()));
 }
@@ -171,13 +172,14 @@ void RunTest::summaryAndStatisticsAgree() {
         test::carom({"run", test::source("scenes/pool_break.sdl"), "-n", "60", "--method", "microcollisions",
                      "--json", "--stats", file}); // a method that lets bodies overlap
     const QJsonObject run = QJsonDocument::fromJson(ended.out.toUtf8()).object();
-    double total = 0, deepest = 0, pairs = 0, contacts = 0;
+    double total = 0, deepest = 0, residual = 0, pairs = 0, contacts = 0;
     QStringList last;
     const QStringList rows = test::linesOf(test::contentOf(file)).mid(1);
     for (const QString& row : rows) {
         last = fieldsOf(row);
         total += last[2].toDouble();
         deepest = std::max(deepest, last[15].toDouble());
+        residual = std::max(residual, last.back().toDouble());
         pairs += last[7].toDouble();
         contacts += last[8].toDouble();
     }
@@ -188,6 +190,7 @@ void RunTest::summaryAndStatisticsAgree() {
     QCOMPARE(run["energy"]["final"].toDouble(), last[10].toDouble() + last[11].toDouble());
     QCOMPARE(run["momentum"]["final"][2].toDouble(), last[14].toDouble());
     QCOMPARE(run["penetration"]["max"].toDouble(), deepest);
+    QCOMPARE(run["residual_max"].toDouble(), residual);
     QCOMPARE(run["pairs_mean"].toDouble(), pairs / 60);
     QCOMPARE(run["contacts_mean"].toDouble(), contacts / 60);
     QVERIFY(deepest > 0 && contacts > 0);

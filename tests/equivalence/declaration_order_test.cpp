@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/language/analysis.h"
+
 #include "tests/support/random_scene.h"
 
 #include <QTest>
@@ -6,9 +8,10 @@
 #include <algorithm>
 #include <numeric>
 
-// The order of declarations numbers the bodies. While no body touches two others in one substep, pairs do not
-// know each other and the numbering changes nothing but itself, bit for bit. Where one does, microcollisions
-// treats its pairs in turn, so the motion depends on the order: that is the method, not an accident.
+// The order of declarations numbers the bodies, and changes nothing but that, bit for bit: under `contacts`
+// and `events` on every scene. Under microcollisions while no body touches two others in one substep; where
+// one does, that method treats its pairs in turn, so the motion depends on the order: that is the method, not
+// an accident.
 
 namespace carom {
 namespace {
@@ -19,6 +22,56 @@ using test::sphere;
 using test::worldOf;
 
 constexpr std::uint64_t seed = 99;
+
+/// A random order of `count` things.
+std::vector<std::size_t> shuffle(Random& random, std::size_t count) {
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = count; i-- > 1;) std::swap(order[i], order[random.below(i + 1)]);
+    return order;
+}
+
+/// The scene with body order[i] declared as the i-th, and its springs in any order.
+Scene declaredAs(const Scene& scene, const std::vector<std::size_t>& order, Random& random) {
+    Scene other = scene;
+    std::vector<BodyIndex> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        other.bodies[i] = scene.bodies[order[i]];
+        place[order[i]] = static_cast<BodyIndex>(i);
+    }
+    const std::vector<std::size_t> springs = shuffle(random, scene.springs.size());
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+        Spring& spring = other.springs[k] = scene.springs[springs[k]];
+        if (spring.from != noBody) spring.from = place[spring.from];
+        if (spring.to != noBody) spring.to = place[spring.to];
+    }
+    return other;
+}
+
+/// The first body with a bit that differs, or nothing.
+QString firstDifference(const World& plain, const World& other, const std::vector<std::size_t>& order) {
+    const State &a = plain.state(), &b = other.state();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t k = order[i];
+        if (a.pose[k].position != b.pose[i].position || a.velocity[k] != b.velocity[i] ||
+            a.pose[k].orientation.coeffs() != b.pose[i].orientation.coeffs() ||
+            a.angularVelocity[k] != b.angularVelocity[i])
+            return QStringLiteral("body %1 in frame %2").arg(k).arg(a.frame);
+    }
+    return {};
+}
+
+void movesTheSameInAnyOrder(const Scene& scene, const char* method, Random& random, int frames) {
+    const std::vector<std::size_t> order = shuffle(random, scene.bodies.size());
+    World plain = worldOf(scene, test::byMethod(method));
+    World other = worldOf(declaredAs(scene, order, random), test::byMethod(method));
+    for (int frame = 0; frame < frames; ++frame) {
+        plain.step();
+        other.step();
+        const QString difference = firstDifference(plain, other, order);
+        QVERIFY2(difference.isEmpty(), qPrintable(difference));
+    }
+}
 
 /// Pairs of bodies that meet head on or obliquely, far from all other pairs, each on its own floor.
 Scene farPairs(Random& random) {
@@ -42,17 +95,43 @@ class DeclarationOrderTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void everyShippedSceneMovesTheSameInAnyOrder_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QByteArray>("method");
+        for (const QString& path : test::shippedScenes())
+            for (const char* method : {"contacts", "events"})
+                QTest::addRow("%s, %s", qPrintable(path), method) << path << QByteArray(method);
+    }
+    void everyShippedSceneMovesTheSameInAnyOrder() {
+        QFETCH(QString, path);
+        QFETCH(QByteArray, method);
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        const Scene scene = analyse(test::textOfScene(path)).scene;
+        if (const SolverRow& row = *findSolver(method.constData());
+            row.objection != nullptr && row.objection(scene))
+            return;                // the method does not treat this scene
+        constexpr int frames = 30; // enough for impacts, slides and rests of most
+        movesTheSameInAnyOrder(scene, method.constData(), random, frames);
+    }
+
+    void randomScenesMoveTheSameInAnyOrder() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        for (int round = 0; round < 10; ++round) {
+            Scene scene = test::randomScene(random);
+            for (Body& body : scene.bodies) body.friction = random.below(2) == 0 ? random.uniform() : 0;
+            movesTheSameInAnyOrder(scene, "contacts", random, 40);
+        }
+    }
+
     void independentCollisionsDoNotDependOnTheOrderOfDeclarations() {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
         for (int round = 0; round < 20; ++round) {
             const Scene scene = farPairs(random);
-            std::vector<std::size_t> order(scene.bodies.size());
-            std::iota(order.begin(), order.end(), std::size_t{0});
-            for (std::size_t i = order.size() - 1; i > 0; --i)
-                std::swap(order[i], order[random.below(i + 1)]);
-            Scene shuffled = scene;
-            for (std::size_t i = 0; i < order.size(); ++i) shuffled.bodies[i] = scene.bodies[order[i]];
+            const std::vector<std::size_t> order = shuffle(random, scene.bodies.size());
+            const Scene shuffled = declaredAs(scene, order, random);
 
             World plain = worldOf(scene, test::byMethod("microcollisions"));
             World other = worldOf(shuffled, test::byMethod("microcollisions"));
@@ -63,14 +142,8 @@ class DeclarationOrderTest : public QObject {
                 contacts += plain.statistics().contacts;
             }
             QVERIFY(contacts >= 20);
-            for (std::size_t i = 0; i < order.size(); ++i) {
-                const std::size_t k = order[i];
-                QCOMPARE(other.state().pose[i].position, plain.state().pose[k].position);
-                QCOMPARE(other.state().pose[i].orientation.coeffs(),
-                         plain.state().pose[k].orientation.coeffs());
-                QCOMPARE(other.state().velocity[i], plain.state().velocity[k]);
-                QCOMPARE(other.state().angularVelocity[i], plain.state().angularVelocity[k]);
-            }
+            const QString difference = firstDifference(plain, other, order);
+            QVERIFY2(difference.isEmpty(), qPrintable(difference));
         }
     }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+
+#include <span>
+#include <vector>
+
+// Two things that a text decides and nature does not: which number a body has, and where the origin is. A
+// method whose sums and sweeps run in an order takes a canonical one, so that the order of declarations
+// changes no bit; and a scene that lies far from the origin is computed from an origin of its own, so that
+// its coordinates have the digits that its bodies need.
+
+namespace carom {
+
+/// Every body once, in an order that follows from what the bodies are and where they start: walls first, then
+/// from below upwards (y, then x, then z), then by all that a declaration says. Only bodies that are alike in
+/// everything, place included, are left in the order of the text.
+std::vector<BodyIndex> canonicalOrder(const Scene& scene);
+
+/// Where coordinates had better begin [m]: zero, unless everything, springs and the near parts of walls
+/// included, lies within a region that is further away than `farAway` times its size. Then its middle,
+/// rounded to a power of two of that size, so that taking it off costs no digit.
+Vec3 originNear(const Scene& scene);
+inline constexpr double farAway = 64;
+
+/// Whether springs stand in an order that does not depend on that of their declarations.
+bool areInOrder(const std::vector<SpringForce>& springs);
+
+/// The same bodies under new numbers (body order[k] becomes k; springs come in a canonical order, too) with
+/// coordinates from `origin` on. Its own `order` ascends and its `origin` is zero.
+Bodies renumbered(const Bodies& bodies, std::span<const BodyIndex> order, const Vec3& origin);
+
+} // namespace carom

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/local_solver.h"
+
+#include "core/dynamics/numbering.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace carom {
+namespace {
+
+/// a + b and what that rounds off (D. Knuth, "The art of computer programming" 2, 4.2.2, theorem B), in each
+/// coordinate.
+struct Sum {
+    Vec3 value, rest;
+};
+Sum sumOf(const Vec3& a, const Vec3& b) {
+    const Vec3 value = a + b;
+    const Vec3 part = value - a;
+    return {value, (a - (value - part)) + (b - part)};
+}
+
+class LocalSolver final : public Solver {
+  public:
+    LocalSolver(const Bodies& bodies, std::vector<BodyIndex> order, const SolverSettings& settings,
+                MakeSolver make)
+        : m_order(std::move(order)), m_origin(bodies.origin), m_bodies(renumbered(bodies, m_order, m_origin)),
+          m_solver(make(m_bodies, settings)) {}
+
+    SolverReport advance(const SolverInput& input) override {
+        enter(input.state);
+        SolverReport report = m_solver->advance(input.about(m_bodies, m_state));
+        leave(input.state);
+        if (report.loss) report.loss.body = m_order[report.loss.body];
+        return report;
+    }
+
+    std::unique_ptr<const SolverMemory> memory() const override { return m_solver->memory(); }
+    void recall(const SolverMemory& memory) override { m_solver->recall(memory); }
+
+  private:
+    void enter(const State& world) {
+        const std::size_t count = m_order.size();
+        if (m_state.pose.size() != count) m_state = world; // the sizes; all values follow
+        m_state.frame = world.frame;
+        m_state.time = world.time;
+        for (BodyIndex k = 0; k < count; ++k) copyBody(world, m_order[k], m_state, k);
+        if (m_origin == Vec3::Zero()) return;
+        for (const BodyIndex k : m_bodies.bounded) {
+            const Sum sum = sumOf(m_state.pose[k].position - m_origin, m_state.positionRest[k]);
+            m_state.pose[k].position = sum.value;
+            m_state.positionRest[k] = sum.rest;
+        }
+    }
+
+    void leave(State& world) {
+        for (const BodyIndex k : m_bodies.mobileBodies) {
+            if (m_origin != Vec3::Zero()) {
+                const Sum sum = sumOf(m_origin, m_state.pose[k].position);
+                m_state.pose[k].position = sum.value;
+                m_state.positionRest[k] += sum.rest;
+            }
+            copyBody(m_state, k, world, m_order[k]);
+        }
+    }
+
+    std::vector<BodyIndex> m_order; // of the world, by number here
+    Vec3 m_origin;
+    Bodies m_bodies;
+    State m_state;
+    std::unique_ptr<Solver> m_solver;
+};
+
+} // namespace
+
+std::unique_ptr<Solver> inOwnTerms(const Bodies& bodies, const SolverSettings& settings, Numbering numbering,
+                                   MakeSolver make) {
+    std::vector<BodyIndex> order = bodies.order;
+    if (numbering == Numbering::AsDeclared) std::iota(order.begin(), order.end(), BodyIndex{0});
+    const bool inOrder = std::is_sorted(order.begin(), order.end()) &&
+                         (numbering == Numbering::AsDeclared || areInOrder(bodies.springs));
+    if (inOrder && bodies.origin == Vec3::Zero()) return make(bodies, settings);
+    return std::make_unique<LocalSolver>(bodies, std::move(order), settings, make);
+}
+
+} // namespace carom
