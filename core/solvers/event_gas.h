@@ -60,6 +60,9 @@ class EventGas {
     /// the ball concerned if time ceases to pass between the events (inelastic collapse).
     Loss advanceTo(double time);
 
+    /// How long it goes by one clock [s]; setting it back rounds times anew.
+    double clockTurn() const { return m_clockTurn; }
+
     /// Writes positions and velocities at the time of the last advanceTo.
     void write(State& state) const;
 
