@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/energy.h"
 
+#include "core/dynamics/free_rotation.h"
 #include "core/dynamics/ledger.h"
 
 namespace carom {
@@ -39,9 +40,8 @@ Vec3 angularMomentumOf(const Bodies& bodies, const State& state) {
     Vec3 sum = Vec3::Zero();
     for (const BodyIndex i : bodies.mobileBodies) {
         const Pose& pose = state.pose[i];
-        const Vec3 spin = pose.directionToBody(state.angularVelocity[i]);
         sum += pose.position.cross(bodies.mass[i] * state.velocity[i]);
-        sum += pose.directionToWorld(bodies.inertia[i].cwiseProduct(spin));
+        sum += angularMomentumOf(bodies, i, state);
     }
     return sum;
 }

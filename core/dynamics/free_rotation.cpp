@@ -22,6 +22,8 @@ constexpr double partAngle = 0.05;
 constexpr std::array<double, 3> yoshida = {-1.17767998417887, 0.235573213359357, 0.784513610477560};
 constexpr double yoshidaMiddle = 1 - 2 * (yoshida[0] + yoshida[1] + yoshida[2]);
 
+bool isIsotropic(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
+
 bool nearlyEqual(double a, double b) { return std::abs(a - b) <= equalMoments * std::max(a, b); }
 
 /// The two axes that are not `axis`, ascending.
@@ -130,29 +132,45 @@ Vec3 angularVelocityFrom(const Vec3& inertia, const Quat& orientation, const Vec
     return orientation * (orientation.conjugate() * angularMomentum).cwiseQuotient(inertia);
 }
 
+Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state) {
+    const Vec3& inertia = bodies.inertia[body];
+    const Vec3& spin = state.angularVelocity[body];
+    if (isIsotropic(inertia)) return inertia.x() * spin;
+    const Quat& orientation = state.pose[body].orientation;
+    const Vec3& kept = state.angularMomentum[body];
+    const bool holds = angularVelocityFrom(inertia, orientation, kept) == spin;
+    return holds ? kept : angularMomentumFrom(inertia, orientation, spin);
+}
+
+void keepAngularMomentum(const Bodies& bodies, BodyIndex body, const Vec3& angularMomentum, State& state) {
+    const Vec3& inertia = bodies.inertia[body];
+    if (isIsotropic(inertia)) return;
+    state.angularMomentum[body] = angularMomentum;
+    state.angularVelocity[body] = angularVelocityFrom(inertia, state.pose[body].orientation, angularMomentum);
+}
+
 void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order,
                     State& state) {
     for (const BodyIndex i : list) {
-        const Vec3& inertia = bodies.inertia[i];
-        Quat& orientation = state.pose[i].orientation;
-        const Vec3 momentum = angularMomentumFrom(inertia, orientation, state.angularVelocity[i]);
-        rotateInPieces(inertia, momentum, h, order, orientation);
-        const bool isotropic = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-        if (!isotropic) state.angularVelocity[i] = angularVelocityFrom(inertia, orientation, momentum);
+        const Vec3 momentum = angularMomentumOf(bodies, i, state);
+        rotateInPieces(bodies.inertia[i], momentum, h, order, state.pose[i].orientation);
+        keepAngularMomentum(bodies, i, momentum, state);
+    }
+}
+
+void tumbleFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+    for (const BodyIndex i : list) {
+        if (state.angularVelocity[i] == Vec3::Zero()) continue;
+        const Vec3 momentum = angularMomentumOf(bodies, i, state);
+        rotateBetween(bodies, i, momentum, momentum, h, state);
     }
 }
 
 void rotateBetween(const Bodies& bodies, BodyIndex body, const Vec3& before, const Vec3& after, double h,
                    State& state) {
-    state.angularVelocity[body] = after;
     if (before == Vec3::Zero() && after == Vec3::Zero()) return;
-    const Vec3& inertia = bodies.inertia[body];
-    Quat& orientation = state.pose[body].orientation;
-    const Vec3 momentum = angularMomentumFrom(inertia, orientation, after);
-    rotateFreely(inertia, 0.5 * (angularMomentumFrom(inertia, orientation, before) + momentum), h,
-                 orientation);
-    const bool isotropic = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-    if (!isotropic) state.angularVelocity[body] = angularVelocityFrom(inertia, orientation, momentum);
+    rotateFreely(bodies.inertia[body], 0.5 * (before + after), h, state.pose[body].orientation);
+    keepAngularMomentum(bodies, body, after, state);
 }
 
 } // namespace carom

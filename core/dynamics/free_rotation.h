@@ -9,7 +9,9 @@
 
 // A rigid body that no torque acts on keeps its angular momentum L in the world, and only its orientation R
 // changes: R' = [I⁻¹ L]× R with the world inertia I = R diag(I1, I2, I3) Rᵀ. So L is the quantity we keep and
-// ω is computed from it; L never drifts, whatever the step.
+// ω is computed from it; L never drifts, whatever the step. (L from ω and ω from L in turn would lose 1e-16
+// of it every time, and always the same way: 2e-11 in 80,000 steps.) Whatever else turns a body changes ω
+// alone; so L is taken up only where ω is, to the bit, what follows from it.
 //
 // Isotropic inertia:  ω = L/I is constant, one rotation is exact.
 // Two equal moments (a cylinder), I across and I3 along the axis:  the body turns about L at |L|/I while it
@@ -47,10 +49,17 @@ Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec
 /// Angular velocity [rad/s], world, from angular momentum, world.
 Vec3 angularVelocityFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularMomentum);
 
-/// Turns a body whose angular velocity changes from `before` to `after` (both taken at its present
-/// orientation) through h seconds: freely about the mean of both angular momenta. Afterwards the state has
-/// the angular velocity that goes with the momentum after. Without torque this is free rotation, and momentum
-/// is kept.
+/// Angular momentum of a mobile body [kg m²/s], world: the one kept, as long as the body only turned freely.
+Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state);
+/// Gives a body an angular momentum; its angular velocity follows. Where the moments are equal the latter
+/// stays as it is: it is constant.
+void keepAngularMomentum(const Bodies& bodies, BodyIndex body, const Vec3& angularMomentum, State& state);
+
+/// Turns the bodies of `list` by rotateFreely; their angular momenta stay to the bit.
+void tumbleFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state);
+
+/// Turns a body whose angular momentum changes from `before` to `after` through h seconds: freely about the
+/// mean of both. It has the one after then, and where moments differ the angular velocity that goes with it.
 void rotateBetween(const Bodies& bodies, BodyIndex body, const Vec3& before, const Vec3& after, double h,
                    State& state);
 

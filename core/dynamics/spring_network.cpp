@@ -58,9 +58,8 @@ void readMotion(const SpringNetwork& network, const State& state, std::vector<Bo
     for (std::size_t k = 0; k < network.moving.size(); ++k) {
         const BodyIndex i = network.moving[k];
         const Pose& pose = state.pose[i];
-        motion[k] = {
-            pose.position, state.velocity[i], pose.orientation.coeffs(),
-            angularMomentumFrom(network.bodies.inertia[i], pose.orientation, state.angularVelocity[i])};
+        motion[k] = {pose.position, state.velocity[i], pose.orientation.coeffs(),
+                     angularMomentumOf(network.bodies, i, state)};
     }
 }
 
@@ -89,6 +88,7 @@ void applyRates(const SpringNetwork& network, const std::vector<BodyMotion>& sta
             pose.orientation.normalize();
         }
         state.angularVelocity[i] = angularVelocityFrom(network.bodies.inertia[i], pose.orientation, momentum);
+        state.angularMomentum[i] = momentum;
     }
 }
 

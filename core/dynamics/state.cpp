@@ -44,6 +44,7 @@ void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k) {
     to.velocity[k] = from.velocity[i];
     to.angularVelocity[k] = from.angularVelocity[i];
     to.positionRest[k] = from.positionRest[i];
+    to.angularMomentum[k] = from.angularMomentum[i];
 }
 
 State initialStateOf(const Scene& scene) {
@@ -51,6 +52,7 @@ State initialStateOf(const Scene& scene) {
     state.pose.reserve(scene.bodies.size());
     state.velocity.reserve(scene.bodies.size());
     state.angularVelocity.reserve(scene.bodies.size());
+    state.angularMomentum.assign(scene.bodies.size(), Vec3::Zero());
     for (const Body& body : scene.bodies) {
         const bool mobile = body.mobile() && !isWall(body.shape);
         state.pose.push_back(body.pose);

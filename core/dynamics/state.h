@@ -18,6 +18,9 @@ struct State {
     std::vector<Vec3> velocity;        ///< [m/s]
     std::vector<Vec3> angularVelocity; ///< [rad/s], world
     std::vector<Vec3> positionRest;    ///< what `pose.position` rounded off [m]: the body is at their sum
+    /// [kg m²/s], world, that the angular velocity was computed from; of bodies that turned freely, and of no
+    /// meaning to others. Read by angularMomentumOf (free_rotation.h) only, which knows what it is worth.
+    std::vector<Vec3> angularMomentum;
 
     std::int64_t frame = 0;
     double time = 0; ///< [s] = frame · step

@@ -40,11 +40,9 @@ void turn(std::span<const BodyIndex> bodies, double h, State& state) {
 
 void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     for (const BodyIndex i : list) {
-        const Vec3& inertia = bodies.inertia[i];
-        Quat& orientation = state.pose[i].orientation;
-        const Vec3 momentum = angularMomentumFrom(inertia, orientation, state.angularVelocity[i]);
-        turnExplicitly(state.angularVelocity[i], h, orientation);
-        state.angularVelocity[i] = angularVelocityFrom(inertia, orientation, momentum);
+        const Vec3 momentum = angularMomentumOf(bodies, i, state);
+        turnExplicitly(state.angularVelocity[i], h, state.pose[i].orientation);
+        keepAngularMomentum(bodies, i, momentum, state);
     }
 }
 

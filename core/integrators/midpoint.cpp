@@ -12,16 +12,6 @@
 // fly freely need no equations: the parabola is exact, and so is free rotation.
 
 namespace carom {
-namespace {
-
-void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
-    for (const BodyIndex i : list) {
-        const Vec3 spin = state.angularVelocity[i];
-        rotateBetween(bodies, i, spin, spin, h, state);
-    }
-}
-
-} // namespace
 
 extern const IntegratorRow midpointRow;
 constinit const IntegratorRow midpointRow = {
@@ -33,7 +23,7 @@ constinit const IntegratorRow midpointRow = {
         "any step.",
     .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
     .stableUpTo = std::numeric_limits<double>::infinity(),
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble},
+    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumbleFreely},
 };
 
 } // namespace carom

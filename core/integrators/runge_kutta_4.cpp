@@ -29,9 +29,8 @@ void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, Sta
     for (const BodyIndex i : list) {
         const Vec3& inertia = bodies.inertia[i];
         Quat& orientation = state.pose[i].orientation;
-        Vec3& spin = state.angularVelocity[i];
-        if (spin == Vec3::Zero()) continue; // nothing to turn, and no rounding either
-        const Vec3 momentum = angularMomentumFrom(inertia, orientation, spin);
+        if (state.angularVelocity[i] == Vec3::Zero()) continue; // nothing to turn, and no rounding either
+        const Vec3 momentum = angularMomentumOf(bodies, i, state);
         const Vec4 start = orientation.coeffs();
         Vec4 rate = Vec4::Zero(), sum = Vec4::Zero();
         for (const Stage& stage : tableau) {
@@ -42,7 +41,7 @@ void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, Sta
         }
         orientation.coeffs() = start + h * sum;
         orientation.normalize();
-        spin = angularVelocityFrom(inertia, orientation, momentum);
+        keepAngularMomentum(bodies, i, momentum, state);
     }
 }
 

@@ -60,7 +60,10 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     velocity = end;
     body.velocity.head<3>() = end;
     if (input.ledger != nullptr) bookBounce(input, before, normal, after.gap - point.separation);
-    rotateBetween(input.bodies, ball, before.tail<3>(), body.velocity.tail<3>(), h, input.state);
+    const double inertia = input.bodies.inertia[ball].x();
+    input.state.angularVelocity[ball] = body.velocity.tail<3>();
+    rotateBetween(input.bodies, ball, inertia * before.tail<3>(), inertia * body.velocity.tail<3>(), h,
+                  input.state);
     point.force.setZero();
     return true;
 }

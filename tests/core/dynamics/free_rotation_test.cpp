@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 
 // A body that no torque acts on: hard cases 8, 9 and 10 in short form, and closed forms.
@@ -54,6 +55,40 @@ class FreeRotationTest : public QObject {
         }
         qInfo("energy within %.1e", worst);
         QVERIFY(worst < 1e-12);
+    }
+
+    // Hard case 8. With ω kept in place of L it lost 2e-16 of L a step, and always the same way.
+    void aFreeBodyKeepsItsAngularMomentumToTheBit() {
+        Bodies bodies;
+        bodies.inertia.push_back(inertiaOf(brick, mass));
+        State state;
+        state.pose.emplace_back();
+        state.angularVelocity.emplace_back(1, 2, 3);
+        state.angularMomentum.emplace_back(Vec3::Zero());
+        const Vec3 momentum = angularMomentumOf(bodies, 0, state);
+        constexpr std::array<BodyIndex, 1> list = {0};
+        constexpr int steps = 10'000;
+        for (int i = 0; i < steps; ++i)
+            i % 2 == 0 ? tumbleFreely(bodies, list, 0.01, state)
+                       : tumbleInPieces(bodies, list, 0.01, 2, state);
+        QVERIFY(angularMomentumOf(bodies, 0, state) == momentum);
+        QVERIFY((state.angularVelocity[0] - Vec3(1, 2, 3)).norm() > 0.1); // it did turn
+    }
+
+    void anAngularVelocityThatSomethingChangedCountsMoreThanTheMomentumKept() {
+        Bodies bodies;
+        bodies.inertia.push_back(inertiaOf(brick, mass));
+        State state;
+        state.pose.emplace_back();
+        state.angularVelocity.emplace_back(1, 2, 3);
+        state.angularMomentum.emplace_back(Vec3::Zero());
+        constexpr std::array<BodyIndex, 1> list = {0};
+        tumbleFreely(bodies, list, 0.01, state);
+        state.angularVelocity[0] = Vec3(-1, 0, 0.5);
+        QVERIFY(angularMomentumOf(bodies, 0, state) ==
+                angularMomentumFrom(bodies.inertia[0], state.pose[0].orientation, Vec3(-1, 0, 0.5)));
+        state.angularVelocity[0] = Vec3::Zero();
+        QVERIFY(angularMomentumOf(bodies, 0, state) == Vec3::Zero());
     }
 
     // Hard case 8: the body's own motion has the period 4 K(k)/rate, 3.6718473 s for this brick.
