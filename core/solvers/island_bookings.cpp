@@ -3,9 +3,9 @@
 #include "core/solvers/island_motion.h"
 
 // What an island's motion did, for the ledger; called only where somebody keeps one. Everything is booked
-// from velocities at the island's present poses: the impulses of a part of the substep lead from m_start to
-// the velocities of m_problem. Turning comes behind, and what it changes in the energy of bodies with unequal
-// moments is booked apart, as the difference.
+// from velocities at the island's present poses, or where contacts turn, at those of the part's end: the
+// impulses of a part of the substep lead from m_start to the velocities of m_problem. Turning comes behind,
+// and what it changes in the energy of bodies with unequal moments is booked apart, as the difference.
 
 namespace carom {
 
@@ -16,12 +16,30 @@ void IslandMotion::bookForces(const MotionInput& input, double duration) {
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         const ContactBody& body = m_problem.bodies[i];
         m_mean[i] = 0.5 * (m_start[i].velocity + body.velocity);
+        if (!m_pushes.empty()) { // turning first, then the torques at the end
+            const Vec3& momentum = m_start[i].angularMomentum;
+            m_mean[i].tail<3>() = 0.5 * (body.freeVelocity + body.velocity).tail<3>();
+            ledger[LedgerAccount::Rotation].energy +=
+                0.5 * momentum.dot((body.freeVelocity - m_start[i].velocity).tail<3>());
+        }
         const Vec3 impulse = (body.mass * duration) * input.gravity;
         gravity.energy += impulse.dot(m_mean[i].head<3>());
         gravity.momentum += impulse;
     }
+    swapPushes();
     bookRows(m_problem, m_mean, 1, LedgerAccount::Contact, ledger);
+    swapPushes();
     bookSprings(m_problem, m_mean, ledger);
+}
+
+// Rows and what their impulses act along.
+void IslandMotion::swapPushes() {
+    for (std::size_t i = 0; i < m_pushes.size(); ++i) {
+        ContactRow& row = m_problem.rows[i];
+        std::swap(row.jacobianA, m_pushes[i].a);
+        std::swap(row.jacobianB, m_pushes[i].b);
+        std::swap(row.frame, m_pushes[i].frame);
+    }
 }
 
 void IslandMotion::bookTurning(const MotionInput& input, const Island& island) {

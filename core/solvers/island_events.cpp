@@ -80,8 +80,7 @@ double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair
         before += sign * start.velocity.head<3>();
         after += sign * end.velocity.head<3>();
         if (std::holds_alternative<Sphere>(input.bodies.shape[i])) return;
-        const double momentum =
-            std::max(start.angularMomentum.norm(), Vec3(end.inertia * end.velocity.tail<3>()).norm());
+        const double momentum = std::max(start.angularMomentum.norm(), endMomentum(at(local)).norm());
         turning += momentum / input.bodies.inertia[i].minCoeff() * input.bodies.boundingRadius[i];
     };
     add(pair.a, -1);
@@ -181,12 +180,10 @@ Pose IslandMotion::poseAt(const MotionInput& input, BodyIndex i, double t, doubl
     Pose pose = input.state.pose[i];
     if (local == immobile) return pose;
     const Start& start = m_start[at(local)];
-    const ContactBody& end = m_problem.bodies[at(local)];
-    const Vec3 v0 = start.velocity.head<3>(), v1 = end.velocity.head<3>();
+    const Vec3 v0 = start.velocity.head<3>(), v1 = m_problem.bodies[at(local)].velocity.head<3>();
     pose.position += t * (v0 + (0.5 * t / duration) * (v1 - v0));
     const Vec3 momentum =
-        start.angularMomentum +
-        (0.5 * t / duration) * (end.inertia * end.velocity.tail<3>() - start.angularMomentum);
+        start.angularMomentum + (0.5 * t / duration) * (endMomentum(at(local)) - start.angularMomentum);
     rotateFreely(input.bodies.inertia[i], momentum, t, pose.orientation);
     return pose;
 }
@@ -259,15 +256,18 @@ bool IslandMotion::findStop(Braked& first) const {
         const double normal = row.impulse.x();
         // Where a body turns about a corner that sticks, the corner's speed over a part is that of turning.
         if (!(normal > 0) || m_stuck[i] != 0) continue;
+        // Before: of the contact as it was then.
+        ContactRow start = row;
+        if (!m_pushes.empty()) placeRow(m_rowPoint[i], start);
         Vec3 slip = Vec3::Zero();
         Vec2 roll = Vec2::Zero();
         const auto add = [&](int body, const Mat36& jacobian, double sign) {
             if (body == immobile) return;
             slip += jacobian * m_start[at(body)].velocity;
-            roll += sign * (row.frame.bottomRows<2>() * m_start[at(body)].velocity.tail<3>());
+            roll += sign * (start.frame.bottomRows<2>() * m_start[at(body)].velocity.tail<3>());
         };
-        add(row.a, row.jacobianA, -1);
-        add(row.b, row.jacobianB, 1);
+        add(row.a, start.jacobianA, -1);
+        add(row.b, start.jacobianB, 1);
         if (row.friction > 0) {
             const double speed = slip.tail<2>().norm();
             look({.point = m_rowPoint[i],

@@ -22,17 +22,13 @@ constexpr double coneEdge = 1e-6;
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
 void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
-    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
-        ContactBody& body = m_problem.bodies[i];
-        body.velocity = m_start[i].velocity;
-        body.freeVelocity = m_start[i].velocity;
-        body.freeVelocity.head<3>() += duration * input.gravity;
-    }
+    beginPart(input, duration);
     chooseRows(duration, locating);
     if (m_springs.empty())
         solve(input);
     else
         solveSprings(input, duration);
+    if (locating && contactsTurn(input, duration)) turnContacts(input, duration);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
     if (duration < shortestMemory * input.substep) return;
@@ -41,6 +37,27 @@ void IslandMotion::smooth(const MotionInput& input, double duration, bool locati
         point.force = m_problem.rows[i].impulse / duration;
         point.rollingTorque = m_problem.rows[i].rollingImpulse / duration;
     }
+}
+
+// Bodies as they are at the start of a part.
+void IslandMotion::beginPart(const MotionInput& input, double duration) {
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        ContactBody& body = m_problem.bodies[i];
+        const BodyIndex member = m_members[i];
+        if (!m_pushes.empty())
+            setInertia(input.bodies.inertia[member], input.state.pose[member].orientation, body);
+        body.velocity = m_start[i].velocity;
+        body.freeVelocity = m_start[i].velocity;
+        body.freeVelocity.head<3>() += duration * input.gravity;
+    }
+    m_pushes.clear();
+}
+
+// Angular momentum of a body at the end of the part; where no impulse turns it the one of the start, to the
+// bit.
+Vec3 IslandMotion::endMomentum(std::size_t i) const {
+    const ContactBody& body = m_problem.bodies[i];
+    return m_start[i].angularMomentum + body.inertia * (body.velocity - body.freeVelocity).tail<3>();
 }
 
 // Closing speeds up to this are a matter for the contact force: the bound uₙ + gap/T >= 0 stops them at the

@@ -59,12 +59,14 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
 }
 
 void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
+    m_members = island.bodies;
     m_local.resize(input.bodies.count(), immobile);
     for (std::size_t i = 0; i < island.bodies.size(); ++i) m_local[island.bodies[i]] = static_cast<int>(i);
     m_contacts.clear();
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_springs.assign(island.links.begin(), island.links.end());
+    if (m_contacts.points.size() <= std::size_t{mostLocatedPoints}) makeRoomToTurn();
     m_scale = input.gravity.norm() * input.substep;
     m_newtonSteps = newtonSteps(input, island);
     m_failed = false;
@@ -136,23 +138,29 @@ void IslandMotion::recollide(const MotionInput& input) {
     }
 }
 
+void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body) {
+    const bool isotropic = principal.x() == principal.y() && principal.y() == principal.z();
+    const Vec3 inverse = principal.cwiseInverse();
+    if (isotropic) {
+        body.inertia = principal.asDiagonal();
+        body.inverseInertia = inverse.asDiagonal();
+        return;
+    }
+    const Mat3 turn = orientation.toRotationMatrix();
+    body.inertia = turn * principal.asDiagonal() * turn.transpose();
+    body.inverseInertia = turn * inverse.asDiagonal() * turn.transpose();
+}
+
 void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
     m_problem.clear();
     m_start.clear();
     double fastest = 0;
     for (const BodyIndex i : island.bodies) {
         ContactBody& body = m_problem.bodies.emplace_back();
-        const Mat3 turn = input.state.pose[i].orientation.toRotationMatrix();
-        const Vec3& inertia = input.bodies.inertia[i];
         body.velocity << input.state.velocity[i], input.state.angularVelocity[i];
         body.mass = input.bodies.mass[i];
-        const bool isotropic = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-        body.inertia =
-            isotropic ? Mat3(inertia.asDiagonal()) : Mat3(turn * inertia.asDiagonal() * turn.transpose());
-        const Vec3 inverse = inertia.cwiseInverse();
-        body.inverseInertia =
-            isotropic ? Mat3(inverse.asDiagonal()) : Mat3(turn * inverse.asDiagonal() * turn.transpose());
-        body.gyration = std::sqrt(inertia.maxCoeff() / body.mass);
+        setInertia(input.bodies.inertia[i], input.state.pose[i].orientation, body);
+        body.gyration = std::sqrt(input.bodies.inertia[i].maxCoeff() / body.mass);
         fastest = std::max(fastest, fastestPart(body));
     }
     const double scale = m_scale > 0 ? m_scale : fastest;
@@ -241,7 +249,9 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         if (i >= m_start.size()) m_start.emplace_back();
         const ContactBody& body = m_problem.bodies[i];
-        m_start[i] = {body.velocity, body.inertia * body.velocity.tail<3>()};
+        const bool hit = body.velocity.tail<3>() != input.state.angularVelocity[m_members[i]];
+        m_start[i] = {body.velocity, hit ? Vec3(body.inertia * body.velocity.tail<3>())
+                                         : angularMomentumOf(input.bodies, m_members[i], input.state)};
     }
 }
 
@@ -255,7 +265,11 @@ void IslandMotion::settle(const MotionInput& input) {
         if (fastestPart(body) > still || was > still) return;
     }
     if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
-    for (ContactBody& body : m_problem.bodies) body.velocity.setZero();
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        m_problem.bodies[i].velocity.setZero();
+        m_problem.bodies[i].freeVelocity.setZero();
+        m_start[i].angularMomentum.setZero();
+    }
 }
 
 // Velocities that are no numbers are found before they make places that are none.
@@ -275,7 +289,8 @@ void IslandMotion::commit(const MotionInput& input, const Island& island, double
         const Vec6& after = m_problem.bodies[i].velocity;
         input.state.pose[body].position += (0.5 * duration) * (before.head<3>() + after.head<3>());
         input.state.velocity[body] = after.head<3>();
-        rotateBetween(input.bodies, body, before.tail<3>(), after.tail<3>(), duration, input.state);
+        input.state.angularVelocity[body] = after.tail<3>();
+        rotateBetween(input.bodies, body, m_start[i].angularMomentum, endMomentum(i), duration, input.state);
     }
     if (input.ledger != nullptr) bookTurning(input, island);
 }

@@ -25,7 +25,8 @@
 //         there commit     x += T (v₀ + v₁)/2, rotation likewise
 //
 // v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
-// friction too; both ends respect the gap, so the mean does.
+// friction too; both ends respect the gap, so the mean does. Contacts that turn with their bodies are taken
+// where they will be (island_turning.cpp).
 
 namespace carom {
 
@@ -48,6 +49,9 @@ struct MotionReport {
     Loss loss; ///< where the forces of an island came to be no numbers: it has not moved
 };
 
+/// The inertia of a body as it lies in the world.
+void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body);
+
 inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class IslandMotion {
@@ -65,6 +69,17 @@ class IslandMotion {
         Vec6 velocity = Vec6::Zero();
         Vec3 angularMomentum = Vec3::Zero();
     };
+    /// Where a contact point is at another moment of a part.
+    struct Place {
+        bool found = false;
+        Mat3 frame = Mat3::Identity();
+        Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();
+    };
+    /// What the impulse of a row acts along.
+    struct Push {
+        Mat36 a = Mat36::Zero(), b = Mat36::Zero();
+        Mat3 frame = Mat3::Identity();
+    };
 
     int newtonSteps(const MotionInput& input, const Island& island) const;
     void countPatience();
@@ -76,8 +91,20 @@ class IslandMotion {
     void part(const MotionInput& input, const Island& island);
     void impacts(const MotionInput& input, double duration, bool locating);
     void smooth(const MotionInput& input, double duration, bool locating);
+    void beginPart(const MotionInput& input, double duration);
+    Vec3 endMomentum(std::size_t body) const;
     void chooseRows(double duration, bool locating);
     void solve(const MotionInput& input);
+    bool contactsTurn(const MotionInput& input, double duration) const;
+    void makeRoomToTurn();
+    void turnContacts(const MotionInput& input, double duration);
+    void foreseePoses(const MotionInput& input, double duration);
+    void moveRows(const MotionInput& input);
+    void followPair(const MotionInput& input, const ContactPair& pair, const std::vector<Pose>& poses,
+                    std::vector<Place>& places);
+    void placeRow(const Place& place, ContactRow& row) const;
+    void placeRow(std::uint32_t point, ContactRow& row) const;
+    void solveTurned(const MotionInput& input);
     Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
     void linkSprings(const MotionInput& input, double duration);
     void solveSprings(const MotionInput& input, double duration);
@@ -90,6 +117,7 @@ class IslandMotion {
     void keep(ContactSet& kept) const;
 
     void bookForces(const MotionInput& input, double duration);
+    void swapPushes();
     void bookTurning(const MotionInput& input, const Island& island);
     void bookParting(const MotionInput& input, const Island& island, double spinBefore);
     void bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
@@ -111,23 +139,30 @@ class IslandMotion {
     ContactRow rowOf(const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
-    int m_newtonSteps = 0;    // factorisations for one solve; 0: by sweeps
-    bool m_failed = false;    // Newton's method, in this substep
-    double m_scale = 0;       // |g| h, or the speed of the problem without gravity [m/s]
-    double m_tolerance = 0;   // of velocities [m/s]
-    std::vector<int> m_local; // by body of the scene: its index in m_problem, or immobile
+    int m_newtonSteps = 0;                // factorisations for one solve; 0: by sweeps
+    bool m_failed = false;                // Newton's method, in this substep
+    double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
+    double m_tolerance = 0;               // of velocities [m/s]
+    std::vector<int> m_local;             // by body of the scene: its index in m_problem, or immobile
+    std::span<const BodyIndex> m_members; // of the scene, by body of m_problem
     ContactSet m_contacts, m_before;
     ContactProblem m_problem, m_parting;
-    std::vector<std::uint32_t> m_springs;  // of the island, into Bodies::springs
-    std::vector<Vec6> m_lastVelocity;      // by body of m_problem, of the round before
-    std::vector<Start> m_start;            // by body of m_problem
-    std::vector<std::uint32_t> m_rowPoint; // by row, the point of m_contacts
-    std::vector<std::uint8_t> m_stuck;     // by row, 1: it neither slid nor rolled when last solved for
-    std::vector<std::uint8_t> m_waits;     // by point, 1: open, and may close hard within the substep
-    std::vector<std::uint8_t> m_held;      // by pair, 1: a contact force acts in it
-    std::vector<std::uint8_t> m_pushed;    // by body of m_problem, 1: something besides gravity acts on it
-    std::vector<std::uint32_t> m_pairOf;   // by point, the pair of m_contacts
-    std::vector<Vec6> m_mean;              // by body of m_problem, the mean velocity; for the ledger only
+    std::vector<std::uint32_t> m_springs;      // of the island, into Bodies::springs
+    std::vector<Vec6> m_lastVelocity;          // by body of m_problem, of the round before
+    std::vector<Start> m_start;                // by body of m_problem
+    std::vector<Pose> m_middlePose, m_endPose; // by body of m_problem, foreseen
+    std::vector<Place> m_inMiddle, m_atEnd;    // by point of m_contacts, foreseen
+    std::vector<Push> m_pushes;                // by row; empty: along the rows themselves
+    std::vector<Vec6> m_free;                  // by body of m_problem, v̂
+    std::vector<std::uint8_t> m_presses;       // by point, 1: an impulse acts in it
+    ContactSet m_followed;                     // of one pair
+    std::vector<std::uint32_t> m_rowPoint;     // by row, the point of m_contacts
+    std::vector<std::uint8_t> m_stuck;         // by row, 1: it neither slid nor rolled when last solved for
+    std::vector<std::uint8_t> m_waits;         // by point, 1: open, and may close hard within the substep
+    std::vector<std::uint8_t> m_held;          // by pair, 1: a contact force acts in it
+    std::vector<std::uint8_t> m_pushed;  // by body of m_problem, 1: something besides gravity acts on it
+    std::vector<std::uint32_t> m_pairOf; // by point, the pair of m_contacts
+    std::vector<Vec6> m_mean;            // by body of m_problem, the mean velocity; for the ledger only
     std::vector<ImpactRow> m_impactRows;
     NewtonSolver m_newton;
     GaussSeidelSolver m_gaussSeidel;

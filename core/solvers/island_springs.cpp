@@ -61,7 +61,7 @@ Pose IslandMotion::middlePose(const MotionInput& input, BodyIndex i, double dura
     const ContactBody& end = m_problem.bodies[local];
     Pose pose = input.state.pose[i];
     pose.position += (0.25 * duration) * (start.velocity + end.velocity).head<3>();
-    const Vec3 momentum = 0.5 * (start.angularMomentum + end.inertia * end.velocity.tail<3>());
+    const Vec3 momentum = 0.5 * (start.angularMomentum + endMomentum(local));
     rotateFreely(input.bodies.inertia[i], momentum, 0.5 * duration, pose.orientation);
     return pose;
 }
