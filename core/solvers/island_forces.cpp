@@ -28,7 +28,7 @@ void IslandMotion::smooth(const MotionInput& input, double duration, bool locati
         solve(input);
     else
         solveSprings(input, duration);
-    if (locating && contactsTurn(input, duration)) turnContacts(input, duration);
+    if (locating && m_isSmall && contactsTurn(input, duration)) turnContacts(input, duration);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
     if (duration < shortestMemory * input.substep) return;

@@ -27,8 +27,10 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
     }
     const bool accurate = input.settings.tolerance < accurateTolerance;
     const int points = static_cast<int>(m_contacts.points.size());
-    const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
-    int events = points <= mostLocatedPoints ? 0 : most;
+    const bool locates = m_isSmall || (accurate && points <= mostLocatedAccurate);
+    const int most =
+        (accurate ? mostEventsAccurate : mostEvents) + (m_isSmall ? mostEventsPerPoint * points : 0);
+    int events = locates ? 0 : most;
     for (double left = input.substep; left > 0;) {
         const bool locating = events < most;
         part(input, island);
@@ -38,7 +40,7 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
         smooth(input, duration, locating);
         if (locating) {
             double event = firstImpact(input, duration);
-            if (event >= duration && accurate) event = firstStop(input, duration);
+            if (event >= duration && accurate && m_isSmall) event = firstStop(input, duration);
             if (event < (1 - shortestPart) * duration) {
                 duration = std::max(event, shortestPart * input.substep);
                 smooth(input, duration, locating);
@@ -66,7 +68,8 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_springs.assign(island.links.begin(), island.links.end());
-    if (m_contacts.points.size() <= std::size_t{mostLocatedPoints}) makeRoomToTurn();
+    m_isSmall = m_contacts.points.size() <= std::size_t{mostLocatedPoints};
+    if (m_isSmall) makeRoomToTurn();
     m_scale = input.gravity.norm() * input.substep;
     m_newtonSteps = newtonSteps(input, island);
     m_failed = false;

@@ -140,6 +140,7 @@ class IslandMotion {
     int localOf(BodyIndex body) const { return m_local[body]; }
 
     int m_newtonSteps = 0;                // factorisations for one solve; 0: by sweeps
+    bool m_isSmall = false;               // few contacts: worth every care
     bool m_failed = false;                // Newton's method, in this substep
     double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;               // of velocities [m/s]
