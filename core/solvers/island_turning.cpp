@@ -68,6 +68,8 @@ double distanceBetween(const ContactConstraint& one, const Pose& poseA, const Po
 // Whether contacts that press turn by more than the tolerance shows.
 bool IslandMotion::contactsTurn(const MotionInput& input, double duration) const {
     if (!m_springs.empty()) return false;
+    for (const ContactBody& body : m_problem.bodies)
+        if (!body.velocity.allFinite()) return false; // the step is lost
     for (std::size_t i = 0; i < m_problem.rows.size(); ++i) {
         const ContactPair& pair = m_contacts.pairs[m_pairOf[m_rowPoint[i]]];
         if (!(m_problem.rows[i].impulse.x() > 0) || neverTurns(input.bodies, pair)) continue;
