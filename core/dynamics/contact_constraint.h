@@ -66,4 +66,7 @@ struct ContactSet {
     void append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints);
 };
 
+/// By how much the worst force is outside Coulomb's cone |fₜ| ≤ μ fₙ, relative to its size; 0 where none is.
+double coneViolationOf(const ContactSet& set);
+
 } // namespace carom

@@ -52,6 +52,17 @@ void inherit(std::span<const ContactConstraint> memory, double within, std::span
 
 } // namespace
 
+double coneViolationOf(const ContactSet& set) {
+    double worst = 0;
+    for (const ContactPair& pair : set.pairs)
+        for (const ContactConstraint& point : set.pointsOf(pair)) {
+            const double size = point.force.norm(),
+                         outside = point.force.tail<2>().norm() - pair.friction * point.force.x();
+            if (size > 0) worst = std::max(worst, outside / size);
+        }
+    return worst;
+}
+
 void ContactSet::append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints) {
     pairs.push_back(pair);
     pairs.back().first = static_cast<std::uint32_t>(points.size());

@@ -10,6 +10,12 @@
 
 namespace carom {
 
+/// What a contact does, where the method solves for contact forces.
+struct ContactForce {
+    Vec3 at = Vec3::Zero();    ///< [m]
+    Vec3 force = Vec3::Zero(); ///< on the second body, or on the first where the second is a wall [N]
+};
+
 /// The state of a world at a frame, for whoever shows or writes it. A value: it shares nothing with the
 /// world.
 struct Snapshot {
@@ -17,7 +23,8 @@ struct Snapshot {
     double time = 0;        ///< [s]
     std::vector<Pose> pose; ///< by BodyIndex, walls included
     std::vector<Vec3> velocity, angularVelocity;
-    FrameStatistics statistics; ///< of the step that led here; all zero at frame 0
+    std::vector<ContactForce> contactForces; ///< of the last substep
+    FrameStatistics statistics;              ///< of the step that led here; all zero at frame 0
     Health health;
 };
 

@@ -37,6 +37,8 @@ struct FrameStatistics {
     /// is wrong. `tolerance` · |g| · substep is what method `contacts` works to; 0 where nothing is solved.
     double residual = 0;
 
+    double coneViolation = 0; ///< by how much the worst contact force was outside its cone, relative to it
+
     /// Where the world keeps one (World::keepLedger): what each part of the motion gave and took in this
     /// frame.
     Ledger ledger;

@@ -21,6 +21,7 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.axesSpared += report.axesSpared;
     frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
     frame.residual = std::max(frame.residual, report.residual);
+    frame.coneViolation = std::max(frame.coneViolation, report.coneViolation);
 
     frame.broad.pairs = broad.pairs;
     frame.broad.memoryBytes = broad.memoryBytes;

@@ -43,12 +43,29 @@ std::vector<Aabb> World::broadphaseStructure() const {
     return first->structure();
 }
 
+std::vector<ContactForce> World::contactForces() const {
+    const ContactSet contacts = m_solver->contacts();
+    const Bodies& bodies = m_pipeline->bodies();
+    std::vector<ContactForce> forces;
+    for (const ContactPair& pair : contacts.pairs) {
+        const bool onFirst = isWall(bodies.shape[pair.b]);
+        const Pose& anchor = m_state.pose[onFirst ? pair.a : pair.b];
+        for (const ContactConstraint& point : contacts.pointsOf(pair)) {
+            if (point.force.isZero()) continue;
+            const Vec3 onSecond = point.frame.transpose() * point.force;
+            forces.push_back({anchor.toWorld(point.anchor), onFirst ? Vec3(-onSecond) : onSecond});
+        }
+    }
+    return forces;
+}
+
 Snapshot World::snapshot() const {
     return {.frame = m_state.frame,
             .time = m_state.time,
             .pose = m_state.pose,
             .velocity = m_state.velocity,
             .angularVelocity = m_state.angularVelocity,
+            .contactForces = contactForces(),
             .statistics = m_statistics,
             .health = m_health};
 }

@@ -43,6 +43,7 @@ class World {
     const FrameStatistics& statistics() const { return m_statistics; }
     const Health& health() const { return m_health; }
     Snapshot snapshot() const;
+    std::vector<ContactForce> contactForces() const;
     Checkpoint checkpoint() const;
     /// Goes on from a checkpoint of a world of this pipeline, to the bit as that world did.
     void restore(const Checkpoint& checkpoint);

@@ -37,6 +37,7 @@ class Contacts final : public Solver {
     }
 
     SolverReport advance(const SolverInput& input) override;
+    ContactSet contacts() const override { return m_contacts; }
     std::unique_ptr<const SolverMemory> memory() const override;
     void recall(const SolverMemory& memory) override;
 
@@ -274,6 +275,7 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
     m_contacts.clear();
     for (const std::uint32_t i : m_order)
         m_contacts.append(m_kept.pairs[i], m_kept.pointsOf(m_kept.pairs[i]));
+    report.coneViolation = coneViolationOf(m_contacts);
 }
 
 void Contacts::fly(const SolverInput& input) {

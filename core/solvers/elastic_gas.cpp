@@ -40,6 +40,9 @@ class ElasticGas final : public Solver {
         : m_general(std::move(general)), m_events(findSolver("events")->create(bodies, {})) {}
 
     SolverReport advance(const SolverInput& input) override;
+    ContactSet contacts() const override {
+        return m_mover == Mover::General ? m_general->contacts() : ContactSet{};
+    }
     std::unique_ptr<const SolverMemory> memory() const override {
         return std::make_unique<GasMemory>(m_mover, mover(m_mover).memory());
     }

@@ -36,6 +36,15 @@ class LocalSolver final : public Solver {
         return report;
     }
 
+    ContactSet contacts() const override {
+        ContactSet set = m_solver->contacts();
+        for (ContactPair& pair : set.pairs) {
+            pair.a = m_order[pair.a];
+            pair.b = m_order[pair.b];
+        }
+        return set;
+    }
+
     std::unique_ptr<const SolverMemory> memory() const override { return m_solver->memory(); }
     void recall(const SolverMemory& memory) override { m_solver->recall(memory); }
 

@@ -4,6 +4,7 @@
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/parallel.h"
 #include "core/dynamics/smooth_motion.h"
@@ -37,7 +38,8 @@ struct SolverReport {
     std::uint64_t axesSpared = 0; ///< of these, parted by it still: full tests not made
     double maxPenetration = 0;    ///< [m]
     double residual = 0; ///< how far the worst contact problem was from solved [m/s]; 0 where there is none
-    Loss loss;           ///< the substep was broken off where a body is named
+    double coneViolation = 0; ///< of the worst contact force, relative to its size
+    Loss loss;                ///< the substep was broken off where a body is named
 };
 
 /// What a solver works on in one substep.
@@ -111,6 +113,10 @@ class Solver {
     /// Checks that the state is finite at two points: where forces or smooth motion have given velocities,
     /// and again at the end.
     virtual SolverReport advance(const SolverInput& input) = 0;
+
+    /// The contacts of the last substep with their forces, a and b in any order; empty where the method
+    /// solves for none.
+    virtual ContactSet contacts() const { return {}; }
 
     /// A copy of everything that the motion to come depends on, apart from the state.
     virtual std::unique_ptr<const SolverMemory> memory() const = 0;

@@ -54,6 +54,8 @@ struct AccuracyPoint {
     Steadiness energy{};       ///< relative to the largest kinetic energy or change of potential
     double momentumChange = 0; ///< relative, of scenes without gravity, walls and ends in the world; else 0
     double penetration = 0;    ///< the largest overlap, relative to the scene's size
+    double residual = 0;       ///< of the worst contact problem, how far from solved [m/s]
+    double coneViolation = 0;  ///< of the worst contact force, relative to its size
     std::optional<ImpactErrors> impacts{}; ///< where they can be seen
     std::optional<CrowdFigures> crowd{};   ///< of a crowd, beyond the horizon
     double instructions = 0;               ///< a simulated second, where somebody counted them

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view columns =
     "method,integrator,substeps,tolerance,default,status,reason,position,position_rms,attitude,energy_drift,"
-    "energy_swing,energy_worst,momentum,penetration,impacts_true,impacts,impacts_matched,impact_time_s,"
+    "energy_swing,energy_worst,momentum,penetration,residual_m_s,cone_violation,impacts_true,impacts,impacts_"
+    "matched,impact_time_s,"
     "copies,"
     "speeds_lower,speeds,speeds_upper,pressure_lower,pressure,pressure_upper,free_time_lower,free_time,"
     "free_time_upper,cost_ms,cost_min_ms,cost_max_ms,instructions,runs_ms,pareto,reference,reference_error,"
@@ -84,6 +85,8 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
                     0};
     point.momentumChange = cells.number("momentum");
     point.penetration = cells.number("penetration");
+    point.residual = cells.number("residual_m_s");
+    point.coneViolation = cells.number("cone_violation");
     if (!cells.text("impacts").empty())
         point.impacts = ImpactErrors{cells.count("impacts_true"), cells.count("impacts"),
                                      cells.count("impacts_matched"), cells.number("impact_time_s")};
@@ -110,12 +113,13 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
         table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
                   p.setting.substeps, p.setting.tolerance, p.isDefault ? "yes" : "no", nameOf(p.status),
                   p.reason, p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
-                  p.energy.swing, p.energy.worst, p.momentumChange, p.penetration, x.impacts[0], x.impacts[1],
-                  x.impacts[2], x.impacts[3], x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper,
-                  x.pressure.lower, x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median,
-                  x.freeTime.upper, p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs,
-                  onFront ? "yes" : "no", nameOf(study.truth->kind), study.truth->error, study.truth->horizon,
-                  study.plan.duration, sceneHash, origin.command, origin.version, origin.machine);
+                  p.energy.swing, p.energy.worst, p.momentumChange, p.penetration, p.residual,
+                  p.coneViolation, x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3], x.copies,
+                  x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower, x.pressure.median,
+                  x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper, p.cost(),
+                  p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
+                  nameOf(study.truth->kind), study.truth->error, study.truth->horizon, study.plan.duration,
+                  sceneHash, origin.command, origin.version, origin.machine);
     }
     return table.take();
 }

@@ -17,7 +17,8 @@ namespace carom {
 ///
 ///     method, integrator, substeps, tolerance, default, status, reason
 ///     position, position_rms, attitude      errors; the last in rad
-///     energy_drift, energy_swing, energy_worst, momentum, penetration
+///     energy_drift, energy_swing, energy_worst, momentum, penetration, residual_m_s,
+///     cone_violation
 ///     impacts_true, impacts, impacts_matched, impact_time_s
 ///     copies, and of a crowd speeds, pressure and free_time, each as _lower, median, _upper
 ///     cost_ms, cost_min_ms, cost_max_ms, instructions

@@ -37,11 +37,13 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
         return std::any_of(study.points.begin(), study.points.end(), has);
     };
     const bool impacts = any([](const AccuracyPoint& p) { return p.impacts && p.impacts->expected > 0; });
+    const bool solves = any([](const AccuracyPoint& p) { return p.residual > 0 || p.coneViolation > 0; });
     const bool counted = any([](const AccuracyPoint& p) { return p.instructions > 0; });
     std::vector<std::vector<std::string>> lines(1);
     lines[0] = {"substeps", "error", "ms per simulated s"};
     if (counted) lines[0].push_back("instructions");
     lines[0].insert(lines[0].end(), {"energy off", "overlap"});
+    if (solves) lines[0].insert(lines[0].end(), {"residual [m/s]", "outside cone"});
     if (impacts) lines[0].insert(lines[0].end(), {"impacts", "off by [s]"});
     lines[0].push_back("");
     for (const AccuracyPoint* point : family.points) {
@@ -51,6 +53,7 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
         if (counted) line.push_back(point->instructions > 0 ? figure(point->instructions, 4) : "-");
         line.push_back(figure(point->energy.worst));
         line.push_back(figure(point->penetration));
+        if (solves) line.insert(line.end(), {figure(point->residual), figure(point->coneViolation)});
         if (impacts) {
             const ImpactErrors seen = point->impacts.value_or(ImpactErrors{});
             line.push_back(std::to_string(seen.seen) + " of " + std::to_string(seen.expected));

@@ -39,6 +39,8 @@ class Course {
         m_highest = std::max(m_highest, frame.potential);
         m_lowest = std::min(m_lowest, frame.potential);
         point.penetration = std::max(point.penetration, frame.maxPenetration / m_size);
+        point.residual = std::max(point.residual, frame.residual);
+        point.coneViolation = std::max(point.coneViolation, frame.coneViolation);
     }
 
     void finish(const World& world, AccuracyPoint& point) const {

@@ -62,18 +62,20 @@ std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snap
     if (holds(m_overlays, Overlay::Trails)) passed = trails();
     GhostState ghost;
     if (m_ghost.snapshot) ghost = {&m_ghost.pipeline->scene(), m_ghost.snapshot->pose};
-    return overlayLines(m_overlays,
-                        {.scene = pipeline.scene(),
-                         .poses = state.pose,
-                         .velocities = state.velocity,
-                         .touching = touching,
-                         .overlapping = overlapping,
-                         .structure = m_structure,
-                         .trails = passed,
-                         .ghost = ghost,
-                         .boxes = pipeline.bodies().boxes,
-                         .warned = warned,
-                         .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm()});
+    return overlayLines(
+        m_overlays, {.scene = pipeline.scene(),
+                     .poses = state.pose,
+                     .velocities = state.velocity,
+                     .touching = touching,
+                     .forces = snapshot != nullptr ? std::span<const ContactForce>(snapshot->contactForces)
+                                                   : std::span<const ContactForce>(),
+                     .overlapping = overlapping,
+                     .structure = m_structure,
+                     .trails = passed,
+                     .ghost = ghost,
+                     .boxes = pipeline.bodies().boxes,
+                     .warned = warned,
+                     .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm()});
 }
 
 void paintLabels(QPainter& painter, const Scene& scene, std::span<const Pose> poses, const Camera& camera,

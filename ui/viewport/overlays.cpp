@@ -16,7 +16,9 @@ namespace {
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
     pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
     trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30), warningColour(1.00, 0.70, 0.15),
-    springColour(0.75, 0.77, 0.80);
+    springColour(0.75, 0.77, 0.80), forceColour(0.55, 0.95, 0.85);
+
+constexpr double forceReach = 3; ///< half thicknesses of a body that the largest contact force is long
 
 /// Two states of one body that differ less than this, relative to its size, are one picture.
 constexpr double sameWithin = 1e-6;
@@ -61,6 +63,20 @@ void drawGhost(LinePen& pen, const GhostState& ghost, const OverlayState& state)
             continue;
         pen.outline(old[i].shape, ghost.poses[i], ghostColour);
     }
+}
+
+/// The largest force as long as the bodies in contact are thick, the others in proportion: so it can be seen
+/// who bears whom, under any gravity.
+void drawForces(LinePen& pen, const OverlayState& state) {
+    double largest = 0, reach = 0;
+    for (const ContactForce& one : state.forces) largest = std::max(largest, one.force.norm());
+    if (!(largest > 0) || !std::isfinite(largest)) return;
+    for (const TouchingPair& touching : state.touching) {
+        const Shape& a = state.scene.bodies[touching.pair.a].shape;
+        const Shape& b = state.scene.bodies[touching.pair.b].shape;
+        reach = std::max(reach, forceReach * halfThicknessOf(isWall(a) ? b : a));
+    }
+    for (const ContactForce& one : state.forces) pen.arrow(one.at, reach / largest * one.force, forceColour);
 }
 
 /// The centre of mass of all mobile bodies, as a star as large as a body.
@@ -110,6 +126,7 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
             for (const ContactPoint& point : touching.manifold)
                 pen.arrow(point.onB, reach * touching.manifold.normal, contactColour);
         }
+        drawForces(pen, state);
     }
     // After the boxes of all bodies: of two lines in one place the later shows. The line from centre to
     // centre alone is often inside the bodies.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "core/simulation/snapshot.h"
 #include "core/simulation/touching.h"
 #include "ui/viewport/line_pen.h"
 
@@ -19,7 +20,7 @@ enum class Overlay : std::uint16_t {
     Axes = 1,       ///< the world's, at its origin: x red, y green, z blue
     Boxes = 2,      ///< what the broad-phase sees of each body
     Velocities = 4, ///< where each body would be after a tenth of a second
-    Contacts = 8,   ///< touching pairs: the points, and the normal as long as a ball is thick
+    Contacts = 8,   ///< touching pairs: the points, the normal as long as a ball is thick, and the forces
     Labels = 16,
     Pairs = 32,         ///< boxes that overlap, and a line from centre to centre of their bodies
     Structure = 64,     ///< the broad-phase's grid cells or tree nodes
@@ -47,6 +48,7 @@ struct OverlayState {
     std::span<const Pose> poses;
     std::span<const Vec3> velocities;               ///< [m/s]
     std::span<const TouchingPair> touching;         ///< needed for Contacts only
+    std::span<const ContactForce> forces = {};      ///< likewise, where the method solves for them
     std::span<const BodyPair> overlapping;          ///< needed for Pairs only
     std::span<const Aabb> structure;                ///< needed for Structure only
     std::span<const std::vector<Vec3>> trails = {}; ///< needed for Trails only; positions, oldest first [m]

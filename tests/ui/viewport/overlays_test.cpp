@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/pipeline.h"
+#include "core/simulation/world.h"
 #include "tests/support/scenes.h"
 #include "ui/viewport/overlays.h"
 
@@ -14,6 +15,8 @@ using test::sphere;
 using test::wall;
 
 constexpr double inFloats = 1e-6;
+/// A contact solved for to 1e-6 of the weight.
+constexpr double solved = 1e-4;
 
 Vec3 at(const LineVertex& vertex) { return {vertex.position[0], vertex.position[1], vertex.position[2]}; }
 
@@ -99,6 +102,41 @@ class OverlaysTest : public QObject {
                                                                .warned = warned});
         QCOMPARE(edges.size(), 24U); // the cuboid's; a wall has no outline
         for (const LineVertex& vertex : edges) QVERIFY((at(vertex) - Vec3(9, 0, 0)).norm() < 2);
+    }
+
+    void contactForcesCarryTheBodiesAboveAndAreDrawnInProportion() {
+        // Two cubes of 1 kg and 3 kg, one on the other: 29.4 N between them and 39.2 N on the floor.
+        Scene scene = sceneOf(
+            {wall(Vec3::UnitY(), 0), cuboid({1, 1, 1}, 1, {0, 0.5, 0}), cuboid({1, 1, 1}, 3, {0, 1.5, 0})});
+        scene.gravity.acceleration = Vec3(0, -9.8, 0);
+        World world(std::make_shared<const Pipeline>(scene));
+        for (int frame = 0; frame < 30; ++frame) world.step();
+        const Snapshot now = world.snapshot();
+        double below = 0, between = 0;
+        for (const ContactForce& one : now.contactForces)
+            (one.at.y() < 0.5 ? below : between) += one.force.y();
+        QVERIFY2(std::abs(below - 39.2) < solved * 39.2, qPrintable(QString::number(below)));
+        QVERIFY2(std::abs(std::abs(between) - 29.4) < solved * 29.4, qPrintable(QString::number(between)));
+
+        const std::vector<TouchingPair> touching = touchingPairs(world.pipeline().bodies(), world.state());
+        const auto drawn = [&](std::span<const ContactForce> forces) {
+            return overlayLines(static_cast<Overlays>(Overlay::Contacts), {.scene = scene,
+                                                                           .poses = now.pose,
+                                                                           .velocities = {},
+                                                                           .touching = touching,
+                                                                           .forces = forces,
+                                                                           .overlapping = {},
+                                                                           .structure = {}});
+        };
+        const std::size_t without = drawn({}).size();
+        const std::vector<ContactForce> two = {{{0, 0, 0}, {0, 40, 0}}, {{1, 0, 0}, {0, 10, 0}}};
+        const std::vector<LineVertex> lines = drawn(two);
+        QVERIFY(lines.size() > without);
+        double longest = 0, other = 0;
+        for (std::size_t i = without; i < lines.size(); ++i)
+            (at(lines[i]).x() < 0.5 ? longest : other) =
+                std::max(at(lines[i]).x() < 0.5 ? longest : other, at(lines[i]).y());
+        QVERIFY(std::abs(longest - 4 * other) < inFloats * longest * 10);
     }
 
     void trailsJoinThePlacesPassedAndTheCentreOfMassIsMarked() {
