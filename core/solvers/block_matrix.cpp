@@ -43,27 +43,31 @@ void BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges) {
 // Eliminates symbolically: the neighbours of an eliminated block become neighbours of each other.
 void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
     const std::size_t count = m_place.size();
-    std::vector<std::vector<int>> neighbours(count);
+    if (m_neighbours.size() < count) {
+        m_neighbours.resize(count);
+        m_structure.resize(count);
+    }
+    for (std::size_t block = 0; block < count; ++block) m_neighbours[block].clear();
     for (const BlockEdge& edge : edges) {
         ASSERT(edge.first != edge.second);
-        insertSorted(neighbours[static_cast<std::size_t>(edge.first)], edge.second);
-        insertSorted(neighbours[static_cast<std::size_t>(edge.second)], edge.first);
+        insertSorted(m_neighbours[static_cast<std::size_t>(edge.first)], edge.second);
+        insertSorted(m_neighbours[static_cast<std::size_t>(edge.second)], edge.first);
     }
-    std::vector<char> done(count, 0);
-    std::vector<std::vector<int>> structure(count); // of blocks, by position
+    m_done.assign(count, 0);
     for (std::size_t position = 0; position < count; ++position) {
         std::size_t best = count;
         for (std::size_t block = 0; block < count; ++block)
-            if (!done[block] && (best == count || neighbours[block].size() < neighbours[best].size()))
+            if (m_done[block] == 0 &&
+                (best == count || m_neighbours[block].size() < m_neighbours[best].size()))
                 best = block;
-        done[best] = 1;
+        m_done[best] = 1;
         m_place[best] = static_cast<int>(position);
         m_block[position] = static_cast<int>(best);
-        structure[position] = std::move(neighbours[best]);
-        for (const int i : structure[position]) {
-            std::vector<int>& list = neighbours[static_cast<std::size_t>(i)];
+        std::swap(m_structure[position], m_neighbours[best]);
+        for (const int i : m_structure[position]) {
+            std::vector<int>& list = m_neighbours[static_cast<std::size_t>(i)];
             eraseSorted(list, static_cast<int>(best));
-            for (const int k : structure[position])
+            for (const int k : m_structure[position])
                 if (k != i) insertSorted(list, k);
         }
     }
@@ -72,8 +76,8 @@ void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
     for (std::size_t position = 0; position < count; ++position) {
         Column& column = m_columns[position];
         column.first = m_rows.size();
-        column.count = structure[position].size();
-        for (const int block : structure[position])
+        column.count = m_structure[position].size();
+        for (const int block : m_structure[position])
             m_rows.push_back(m_place[static_cast<std::size_t>(block)]);
         std::sort(m_rows.begin() + static_cast<std::ptrdiff_t>(column.first), m_rows.end());
     }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -74,6 +75,11 @@ class BlockMatrix {
     std::vector<int> m_rows;            // positions below the diagonal, ascending within a column
     std::vector<std::size_t> m_updates; // where the product of two blocks of a column goes
     std::vector<EdgePlace> m_edgePlace;
+
+    // Scratch of eliminate: what each block is coupled with, by block while it waits and by position once
+    // done.
+    std::vector<std::vector<int>> m_neighbours, m_structure;
+    std::vector<std::uint8_t> m_done;
 
     std::vector<Mat6> m_diagonal; // by position; once factored its inverse (factor: that of its root)
     std::vector<Mat6> m_lower;

@@ -130,8 +130,8 @@ class EventGas {
     bool isCrowded(std::uint32_t i, std::uint32_t j, double time);
     void gatherMoment(std::uint32_t i, std::uint32_t j, double time);
     void meetAtOnce(std::uint32_t i, std::uint32_t j, double time);
-    std::vector<Touch> takeGroup();
-    void strikeJointly(const std::vector<Touch>& group, double time);
+    void takeGroup();
+    void strikeJointly(double time);
     void note(const BoundedWall& wall, const Stamp& stamp, double impulse);
 
     bool isMobile(std::uint32_t i) const { return inverseMassOf(i) > 0; }
@@ -155,6 +155,7 @@ class EventGas {
     std::vector<BoundedWall> m_walls;
     std::vector<std::uint32_t> m_cluster; ///< scratch of meetAtOnce
     std::vector<Touch> m_touches;         ///< the same
+    std::vector<Touch> m_group;           ///< those of them that are struck together
     std::vector<std::uint64_t> m_order;   ///< scratch of sortByPlace
     EventCells m_cells;
     EventQueue m_queue;

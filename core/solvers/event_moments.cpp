@@ -90,7 +90,10 @@ void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {
         m_queue.remove(m_agendas, ball);
         restamp(ball, time);
     }
-    while (!m_touches.empty()) strikeJointly(takeGroup(), time);
+    while (!m_touches.empty()) {
+        takeGroup();
+        strikeJointly(time);
+    }
     for (const std::uint32_t ball : m_cluster) finishStrike(ball);
     for (const std::uint32_t ball : {i, j}) // these were taken from the queue, and others came first
         if (std::find(m_cluster.begin(), m_cluster.end(), ball) == m_cluster.end() && isMobile(ball)) {
@@ -100,29 +103,28 @@ void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {
         }
 }
 
-// Takes a first pair and all that share mobile balls with it out of m_touches.
-std::vector<EventGas::Touch> EventGas::takeGroup() {
-    std::vector<Touch> group{m_touches.front()};
+// Takes a first pair and all that share mobile balls with it out of m_touches, into m_group.
+void EventGas::takeGroup() {
+    m_group.assign(1, m_touches.front());
     m_touches.erase(m_touches.begin());
     const auto shares = [this](const Touch& x, const Touch& y) {
         return (isMobile(x.a) && (x.a == y.a || x.a == y.b)) || (isMobile(x.b) && (x.b == y.a || x.b == y.b));
     };
-    for (std::size_t member = 0; member < group.size(); ++member)
+    for (std::size_t member = 0; member < m_group.size(); ++member)
         for (std::size_t k = 0; k < m_touches.size();) {
-            if (shares(group[member], m_touches[k])) {
-                group.push_back(m_touches[k]);
+            if (shares(m_group[member], m_touches[k])) {
+                m_group.push_back(m_touches[k]);
                 m_touches.erase(m_touches.begin() + static_cast<std::ptrdiff_t>(k));
             } else {
                 ++k;
             }
         }
-    return group;
 }
 
-void EventGas::strikeJointly(const std::vector<Touch>& group, double time) {
+void EventGas::strikeJointly(double time) {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostJoint, mostJoint>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostJoint, 1>;
-    const Eigen::Index size = static_cast<Eigen::Index>(group.size());
+    const Eigen::Index size = static_cast<Eigen::Index>(m_group.size());
     Vector impulses;
     if (size > 1 && size <= mostJoint) {
         Matrix w(size, size);
@@ -137,21 +139,21 @@ void EventGas::strikeJointly(const std::vector<Touch>& group, double time) {
             return sum;
         };
         for (Eigen::Index k = 0; k < size; ++k) {
-            const Touch& touch = group[static_cast<std::size_t>(k)];
+            const Touch& touch = m_group[static_cast<std::size_t>(k)];
             wanted[k] = (1 + restitutionAt(touch.a, touch.b, time)) * touch.closing;
             for (Eigen::Index l = 0; l < size; ++l)
-                w(k, l) = coupling(touch, group[static_cast<std::size_t>(l)]);
+                w(k, l) = coupling(touch, m_group[static_cast<std::size_t>(l)]);
         }
         const Eigen::LDLT<Matrix> forward(w), backward(w.reverse());
         if (forward.rcond() > singular)
             impulses = 0.5 * (forward.solve(wanted) + backward.solve(wanted.reverse()).reverse());
     }
     if (impulses.size() == 0 || !(impulses.minCoeff() >= 0)) { // alone, or too many: by place
-        for (const Touch& touch : group) strike(touch.a, touch.b, time);
+        for (const Touch& touch : m_group) strike(touch.a, touch.b, time);
         return;
     }
     for (Eigen::Index k = 0; k < size; ++k) {
-        const Touch& touch = group[static_cast<std::size_t>(k)];
+        const Touch& touch = m_group[static_cast<std::size_t>(k)];
         push(touch.a, touch.b, touch.normal, impulses[k]);
         m_agendas[touch.a].last = touch.b;
         m_agendas[touch.b].last = touch.a;

@@ -122,8 +122,7 @@ void Flights::choosePlatforms(const FlightInput& input) {
             if (contact.gap > reachOf(input, i) + reachOf(input, body)) continue;
             m_guests.push_back({i, body});
         }
-        if (m_guests.size() - before >= (getenv("FEW") ? size_t(atoi(getenv("FEW"))) : Platforms::fewest))
-            continue;
+        if (m_guests.size() - before >= Platforms::fewest) continue;
         m_guests.resize(before);
         m_platforms.removeLast();
     }

@@ -53,14 +53,26 @@ bool neverTurns(const Bodies& bodies, const ContactPair& pair) {
     return (is(sphere, pair.a) && is(wall, pair.b)) || (is(wall, pair.a) && is(sphere, pair.b));
 }
 
-/// How far a point is from another, both given by arms from the bodies' centres: seen from the body that sees
-/// less of it [m²]. What slides stays where it is on one body, what rolls on a wall on none.
-double distanceBetween(const ContactConstraint& one, const Pose& poseA, const Pose& poseB,
-                       const ContactConstraint& other, const Pose& otherA, const Pose& otherB) {
-    const auto moved = [](const Vec3& arm, const Pose& pose, const Vec3& otherArm, const Pose& otherPose) {
-        return (pose.directionToBody(arm) - otherPose.directionToBody(otherArm)).squaredNorm();
+/// A point of a pair of bodies, with their poses.
+struct PairPoint {
+    const ContactConstraint& contact;
+    const Pose &poseA, &poseB;
+};
+
+/// How far a point is from another of the same pair: seen from the body that sees less of it [m²]. What
+/// slides stays where it is on one body, what rolls on a wall on none.
+double distanceBetween(const Bodies& bodies, const ContactPair& pair, const PairPoint& one,
+                       const PairPoint& other) {
+    const auto onA = [](const PairPoint& p) { return p.poseA.directionToBody(p.contact.armA); };
+    const auto onB = [](const PairPoint& p) { return p.poseB.directionToBody(p.contact.armB); };
+    const auto inWorld = [&](const PairPoint& p) { // immobile bodies have no arms
+        return bodies.mobile[pair.a] != 0 ? Vec3(p.poseA.position + p.contact.armA)
+                                          : Vec3(p.poseB.position + p.contact.armB);
     };
-    return std::min(moved(one.armA, poseA, other.armA, otherA), moved(one.armB, poseB, other.armB, otherB));
+    const double still = (inWorld(one) - inWorld(other)).squaredNorm();
+    const double movedA = bodies.mobile[pair.a] != 0 ? (onA(one) - onA(other)).squaredNorm() : still;
+    const double movedB = bodies.mobile[pair.b] != 0 ? (onB(one) - onB(other)).squaredNorm() : still;
+    return std::min(movedA, movedB);
 }
 
 } // namespace
@@ -118,18 +130,8 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
             const ContactBody& body = m_problem.bodies[i];
             change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
         }
-        if (getenv("CVD")) {
-            fprintf(stderr, "r%d change %g rows %zu:", round, change, m_rowPoint.size());
-            for (size_t i = 0; i < m_rowPoint.size(); ++i)
-                fprintf(stderr, " %g[%d%d sep %g]", m_problem.rows[i].impulse.x() / duration,
-                        m_inMiddle[m_rowPoint[i]].found, m_atEnd[m_rowPoint[i]].found,
-                        m_contacts.points[m_rowPoint[i]].separation);
-            fprintf(stderr, "\n");
-        }
         if (change <= m_tolerance) return;
         if (!(change <= mostGrowth * before)) { // they jump to and fro: as they were at the start
-            if (getenv("CVD"))
-                fprintf(stderr, "giveup round %d change %g before %g\n", round, change, before);
             beginPart(input, duration);
             for (std::size_t i = 0; i < m_rowPoint.size(); ++i) placeRow(m_rowPoint[i], m_problem.rows[i]);
             solve(input);
@@ -205,7 +207,8 @@ void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
             if (places[pair.first + i].found) continue;
             const double weight = m_presses[pair.first + i] != 0 ? gapWeight : 0;
             for (std::size_t k = 0; k < found.size(); ++k) {
-                const double way = distanceBetween(points[i], startA, startB, found[k], poseA, poseB);
+                const double way = distanceBetween(input.bodies, pair, {points[i], startA, startB},
+                                                   {found[k], poseA, poseB});
                 const double distance = way + std::pow(weight * found[k].separation, 2);
                 if (!(distance < nearest) || !(alone || way <= within)) continue;
                 nearest = distance;

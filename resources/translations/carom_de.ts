@@ -1078,8 +1078,8 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
         <translation>Die jetzige Ansicht in die Kamera des Textes schreiben</translation>
     </message>
     <message>
-        <source>Draw points and normals where bodies touch</source>
-        <translation>Punkte und Normalen zeichnen, wo Körper sich berühren</translation>
+        <source>Draw points, normals and forces where bodies touch</source>
+        <translation>Punkte, Normalen und Kräfte zeichnen, wo Körper sich berühren</translation>
     </message>
 </context>
 <context>
