@@ -2,6 +2,7 @@
 #include "app/instructions.h"
 
 #include "app/errors.h"
+#include "app/temporary_file.h"
 #include "core/base/text.h"
 #include "core/integrators/integrator.h"
 #include "core/solvers/solver.h"
@@ -11,10 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -27,26 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* ownProgram = "/proc/self/exe";
-
-/// A file that is gone when this is.
-class TemporaryFile {
-  public:
-    TemporaryFile() : m_path((fs::temp_directory_path() / "carom-XXXXXX").string()) {
-        const int file = mkstemp(m_path.data());
-        if (file < 0) throw FileError("cannot write", m_path, errno);
-        close(file);
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        fs::remove(m_path, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    const std::string& path() const { return m_path; }
-
-  private:
-    std::string m_path;
-};
 
 /// Runs a program of the PATH, its output dropped; whether it ended with 0.
 bool succeeds(const std::vector<std::string>& words) {
@@ -79,7 +58,7 @@ double totalIn(const std::string& path) {
 
 double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting, const std::string& scene,
                       std::int64_t frames) {
-    const TemporaryFile counts;
+    const TemporaryFile counts((fs::temp_directory_path() / "carom").string());
     std::vector<std::string> words = {"valgrind",
                                       "--tool=callgrind",
                                       "--callgrind-out-file=" + counts.path(),

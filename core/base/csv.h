@@ -25,17 +25,29 @@ std::vector<std::string_view> csvSplit(std::string_view text, char separator);
 /// What a field says: without the quotes around it.
 std::string csvValue(std::string_view field);
 
-/// A table in the making.
+/// A table in the making. A cell is text, or a number; NaN leaves it empty.
 class CsvTable {
   public:
+    CsvTable() = default;
     /// `columns` is the first line, "n,time_s".
     explicit CsvTable(std::string_view columns) : m_text(columns) { m_text += '\n'; }
 
-    /// One line. A cell is text, or a number; NaN leaves it empty.
+    /// One line.
     template<class... Cells>
     void row(const Cells&... cells) {
-        std::size_t left = sizeof...(cells);
-        ((m_text += cell(cells), m_text += --left > 0 ? ',' : '\n'), ...);
+        (add(cells), ...);
+        endRow();
+    }
+    /// The same cell by cell.
+    template<class Cell>
+    void add(const Cell& value) {
+        if (m_inRow) m_text += ',';
+        m_text += cell(value);
+        m_inRow = true;
+    }
+    void endRow() {
+        m_text += '\n';
+        m_inRow = false;
     }
 
     std::string take() { return std::move(m_text); }
@@ -46,6 +58,7 @@ class CsvTable {
     static std::string cell(std::integral auto value) { return std::to_string(value); }
 
     std::string m_text;
+    bool m_inRow = false; ///< the line begun has a cell
 };
 
 } // namespace carom

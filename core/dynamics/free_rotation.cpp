@@ -22,8 +22,6 @@ constexpr double partAngle = 0.05;
 constexpr std::array<double, 3> yoshida = {-1.17767998417887, 0.235573213359357, 0.784513610477560};
 constexpr double yoshidaMiddle = 1 - 2 * (yoshida[0] + yoshida[1] + yoshida[2]);
 
-bool isIsotropic(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
-
 bool nearlyEqual(double a, double b) { return std::abs(a - b) <= equalMoments * std::max(a, b); }
 
 /// The two axes that are not `axis`, ascending.

@@ -49,6 +49,11 @@ Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec
 /// Angular velocity [rad/s], world, from angular momentum, world.
 Vec3 angularVelocityFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularMomentum);
 
+/// Whether all axes are alike to a body with these moments: a sphere, a cube.
+inline bool isIsotropic(const Vec3& inertia) {
+    return inertia.x() == inertia.y() && inertia.y() == inertia.z();
+}
+
 /// Angular momentum of a mobile body [kg m²/s], world: the one kept, as long as the body only turned freely.
 Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state);
 /// Gives a body an angular momentum; its angular velocity follows. Where the moments are equal the latter

@@ -45,6 +45,8 @@ inline double fastestPart(const Vec6& velocity, double gyration) {
     return std::max(velocity.head<3>().norm(), velocity.tail<3>().norm() * gyration);
 }
 
+inline double fastestPart(const ContactBody& body) { return fastestPart(body.velocity, body.gyration); }
+
 /// One contact point.
 struct ContactRow {
     int a = immobile, b = immobile;                ///< indices of ContactProblem::bodies

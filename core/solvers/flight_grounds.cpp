@@ -111,8 +111,7 @@ void Flights::choosePlatforms(const FlightInput& input) {
     const double still = input.gravity.norm() * input.substep;
     for (const BodyIndex body : m_bulky) {
         ++m_version[body];
-        const double rim = state.angularVelocity[body].norm() * input.bodies.boundingRadius[body];
-        if (state.velocity[body].norm() + rim > still) continue;
+        if (Neighbours::surfaceSpeed(input.bodies, state, body) > still) continue;
         const std::size_t before = m_guests.size();
         m_platforms.add(state, body, input.now);
         for (const BodyIndex i : input.neighbours.around(body)) {
@@ -173,10 +172,7 @@ double Flights::reachOf(const FlightInput& input, BodyIndex body) const {
     const double h = input.substep, fall = 0.5 * input.gravity.norm() * h * h;
     if (m_simple[body] != 0) return Neighbours::reachFactor * (speedAt(body, input.now).norm() * h + fall);
     if (input.bodies.mobile[body] == 0) return 0;
-    const double rim = std::holds_alternative<Sphere>(input.bodies.shape[body])
-                           ? 0
-                           : input.state.angularVelocity[body].norm() * input.bodies.boundingRadius[body];
-    return Neighbours::reachFactor * ((input.state.velocity[body].norm() + rim) * h + fall);
+    return Neighbours::reachFactor * (Neighbours::surfaceSpeed(input.bodies, input.state, body) * h + fall);
 }
 
 void Flights::foreseeAll(const FlightInput& input) {

@@ -12,12 +12,6 @@
 #include <cmath>
 
 namespace carom {
-namespace {
-
-double fastestPart(const ContactBody& body) { return carom::fastestPart(body.velocity, body.gyration); }
-
-} // namespace
-
 void IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found,
                            ContactSet& kept) {
     load(input, island, found);
@@ -142,9 +136,8 @@ void IslandMotion::recollide(const MotionInput& input) {
 }
 
 void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body) {
-    const bool isotropic = principal.x() == principal.y() && principal.y() == principal.z();
     const Vec3 inverse = principal.cwiseInverse();
-    if (isotropic) {
+    if (isIsotropic(principal)) {
         body.inertia = principal.asDiagonal();
         body.inverseInertia = inverse.asDiagonal();
         return;

@@ -29,9 +29,9 @@ class LocalSolver final : public Solver {
           m_solver(make(m_bodies, settings)) {}
 
     SolverReport advance(const SolverInput& input) override {
-        enter(input.state);
+        if (input.part == 0) enter(input.state);
         SolverReport report = m_solver->advance(input.about(m_bodies, m_state));
-        leave(input.state);
+        if (input.part + 1 == input.parts || report.loss) leave(input.state);
         if (report.loss) report.loss.body = m_order[report.loss.body];
         return report;
     }

@@ -50,6 +50,12 @@ void Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gr
     search(bodies, state, broadphase);
 }
 
+double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
+    const double speed = state.velocity[body].norm();
+    if (std::holds_alternative<Sphere>(bodies.shape[body])) return speed;
+    return speed + state.angularVelocity[body].norm() * bodies.boundingRadius[body];
+}
+
 bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration) {
     const double fall = 0.5 * gravity.norm() * duration * duration;
@@ -57,8 +63,7 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     for (const BodyIndex i : list) {
         const bool round = std::holds_alternative<Sphere>(bodies.shape[i]);
         const double radius = bodies.boundingRadius[i];
-        const double rim = round ? 0 : state.angularVelocity[i].norm() * radius;
-        m_path[i] = (state.velocity[i].norm() + rim) * duration + fall;
+        m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall;
         m_moved[i] = displacement(m_origin[i], state.pose[i], radius, round);
         serves = serves && m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i];
     }

@@ -48,6 +48,9 @@ class Neighbours {
     /// How often it has searched.
     std::uint64_t searches() const { return m_searches; }
 
+    /// No point of a body's surface moves faster [m/s]; a sphere's spin moves none outwards.
+    static double surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body);
+
     /// How far a body's surface can come in the duration noted last [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
 

@@ -16,13 +16,12 @@ namespace carom {
 namespace {
 
 constexpr std::string_view columns =
-    "method,integrator,substeps,tolerance,default,status,reason,position,position_rms,attitude,energy_drift,"
-    "energy_swing,energy_worst,momentum,penetration,residual_m_s,cone_violation,impacts_true,impacts,impacts_"
-    "matched,impact_time_s,"
-    "copies,"
-    "speeds_lower,speeds,speeds_upper,pressure_lower,pressure,pressure_upper,free_time_lower,free_time,"
-    "free_time_upper,cost_ms,cost_min_ms,cost_max_ms,instructions,runs_ms,pareto,reference,reference_error,"
-    "horizon_s,duration_s,scene,command,version,machine";
+    "method,integrator,substeps,tolerance,default,status,reason,position,position_rms,attitude,"
+    "energy_drift,energy_swing,energy_worst,momentum,penetration,residual_m_s,cone_violation,"
+    "impacts_true,impacts,impacts_matched,impact_time_s,copies,speeds_lower,speeds,speeds_upper,"
+    "pressure_lower,pressure,pressure_upper,free_time_lower,free_time,free_time_upper,cost_ms,"
+    "cost_min_ms,cost_max_ms,instructions,runs_ms,pareto,reference,reference_error,horizon_s,"
+    "duration_s,scene,command,version,machine";
 
 /// An empty cell.
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

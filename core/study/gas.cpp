@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gas.h"
 
+#include "core/study/references.h"
+
 #include "core/dynamics/energy.h"
 #include "core/solvers/event_gas.h"
 
@@ -19,8 +21,7 @@ double theory::packingOf(double density, double diameter) {
 }
 
 double theory::compressibilityOf(double packing) {
-    const double left = 1 - packing;
-    return (1 + packing + packing * packing - packing * packing * packing) / (left * left * left);
+    return reference::hardSphereCompressibility(6 / std::numbers::pi * packing);
 }
 
 double theory::freeTimeOf(double density, double diameter, double mass, double temperature) {

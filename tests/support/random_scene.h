@@ -49,4 +49,14 @@ inline Scene randomScene(Random& random) {
     return scene;
 }
 
+/// The same, every other body with friction and every fourth with rolling resistance.
+inline Scene randomRoughScene(Random& random) {
+    Scene scene = randomScene(random);
+    for (Body& body : scene.bodies) {
+        body.friction = random.below(2) == 0 ? random.uniform() : 0;
+        body.rolling = random.below(4) == 0 ? 0.01 : 0;
+    }
+    return scene;
+}
+
 } // namespace carom::test

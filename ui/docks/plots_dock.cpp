@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/plots_dock.h"
 
-#include "core/base/text.h"
+#include "core/base/csv.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
@@ -187,21 +187,18 @@ void PlotsDock::redraw() {
 }
 
 QString PlotsDock::writeCsv(const QString& path) const {
-    QByteArray lines = "time_s";
+    QString columns = QStringLiteral("time_s");
     for (const Curve& curve : m_curves) {
         QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), textOf(curve.quantity->unit));
-        lines += ",\"" + title.replace(u'"', QStringLiteral("\"\"")).toUtf8() + '"';
+        columns += QStringLiteral(",\"") + title.replace(u'"', QStringLiteral("\"\"")) + u'"';
     }
-    lines += '\n';
+    CsvTable table(columns.toStdString());
     for (std::size_t k = 0; k < m_times.size(); ++k) {
-        lines += shortest(m_times[k]);
-        for (const Curve& curve : m_curves) {
-            lines += ',';
-            if (std::isfinite(curve.figures[k])) lines += shortest(curve.figures[k]);
-        }
-        lines += '\n';
+        table.add(m_times[k]);
+        for (const Curve& curve : m_curves) table.add(curve.figures[k]);
+        table.endRow();
     }
-    return writeText(path, lines);
+    return writeText(path, table.take());
 }
 
 QString PlotsDock::exportTo(const QString& path) const {

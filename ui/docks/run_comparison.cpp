@@ -2,7 +2,6 @@
 #include "ui/docks/run_comparison.h"
 
 #include "core/base/csv.h"
-#include "core/base/text.h"
 #include "core/math/statistics.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
@@ -144,21 +143,23 @@ void RunComparison::refresh() {
 }
 
 QString RunComparison::writeCsv(const QString& path) const {
-    QByteArray text = "run,frame";
-    for (const FramePart& part : frameParts()) text += ',' + QByteArray(part.name).replace('-', "") + "_ms";
-    text += ",step_ms\n";
+    CsvTable table;
+    table.add("run");
+    table.add("frame");
+    for (const FramePart& part : frameParts())
+        table.add((QByteArray(part.name).replace('-', "") + "_ms").toStdString());
+    table.add("step_ms");
+    table.endRow();
     for (const RunTimes& run : m_shown) {
-        const QByteArray name = QByteArray::fromStdString(csvField(run.name.toStdString()));
+        const std::string name = run.name.toStdString();
         for (std::size_t k = 0; k < run.frames.size(); ++k) {
-            text += name + ',' + QByteArray::number(static_cast<qint64>(run.frames[k]));
-            for (const std::vector<double>& part : run.parts) {
-                text += ',';
-                if (!std::isnan(part[k])) text += shortest(part[k]);
-            }
-            text += '\n';
+            table.add(name);
+            table.add(run.frames[k]);
+            for (const std::vector<double>& part : run.parts) table.add(part[k]);
+            table.endRow();
         }
     }
-    return writeText(path, text);
+    return writeText(path, table.take());
 }
 
 QString RunComparison::exportTo(const QString& path) const {

@@ -86,12 +86,7 @@ class LedgerTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
         for (int round = 0; round < 12; ++round) {
-            Scene scene = randomScene(random);
-            for (Body& body : scene.bodies) {
-                body.friction = random.below(2) == 0 ? random.uniform() : 0;
-                body.rolling = random.below(4) == 0 ? 0.01 : 0;
-            }
-            World world = worldOf(scene, byMethod(method.toLatin1().constData()));
+            World world = worldOf(randomRoughScene(random), byMethod(method.toLatin1().constData()));
             const Unexplained worst = worstOf(world, 12);
             qInfo("round %d: energy %.1e, momentum %.1e", round, worst.energy, worst.momentum);
             QVERIFY(worst.energy < rounding);
