@@ -29,7 +29,15 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
     (wall ? bodies.walls : bodies.bounded).push_back(index);
     if (!mobile) return;
     bodies.mobileBodies.push_back(index);
-    if (rotates || body.friction > 0) bodies.rotating.push_back(index);
+    if (rotates) bodies.rotating.push_back(index);
+}
+
+// Friction of a pair is the mean of its two: one body's own is none.
+bool anyPairRubs(const Scene& scene) {
+    const auto isRough = [](const Body& body) { return body.friction > 0; };
+    const auto canSlip = [](const Body& body) { return body.friction > 0 && body.mobile(); };
+    return std::count_if(scene.bodies.begin(), scene.bodies.end(), isRough) > 1 &&
+           std::any_of(scene.bodies.begin(), scene.bodies.end(), canSlip);
 }
 
 } // namespace
@@ -41,10 +49,15 @@ Bodies bodiesOf(const Scene& scene) {
         if (spring.from != noBody && spring.fromAt != Vec3::Zero()) pulledAside[spring.from] = 1;
         if (spring.to != noBody && spring.toAt != Vec3::Zero()) pulledAside[spring.to] = 1;
     }
-    const bool resists = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                     [](const Body& body) { return body.rolling > 0; });
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        append(bodies, scene.bodies[i], resists || pulledAside[i] != 0 || canRotate(scene, scene.bodies[i]));
+    const bool rubs = anyPairRubs(scene);
+    const bool resists =
+        scene.bodies.size() > 1 && std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                               [](const Body& body) { return body.rolling > 0; });
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Body& body = scene.bodies[i];
+        append(bodies, body,
+               resists || (rubs && body.friction > 0) || pulledAside[i] != 0 || canRotate(scene, body));
+    }
     bodies.springs = springsOf(scene);
     bodies.order = canonicalOrder(scene);
     bodies.origin = originNear(scene);

@@ -32,9 +32,9 @@ struct Bodies {
     std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
     /// Mobile bodies whose orientation can change, ascending: those that spin at the start, those that are no
     /// spheres and can be hit, and those that a spring pulls beside their centre. A frictionless impulse
-    /// passes through a sphere's centre and never turns it; friction may, so bodies that have some are here
-    /// too, and so may rolling resistance, of which a pair has the larger: with one body that has some, all
-    /// are.
+    /// passes through a sphere's centre and never turns it; friction may, so where two bodies that can meet
+    /// have some, all that have some are here too; and so may rolling resistance, of which a pair has the
+    /// larger: with one body that has some, all are.
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move
@@ -49,7 +49,8 @@ struct Bodies {
 
 Bodies bodiesOf(const Scene& scene);
 
-/// Whether a body's orientation can ever change but for springs; the rule behind Bodies::rotating.
+/// Whether a body's orientation can change without springs, friction and rolling resistance: the first part
+/// of the rule behind Bodies::rotating.
 bool canRotate(const Scene& scene, const Body& body);
 
 } // namespace carom

@@ -18,6 +18,10 @@ constexpr double equalMoments = 1e-14;
 /// The largest angle of one composition [rad]. At 1/20 rad the sixth-order error is below 1e-13 a part.
 constexpr double partAngle = 0.05;
 
+/// Parts at most: at 80 turns a step and more, the attitude is what the angle's last digits are, and only the
+/// angular momentum is kept as exactly as ever. Without a bound the last finite speeds would take for ever.
+constexpr double mostParts = 10'000;
+
 /// Yoshida's solution A: the middle one is 1 − 2 (sum of the others).
 constexpr std::array<double, 3> yoshida = {-1.17767998417887, 0.235573213359357, 0.784513610477560};
 constexpr double yoshidaMiddle = 1 - 2 * (yoshida[0] + yoshida[1] + yoshida[2]);
@@ -94,7 +98,7 @@ void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Qu
         constexpr std::array<double, 7> sixthOrder = {yoshida[2], yoshida[1], yoshida[0], yoshidaMiddle,
                                                       yoshida[0], yoshida[1], yoshida[2]};
         const double angle = std::abs(h) * angularMomentum.norm() / inertia.minCoeff();
-        const double parts = std::max(1.0, std::ceil(angle / partAngle));
+        const double parts = std::clamp(std::ceil(angle / partAngle), 1.0, mostParts);
         for (double part = 0; part < parts; ++part) {
             rotateAsymmetric(inertia, angularMomentum, h / parts, sixthOrder, orientation);
             orientation.normalize();

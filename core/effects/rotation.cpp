@@ -43,6 +43,15 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
         decision.reason = "friction can set " + scene.nameOf(indexOf(scene, *rough.second)) + " turning";
         return decision;
     }
+    if (method.rollingResistance && anyCanMeet(scene)) {
+        for (const Body& body : scene.bodies) {
+            if (!(body.rolling > 0)) continue;
+            decision.status = EffectStatus::On;
+            decision.source = placeOf(scene, body.source, "rolling");
+            decision.reason = "what rolls over " + scene.nameOf(indexOf(scene, body)) + " is held back";
+            return decision;
+        }
+    }
     if (method.springs) {
         if (const Spring* spring = firstOffCentre(scene)) {
             decision.status = EffectStatus::On;

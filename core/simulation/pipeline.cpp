@@ -4,6 +4,8 @@
 #include "core/simulation/foresight.h"
 #include "core/simulation/without_effect.h"
 
+#include "core/integrators/integrator.h"
+
 #include <algorithm>
 
 namespace carom {
@@ -43,11 +45,21 @@ std::vector<BodyIndex> bodiesIn(const Scene& scene, const std::vector<Diagnostic
     return found;
 }
 
+void turnNone(std::span<const BodyIndex>, double, State&) {}
+void tumbleNone(const Bodies&, std::span<const BodyIndex>, double, State&) {}
+
+SmoothMotion motionFor(const Bodies& bodies, SmoothMotion motion) {
+    if (!bodies.rotating.empty()) return motion;
+    motion.turn = turnNone;
+    motion.tumble = tumbleNone;
+    return motion;
+}
+
 } // namespace
 
 Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options)
     : m_scene(scene), m_settings(settledSettings(scene, options, m_warnings)), m_bodies(bodiesOf(scene)),
-      m_initialState(initialStateOf(scene)) {
+      m_initialState(initialStateOf(scene)), m_motion(motionFor(m_bodies, m_settings.integrator->motion)) {
     m_bodies.boxes = m_settings.boxes;
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     for (const EffectRow& row : carom::effects()) {

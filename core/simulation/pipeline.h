@@ -3,6 +3,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
 #include "core/effects/effect.h"
 #include "core/scene/scene.h"
@@ -29,6 +30,8 @@ class Pipeline {
     bool simulates(std::string_view effect) const;
     /// The acceleration of every mobile body [m/s²]; zero where gravity is absent.
     Vec3 gravity() const;
+    /// The integrator's, but that nothing is called to turn bodies where none can turn.
+    const SmoothMotion& motion() const { return m_motion; }
     /// What the scene asks for and this version does not do, and what would go wrong in the run, as warnings
     /// at the lines in question.
     const std::vector<Diagnostic>& warnings() const { return m_warnings; }
@@ -41,6 +44,7 @@ class Pipeline {
     RunSettings m_settings;
     Bodies m_bodies;
     State m_initialState;
+    SmoothMotion m_motion;
     std::vector<EffectDecision> m_effects;
     std::vector<BodyIndex> m_warnedBodies;
 };

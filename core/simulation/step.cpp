@@ -75,7 +75,7 @@ void stepWorld(World& world) {
     frame.time = state.time;
 
     SolverInput input{.bodies = pipeline.bodies(),
-                      .motion = settings.integrator->motion,
+                      .motion = pipeline.motion(),
                       .gravity = pipeline.gravity(),
                       .substep = settings.substep(),
                       .broadphase = *world.m_broadphase,

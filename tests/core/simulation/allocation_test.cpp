@@ -95,7 +95,8 @@ class AllocationTest : public QObject {
         QTest::addColumn<int>("bodies");
         for (const auto& [name, bodies] :
              {std::pair("stone_wall", 4), std::pair("log_pile", 6), std::pair("tower", 5),
-              std::pair("chain", 8), std::pair("dominoes", 10), std::pair("card_house", 2)})
+              std::pair("chain", 8), std::pair("dominoes", 10), std::pair("card_house", 2),
+              std::pair("pile", 40), std::pair("mattress", 4)})
             QTest::newRow(name) << bodies;
     }
     void scenesOfContactAllocateNothingAfterWarmUp() {
