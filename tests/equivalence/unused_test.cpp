@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/program.h"
+#include "tests/support/random_scene.h"
+
+#include "core/simulation/build.h"
+
+#include <QMap>
+#include <QSet>
+#include <QTest>
+
+#include <algorithm>
+
+// What a scene does not use costs nothing: not an instruction, not a call. valgrind counts them, so the
+// figures are the same on every machine, however busy. What is the same about the motion is specialised_test.
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+/// What the counted frames of a scene took.
+struct Profile {
+    quint64 instructions = 0;
+    QSet<QString> functions; ///< that were called
+    QString hash;            ///< of the state at the end
+};
+
+/// By then every list has its size.
+constexpr int warmUp = 60, counted = 30;
+
+/// The names of functions in a callgrind file stand where they come first: `fn=(7) carom::step(World&)`.
+Profile readProfile(const QString& path) {
+    Profile profile;
+    for (const QString& line : linesOf(QString::fromUtf8(contentOf(path)))) {
+        if (line.startsWith(QStringLiteral("totals: ")))
+            profile.instructions = line.section(QLatin1Char(' '), 1, 1).toULongLong();
+        if (line.startsWith(QStringLiteral("fn=(")) || line.startsWith(QStringLiteral("cfn=("))) {
+            const QString name = line.section(QStringLiteral(") "), 1);
+            if (!name.isEmpty()) profile.functions.insert(name);
+        }
+    }
+    return profile;
+}
+
+Profile profileOf(const QByteArray& text) {
+    static QMap<QByteArray, Profile> known;
+    if (const auto found = known.constFind(text); found != known.constEnd()) return *found;
+    const QTemporaryDir folder;
+    const QString counts = folder.filePath(QStringLiteral("counts"));
+    const Ended ended = runCommand(
+        QStringLiteral("valgrind"),
+        {QStringLiteral("--tool=callgrind"), QStringLiteral("--toggle-collect=carom::countedFrames*"),
+         QStringLiteral("--callgrind-out-file=") + counts, QStringLiteral(CAROM_FRAMES),
+         QString::number(warmUp), QString::number(counted)},
+        text);
+    if (ended.exitCode != 0) qWarning("%s", qPrintable(ended.err));
+    Profile profile = ended.exitCode == 0 ? readProfile(counts) : Profile();
+    profile.hash = ended.out.trimmed();
+    return *known.insert(text, profile);
+}
+
+/// Whether a function whose name holds `name` was called.
+bool calls(const Profile& profile, const QString& name) {
+    return std::any_of(profile.functions.begin(), profile.functions.end(),
+                       [&](const QString& function) { return function.contains(name); });
+}
+
+/// A floor, a fixed post, balls that bounce and meet, and boxes that rest; `extra` stands in what can move.
+QByteArray sceneWith(const char* extra, const char* floor = "", const QByteArray& more = {}) {
+    QByteArray text = QByteArray("wall { normal 0, 1, 0  toOrig 0  elastic 0.5 ") + floor + " }\n" +
+                      "sphere post { radius 0.1  centre 50, 0, 0  fixed yes }\n" + more;
+    for (int i = 0; i < 12; ++i)
+        text += "sphere { radius 0.2  mass 1  centre " + QByteArray::number(0.45 * i) + ", " +
+                QByteArray::number(0.5 + 0.1 * (i % 5)) + ", 0  vel " + (i % 2 == 0 ? "1" : "-1") +
+                ", 0, 0  elastic 0.9 " + extra + " }\n";
+    return text;
+}
+
+const char* const boxes = "cuboid a { size 1, 1, 1  mass 1  centre 9, 0.5, 0  elastic 0 }\n"
+                          "cuboid b { size 1, 1, 1  mass 1  centre 9, 1.5, 0  elastic 0 }\n";
+
+/// A ball that rolls on a floor with friction.
+QByteArray resisted(const char* arm) {
+    return QByteArray("sphere { radius 0.5  mass 1  centre 9, 0.5, 9  vel 1, 0, 0  friction 1  rolling ") +
+           arm + " }\ncuboid { size 99, 1, 99  centre 9, -0.5, 9  fixed yes  friction 1 }\n";
+}
+
+} // namespace
+
+class UnusedTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void theSameSceneTakesTheSameInstructions() {
+        const QByteArray text = sceneWith("");
+        const Profile once = profileOf(text), again = profileOf(text + "# and a word more\n");
+        QVERIFY(once.instructions > 100'000);
+        QCOMPARE(again.instructions, once.instructions);
+        QCOMPARE(again.hash, once.hash);
+    }
+
+    void anEffectThatIsAbsentTakesNoInstruction_data() {
+        QTest::addColumn<QByteArray>("with");
+        QTest::addColumn<QByteArray>("without");
+        const auto add = [](const char* name, const QByteArray& with,
+                            const QByteArray& without = sceneWith("")) {
+            QTest::newRow(name) << with << without;
+        };
+        add("friction 0", sceneWith("friction 0"));
+        add("friction 0 of boxes, too", sceneWith("friction 0", "friction 0", boxes),
+            sceneWith("", "", boxes));
+        add("friction of the floor alone", sceneWith("", "friction 0.5"));
+        add("friction of what is fixed",
+            sceneWith("", "friction 0.5", "wall { normal 1, 0, 0  toOrig 99  friction 1 }\n"),
+            sceneWith("", "", "wall { normal 1, 0, 0  toOrig 99 }\n"));
+        add("rolling 0", sceneWith("rolling 0"));
+        add("no spin", sceneWith("angvel 0, 0, 0"));
+        add("speed of what is fixed",
+            sceneWith("", "",
+                      "sphere { radius 1  centre 60, 0, 0  fixed yes  vel 1, 2, 3  angvel 1, 2, 3 }\n"),
+            sceneWith("", "", "sphere { radius 1  centre 60, 0, 0  fixed yes }\n"));
+        add("a spring between what is fixed",
+            sceneWith("", "", "spring { from world  to post  stiffness 5  damping 1 }\n"));
+        add("damping 0",
+            sceneWith("", "",
+                      "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
+                      "5  length 1  damping 0 }\n"),
+            sceneWith("", "",
+                      "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
+                      "5  length 1 }\n"));
+        add("gravity as it is", sceneWith("", "", "gravity { accel 0, -9.8, 0 }\n"));
+    }
+    void anEffectThatIsAbsentTakesNoInstruction() {
+        QFETCH(QByteArray, with);
+        QFETCH(QByteArray, without);
+        const Profile a = profileOf(with), b = profileOf(without);
+        QVERIFY(b.instructions > 100'000);
+        QCOMPARE(a.instructions, b.instructions);
+        QCOMPARE(a.hash, b.hash);
+    }
+
+    void theKernelsOfAnAbsentEffectAreNotCalled_data() {
+        QTest::addColumn<QString>("kernel");
+        QTest::addColumn<QByteArray>("with");
+        QTest::addColumn<QByteArray>("without");
+        const auto add = [](const char* name, const char* kernel, const QByteArray& with,
+                            const QByteArray& without = sceneWith("")) {
+            QTest::newRow(name) << QString::fromLatin1(kernel) << with << without;
+        };
+        const QByteArray rough = sceneWith("friction 0.3", "friction 0.3");
+        const QByteArray tied = "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\n"
+                                "spring { from world  to a  stiffness 5  length 1 }\n";
+        add("rotation", "carom::tumbleFreely(", rough);
+        add("gyroscopic term", "::rotateAsymmetric(",
+            sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
+        add("gyroscopic term of a cube", "::rotateAsymmetric(",
+            sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"),
+            sceneWith("", "", "cuboid { size 2, 2, 2  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
+        add("friction", "carom::Flights::setSpin(", rough);
+        add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
+        add("springs", "carom::springEnergy(", sceneWith("", "", tied));
+        add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
+        add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
+        add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes));
+        add("collision", "carom::collideInto(", sceneWith("", "", boxes),
+            "sphere { radius 1  mass 1  centre 0, 9, 0 }\n");
+    }
+    void theKernelsOfAnAbsentEffectAreNotCalled() {
+        QFETCH(QString, kernel);
+        QFETCH(QByteArray, with);
+        QFETCH(QByteArray, without);
+        QVERIFY2(calls(profileOf(with), kernel), "the kernel has another name by now");
+        const Profile absent = profileOf(without);
+        QVERIFY(absent.instructions > 1000);
+        QVERIFY(!calls(absent, kernel));
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::UnusedTest)
+#include "unused_test.moc"
