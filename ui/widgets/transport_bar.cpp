@@ -50,6 +50,7 @@ TransportBar::TransportBar(const Actions& actions, QWidget* parent)
       m_notice(caption({}, this)), m_speed(new QSlider(Qt::Horizontal, this)), m_speedText(figure(6, this)),
       m_unlimited(button(actions[ActionId::Unlimited], this)) {
     actions[ActionId::Unlimited].setCheckable(true);
+    m_unlimited->setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_speed->setRange(tickOf(slowest), tickOf(fastest));
     m_speed->setFixedWidth(140);
     m_speed->setToolTip(tr("Speed of the presentation, 0.01× to 100×; the step itself stays"));

@@ -38,6 +38,10 @@ FileCommands::FileCommands(Document& document, MainWindow& window, Settings& set
     QMenu* recent = new QMenu(&window);
     actions[ActionId::Recent].setMenu(recent);
     connect(recent, &QMenu::aboutToShow, this, &FileCommands::fillRecent);
+    // By its key; in the File menu it opens beside its entry.
+    connect(&actions[ActionId::Recent], &QAction::triggered, this, [this, recent] {
+        recent->popup(m_window.mapToGlobal(QPoint(m_window.width() / 3, m_window.height() / 5)));
+    });
     fillRecent();
 
     connect(&document, &Document::pathChanged, this, &FileCommands::updateTitle);

@@ -30,6 +30,7 @@
 #include <QSplitter>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <array>
@@ -183,8 +184,11 @@ void MainWindow::addWorkspaceButtons(QToolBar& toolbar) {
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     toolbar.addWidget(gap);
     for (const ActionId id : {ActionId::WorkspaceWrite, ActionId::WorkspaceWatch, ActionId::WorkspaceMeasure,
-                              ActionId::WorkspaceStudy})
+                              ActionId::WorkspaceStudy}) {
         toolbar.addAction(&(*m_actions)[id]);
+        if (QToolButton* button = qobject_cast<QToolButton*>(toolbar.widgetForAction(&(*m_actions)[id])))
+            button->setToolButtonStyle(Qt::ToolButtonTextOnly); // a name says more than a small picture
+    }
 }
 
 void MainWindow::setTheme(const Theme& theme) {

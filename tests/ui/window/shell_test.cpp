@@ -66,6 +66,22 @@ class ShellTest : public QObject {
         }
     }
 
+    void everyActionOfTheMenusHasAKeyOfItsOwnAnIconAndATip() {
+        Ide ide;
+        QSet<QKeySequence> taken;
+        for (const ActionRow& row : actionRows()) {
+            if (row.text == nullptr) continue;
+            const QAction& action = ide.bench.window().actions()[row.id];
+            QVERIFY2(!action.shortcuts().isEmpty(), row.text);
+            for (const QKeySequence& key : action.shortcuts()) {
+                QVERIFY2(!key.isEmpty() && !taken.contains(key), row.text);
+                taken.insert(key);
+            }
+            QVERIFY2(!action.icon().isNull(), row.text);
+            QVERIFY2(!action.statusTip().isEmpty(), row.text);
+        }
+    }
+
     void aFewLettersAndEnterRunACommand() {
         Ide ide;
         ide.trigger(ActionId::FindCommand);
