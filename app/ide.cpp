@@ -15,7 +15,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QSurfaceFormat>
 #include <QTimer>
 
 namespace carom {
@@ -32,16 +31,6 @@ void describeApplication() {
     QApplication::setDesktopFileName(QStringLiteral("org.carom.carom"));
 }
 
-/// Every context is made with it, so it must stand before the application does.
-void askForOpenGL33() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    QSurfaceFormat::setDefaultFormat(format);
-}
-
 /// Throws FileError for standard input; a file's own trouble is returned.
 std::optional<QString> openScene(const Workbench& workbench, const std::string& scene) {
     if (scene != "-") {
@@ -56,7 +45,6 @@ std::optional<QString> openScene(const Workbench& workbench, const std::string& 
 } // namespace
 
 int runIde(const IdeRequest& request) {
-    askForOpenGL33();
     std::string program = request.program;
     char* arguments[] = {program.data(), nullptr};
     int argumentCount = 1;

@@ -30,7 +30,7 @@ int savePicture(const std::string& scene, const PictureRequest& request) {
     viewport.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
     viewport.show();
     QTimer::singleShot(settleTime, &viewport, [&viewport, &request] {
-        const bool saved = viewport.grabFramebuffer().save(QString::fromStdString(request.file), "PNG");
+        const bool saved = viewport.shownPicture().save(QString::fromStdString(request.file), "PNG");
         if (!saved)
             printError("carom: cannot write `" + request.file +
                        "`; a PNG file in a folder that exists would be right\n");

@@ -5,15 +5,17 @@ flat out vec4 ball;
 out vec3 onFloor;
 
 void main() {
-    float height = dot(floorPlane.xyz, place.xyz) - floorPlane.w;
-    ball = vec4(place.xyz, halfSize.x);
-    if (height < 0.0 || height > 3.0 * halfSize.x) {
+    vec3 centre = place().xyz;
+    float radius = halfSize().x;
+    float height = dot(floorPlane.xyz, centre) - floorPlane.w;
+    ball = vec4(centre, radius);
+    if (height < 0.0 || height > 3.0 * radius) {
         onFloor = vec3(0.0);
         gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
         return;
     }
     vec3 n = floorPlane.xyz;
     vec3 x = normalize(abs(n.x) < 0.9 ? cross(n, vec3(1.0, 0.0, 0.0)) : cross(n, vec3(0.0, 1.0, 0.0)));
-    onFloor = place.xyz - height * n + 2.6 * halfSize.x * (corner.x * x + corner.y * cross(n, x));
+    onFloor = centre - height * n + 2.6 * radius * (corner.x * x + corner.y * cross(n, x));
     gl_Position = clipFromWorld * vec4(onFloor, 1.0);
 }

@@ -1,4 +1,4 @@
-// What every pass knows of the camera, the light and the theme. Mirrors FrameUniforms of ui/viewport/renderer.
+// What every pass knows of the camera, the light and the theme. Mirrors FrameUniforms of ui/viewport/lighting.
 layout(std140) uniform Frame {
     mat4 clipFromWorld;
     mat4 shadowFromWorld; // to texture coordinates and depth of the shadow map
@@ -6,7 +6,7 @@ layout(std140) uniform Frame {
     vec4 forward;         // w: world metres a pixel covers, at depth 1 where there is perspective
     vec4 up;              // w: strength of shadows
     vec4 keyDirection;    // towards the light; w: world metres of a texel of the shadow map
-    vec4 keyColour;       // w: strength of the sky's light
+    vec4 keyColour;
     vec4 fillDirection;
     vec4 fillColour;      // w: how much walls darken away from the scene
     vec4 skyTop;
@@ -15,6 +15,11 @@ layout(std140) uniform Frame {
     vec4 floorTint;   // what a white wall looks like; w: strength of the grid
     vec4 roomCentre;  // w: radius at which walls have faded
     vec4 picture;     // width, height [px], grid spacing [m], dimming 0..1
+    vec4 lightAbove;  // what reaches a surface that looks up besides the two lights, linear
+    vec4 lightBelow;
+    vec4 mirrorTop;   // the sky's and the ground's colours, linear
+    vec4 mirrorHorizon;
+    vec4 mirrorGround;
 };
 
 bool orthographic() { return eye.w > 0.5; }
@@ -26,7 +31,10 @@ float pixelAt(vec3 point) { return orthographic() ? forward.w : forward.w * max(
 vec3 linear(vec3 displayed) { return displayed * displayed; }
 
 vec3 displayed(vec3 light) {
-    vec3 colour = sqrt(clamp(light, 0.0, 1.0));
+    vec3 colour = sqrt(min(light, 1.0));
+#ifdef DIMMED
     float grey = dot(colour, vec3(0.3, 0.59, 0.11));
-    return mix(colour, mix(vec3(grey), skyHorizon.rgb, 0.35), picture.w);
+    colour = mix(colour, mix(vec3(grey), skyHorizon.rgb, 0.35), picture.w);
+#endif
+    return colour;
 }

@@ -7,10 +7,12 @@ out vec3 inMesh;
 flat out vec4 meshTint; // w: pattern
 
 void main() {
-    vec3 grown = halfSize.xyz + growth * pixelAt(place.xyz);
+    vec4 at = place();
+    vec4 turn = orientation();
+    vec3 extent = halfSize().xyz;
     inMesh = corner;
-    point = place.xyz + turned(orientation, corner * grown);
-    normal = turned(orientation, normalize(cornerNormal / halfSize.xyz));
-    meshTint = vec4(tint.rgb, place.w);
+    point = at.xyz + turned(turn, corner * (extent + growth * pixelAt(at.xyz)));
+    normal = turned(turn, normalize(cornerNormal / extent));
+    meshTint = vec4(tint().rgb, at.w);
     gl_Position = clipFromWorld * vec4(point, 1.0);
 }

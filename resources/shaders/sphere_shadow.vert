@@ -6,6 +6,6 @@ out vec2 inDisc;
 void main() {
     inDisc = corner.xy;
     vec3 across = cross(forward.xyz, up.xyz);
-    vec3 onDisc = place.xyz + halfSize.x * (corner.x * across + corner.y * up.xyz + 0.5 * forward.xyz);
+    vec3 onDisc = place().xyz + halfSize().x * (corner.x * across + corner.y * up.xyz + 0.5 * forward.xyz);
     gl_Position = clipFromWorld * vec4(onDisc, 1.0);
 }

@@ -1,9 +1,18 @@
 // Where the ray of this fragment meets its sphere.
+//
+// With lengths in radii, k = radius / distance of the eye, s the sight and o the ray's point on the quad
+// (o ⟂ s, q = o·o), the ray is e + t (o - e) with e = -s / k. It meets |x| = 1 where
+//
+//     t = (1 - k root) / (1 + q k²)     root = sqrt(1 + q k² - q)
+//     x = t o - s (q k + root) / (1 + q k²)
+//
+// which holds without perspective, too (k = 0). Its nearest point to the centre is sqrt(q / (1 + q k²)) away.
 flat in vec4 ball;
+flat in vec4 sight;
 flat in vec4 ballTurn;
 flat in vec4 ballTint;
 flat in float pixel;
-in vec3 onQuad;
+in vec3 offset;
 
 struct Surface {
     vec3 point, normal, toEye;
@@ -11,17 +20,18 @@ struct Surface {
 };
 
 Surface surfaceHere() {
-    vec3 origin = orthographic() ? onQuad - 2.0 * ball.w * forward.xyz : eye.xyz;
-    vec3 direction = orthographic() ? forward.xyz : normalize(onQuad - eye.xyz);
-    vec3 toCentre = ball.xyz - origin;
-    float nearest = dot(toCentre, direction);
-    vec3 across = nearest * direction - toCentre; // from the centre to the ray's nearest point
-    float gap = length(across);
+    float q = dot(offset, offset);
+    float k = sight.w;
+    float whole = 1.0 + q * k * k;
+    float inverse = 1.0 / whole;
+    float gap = q * inverse; // squared
     Surface surface;
-    surface.toEye = -direction;
-    surface.coverage = clamp((ball.w - gap) / pixel + 0.5, 0.0, 1.0);
-    float half_chord = sqrt(max(ball.w * ball.w - gap * gap, 0.0));
-    surface.normal = normalize(across - half_chord * direction);
+    surface.coverage = clamp((1.0 - gap) / (2.0 * pixel) + 0.5, 0.0, 1.0);
+    float root = sqrt(max(whole - q, 0.0));
+    surface.normal = (offset * (1.0 - k * root) - sight.xyz * (q * k + root)) * inverse;
+    // Rays that pass the sphere within half a pixel: their nearest point, drawn in to the surface.
+    surface.normal *= 1.5 - 0.5 * min(max(gap, 1.0), 2.0);
+    surface.toEye = -(sight.xyz + k * offset) * sqrt(inverse);
     surface.point = ball.xyz + ball.w * surface.normal;
     return surface;
 }

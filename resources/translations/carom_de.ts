@@ -1477,6 +1477,13 @@ Die Simulation oben geht dabei weiter.</translation>
     </message>
 </context>
 <context>
+    <name>carom::DrawingThread</name>
+    <message>
+        <source>this display offers no OpenGL</source>
+        <translation>diese Anzeige bietet kein OpenGL</translation>
+    </message>
+</context>
+<context>
     <name>carom::EditCommands</name>
     <message>
         <source>Nothing at the caret has an obvious mend</source>

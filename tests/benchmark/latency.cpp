@@ -21,9 +21,9 @@
 #include <optional>
 #include <thread>
 
-// carom-latency [typing] [scrub] [edit] [pictures] [start]: what a user waits for, in the whole IDE on the
-// display it is started on. All of it without an argument. Not a test: the figures are of the machine, which
-// should have nothing else to do.
+// carom-latency [typing] [scrub] [edit] [pictures] [load] [start]: what a user waits for, in the whole IDE on
+// the display it is started on. All of it without an argument. Not a test: the figures are of the machine,
+// which should have nothing else to do.
 
 namespace carom {
 namespace {
@@ -74,10 +74,7 @@ class Screen : public QObject {
     bool hasShown() const { return m_shown.has_value(); }
     Clock::time_point shownAt() const { return *m_shown; }
 
-    /// Widgets that paint.
     void watch(QWidget& widget) { widget.installEventFilter(this); }
-    /// OpenGL, which draws without a paint event.
-    void watch(Viewport& viewport) { connect(&viewport, &Viewport::frameRendered, this, &Screen::noteDrawn); }
 
   protected:
     bool eventFilter(QObject* object, QEvent* event) override {
@@ -105,6 +102,7 @@ class Latency {
     void scrub();
     void edit();
     void pictures();
+    void load();
     void start();
 
   private:
@@ -184,7 +182,8 @@ void Latency::scrubThrough(Ide& ide, const std::string& what) {
         const Clock::time_point pressed = Clock::now();
         QTest::mouseClick(&timeline, Qt::LeftButton, {}, place);
         if (!waitFor([&] { return ide.frame == wanted; })) break;
-        screen.forget();
+        if (!waitFor([&] { return ide.viewport.shownFrame() == wanted; })) break;
+        screen.forget(); // the picture is there, and is painted next
         if (!waitFor([&] { return screen.hasShown(); })) break;
         waits.push_back(millisecondsSince(pressed, screen.shownAt()));
     }
@@ -256,6 +255,36 @@ void Latency::pictures() {
     watchPlay(generated("brownian", 10000), "10,000 bodies running");
 }
 
+/// A text of 200,000 declarations, and for how long the window does not answer meanwhile.
+void Latency::load() {
+    Ide ide;
+    const QString path = ide.folder.filePath(QStringLiteral("large.sdl"));
+    if (!writeFile(path, generated("brownian", 200000))) qFatal("the large scene cannot be written");
+    waitFor([&] { return ide.frame == 0; });
+    std::vector<double> silences;
+    Clock::time_point last = Clock::now();
+    QTimer beat;
+    QObject::connect(&beat, &QTimer::timeout, [&] {
+        silences.push_back(millisecondsSince(last));
+        last = Clock::now();
+    });
+    beat.start(1);
+    const Clock::time_point begun = last;
+    if (ide.bench.document().open(path)) qFatal("the large scene cannot be opened");
+    const auto isThere = [&ide] {
+        const SharedBuild shown = ide.bench.preview().shown();
+        return shown && shown->build.pipeline->scene().bodies.size() > 200000;
+    };
+    waitFor(isThere);
+    tell("200,000 declarations on screen", {millisecondsSince(begun)});
+    const std::int64_t drawn = ide.viewport.framesRendered();
+    waitFor([&] { return ide.viewport.framesRendered() > drawn + 1; });
+    beat.stop();
+    std::sort(silences.begin(), silences.end());
+    tell("    without an answer, the ten longest times",
+         {silences.end() - std::min<std::ptrdiff_t>(10, std::ssize(silences)), silences.end()});
+}
+
 /// The program from its first instruction to its end after one picture: the window is there, has drawn the
 /// scene and has taken events in between. The first start warms the caches.
 void Latency::start() {
@@ -277,14 +306,15 @@ void Latency::start() {
 
 int measure(const QStringList& wanted) {
     using Section = std::pair<const char*, void (Latency::*)()>;
-    constexpr std::array sections = {Section{"typing", &Latency::typing}, Section{"scrub", &Latency::scrub},
-                                     Section{"edit", &Latency::edit}, Section{"pictures", &Latency::pictures},
-                                     Section{"start", &Latency::start}};
+    constexpr std::array sections = {
+        Section{"typing", &Latency::typing}, Section{"scrub", &Latency::scrub},
+        Section{"edit", &Latency::edit},     Section{"pictures", &Latency::pictures},
+        Section{"load", &Latency::load},     Section{"start", &Latency::start}};
     for (const QString& word : wanted)
         if (std::none_of(sections.begin(), sections.end(),
                          [&](const Section& section) { return word == QLatin1StringView(section.first); })) {
             printError("carom-latency: `" + word.toStdString() +
-                       "` is none of typing, scrub, edit, pictures, start\n");
+                       "` is none of typing, scrub, edit, pictures, load, start\n");
             return exitcode::wrongUsage;
         }
     std::printf("%-60s %5s %9s %9s %9s\n", "[ms]", "of", "median", "p95", "max");

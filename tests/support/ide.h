@@ -9,7 +9,6 @@
 
 #include <QApplication>
 #include <QFile>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -28,12 +27,6 @@ class IdeApplication {
     IdeApplication(int& argumentCount, char** arguments) {
         qputenv("XDG_CONFIG_HOME", m_home.path().toLocal8Bit());
         qputenv("XDG_DATA_HOME", m_home.path().toLocal8Bit());
-        QSurfaceFormat format;
-        format.setVersion(3, 3);
-        format.setProfile(QSurfaceFormat::CoreProfile);
-        format.setDepthBufferSize(24);
-        format.setStencilBufferSize(8);
-        QSurfaceFormat::setDefaultFormat(format);
         m_application = std::make_unique<QApplication>(argumentCount, arguments);
         QApplication::setOrganizationName(QStringLiteral("carom-test"));
         QApplication::setApplicationName(QStringLiteral("carom-test"));

@@ -42,7 +42,7 @@ struct Ide {
     int problems() { return bench.window().problems().findChild<QAbstractItemView*>()->model()->rowCount(); }
     bool current() const { return bench.builds().isCurrent(); }
     QColor pixel(double x, double y) {
-        const QImage picture = viewport.grabFramebuffer();
+        const QImage picture = viewport.shownPicture();
         return picture.pixelColor(static_cast<int>(x * picture.width()),
                                   static_cast<int>(y * picture.height()));
     }

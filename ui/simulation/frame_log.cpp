@@ -7,7 +7,7 @@ namespace carom {
 
 void FrameLog::clear() {
     m_waiting.clear();
-    m_shown = 0;
+    m_rendered = 0;
 }
 
 void FrameLog::addFrames(const std::vector<FrameStatistics>& frames) {
@@ -16,13 +16,14 @@ void FrameLog::addFrames(const std::vector<FrameStatistics>& frames) {
 }
 
 void FrameLog::noteRendered(double milliseconds) {
-    for (FrameSample& sample : m_waiting)
-        if (sample.statistics.frame == m_shown) sample.render = milliseconds;
+    m_rendered = milliseconds;
     passOn();
 }
 
 void FrameLog::passOn() {
-    if (!m_waiting.empty()) Q_EMIT samplesReady(std::exchange(m_waiting, {}));
+    if (m_waiting.empty()) return;
+    m_waiting.back().render = std::exchange(m_rendered, 0);
+    Q_EMIT samplesReady(std::exchange(m_waiting, {}));
 }
 
 } // namespace carom

@@ -20,8 +20,7 @@ class FrameLog : public QObject {
 
     void clear();
     void addFrames(const std::vector<FrameStatistics>& frames);
-    /// This frame is what the viewport draws next.
-    void noteShown(std::int64_t frame) { m_shown = frame; }
+    /// A picture is there. It was drawn while the newest frames were simulated, and counts for the newest.
     void noteRendered(double milliseconds);
 
   Q_SIGNALS:
@@ -31,7 +30,7 @@ class FrameLog : public QObject {
     void passOn();
 
     std::vector<FrameSample> m_waiting;
-    std::int64_t m_shown = 0;
+    double m_rendered = 0; ///< [ms], by a picture that no frame has been given yet
 };
 
 } // namespace carom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/gl_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -12,8 +13,8 @@ namespace {
 /// Attribute locations, as in resources/shaders.
 constexpr GLuint cornerAttribute = 0;
 constexpr GLuint normalAttribute = 1;
-constexpr GLuint firstInstanceAttribute = 2;
-constexpr GLuint instanceAttributes = 4; ///< four vectors of four floats an instance
+constexpr GLuint copyAttribute = 2;
+constexpr std::size_t mostVertices = 16384; ///< of all copies together; indices have 16 bits
 
 const void* bufferOffset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -82,41 +83,54 @@ MeshData cylinderMesh(int segments) {
     return mesh;
 }
 
-void GlMesh::create(QOpenGLFunctions_3_3_Core& gl, const MeshData& data, QOpenGLBuffer& instances) {
+void GlMesh::create(QOpenGLFunctions_3_3_Core& gl, const MeshData& data) {
+    struct CopiedVertex {
+        MeshVertex vertex;
+        std::int32_t copy;
+    };
+    const std::size_t copies = std::max<std::size_t>(1, mostVertices / data.vertices.size());
+    std::vector<CopiedVertex> vertices;
+    std::vector<std::uint16_t> triangles;
+    vertices.reserve(copies * data.vertices.size());
+    triangles.reserve(copies * data.triangles.size());
+    for (std::size_t copy = 0; copy < copies; ++copy) {
+        for (const std::uint16_t corner : data.triangles)
+            triangles.push_back(static_cast<std::uint16_t>(vertices.size() + corner));
+        for (std::size_t i = 0; i < data.vertices.size();
+             ++i) // triangles above count from the first of these
+            vertices.push_back({data.vertices[i], static_cast<std::int32_t>(copy)});
+    }
+    m_copies = static_cast<int>(copies);
+    m_indexCount = static_cast<int>(data.triangles.size());
+
     m_array.create();
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
     m_vertices.create();
     m_vertices.bind();
-    m_vertices.allocate(data.vertices.data(), static_cast<int>(data.vertices.size() * sizeof(MeshVertex)));
+    m_vertices.allocate(vertices.data(), static_cast<int>(vertices.size() * sizeof(CopiedVertex)));
     gl.glEnableVertexAttribArray(cornerAttribute);
-    gl.glVertexAttribPointer(cornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+    gl.glVertexAttribPointer(cornerAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(CopiedVertex),
                              bufferOffset(offsetof(MeshVertex, position)));
     gl.glEnableVertexAttribArray(normalAttribute);
-    gl.glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+    gl.glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(CopiedVertex),
                              bufferOffset(offsetof(MeshVertex, normal)));
+    gl.glEnableVertexAttribArray(copyAttribute);
+    gl.glVertexAttribIPointer(copyAttribute, 1, GL_INT, sizeof(CopiedVertex),
+                              bufferOffset(offsetof(CopiedVertex, copy)));
     m_triangles.create();
     m_triangles.bind();
-    m_triangles.allocate(data.triangles.data(),
-                         static_cast<int>(data.triangles.size() * sizeof(std::uint16_t)));
-    m_indexCount = static_cast<int>(data.triangles.size());
-
-    instances.bind();
-    for (GLuint i = 0; i < instanceAttributes; ++i) {
-        gl.glEnableVertexAttribArray(firstInstanceAttribute + i);
-        gl.glVertexAttribDivisor(firstInstanceAttribute + i, 1);
-    }
+    m_triangles.allocate(triangles.data(), static_cast<int>(triangles.size() * sizeof(std::uint16_t)));
 }
 
-void GlMesh::draw(QOpenGLFunctions_3_3_Core& gl, QOpenGLBuffer& instances, InstanceRange range) {
+void GlMesh::draw(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, InstanceRange range) {
     if (range.count == 0) return;
     const QOpenGLVertexArrayObject::Binder bound(&m_array);
-    // OpenGL 3.3 has no first instance in its draw calls: the attributes start at the range instead.
-    instances.bind();
-    const std::size_t start = static_cast<std::size_t>(range.first) * sizeof(Instance);
-    for (GLuint i = 0; i < instanceAttributes; ++i)
-        gl.glVertexAttribPointer(firstInstanceAttribute + i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
-                                 bufferOffset(start + i * 4 * sizeof(float)));
-    gl.glDrawElementsInstanced(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_SHORT, nullptr, range.count);
+    const int firstInstance = program.uniformLocation("firstInstance");
+    for (int done = 0; done < range.count; done += m_copies) {
+        program.setUniformValue(firstInstance, range.first + done);
+        gl.glDrawElements(GL_TRIANGLES, m_indexCount * std::min(m_copies, range.count - done),
+                          GL_UNSIGNED_SHORT, nullptr);
+    }
 }
 
 } // namespace carom

@@ -5,6 +5,7 @@
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
 #include <QOpenGLVertexArrayObject>
 
 #include <vector>
@@ -30,16 +31,23 @@ MeshData cubeMesh();
 MeshData cylinderMesh(int segments);
 
 /// A mesh on the graphics card, drawn once for each instance of a range. Needs a current context.
+///
+/// Its buffers hold many copies side by side, each vertex with the number of its copy, and shaders fetch the
+/// instance by that number: one draw call for a few hundred bodies. Instanced calls look simpler, but a
+/// software rasteriser starts its vertex stage anew for every instance, which costs ten times as much as four
+/// vertices.
 class GlMesh {
   public:
-    void create(QOpenGLFunctions_3_3_Core& gl, const MeshData& data, QOpenGLBuffer& instances);
-    void draw(QOpenGLFunctions_3_3_Core& gl, QOpenGLBuffer& instances, InstanceRange range);
+    void create(QOpenGLFunctions_3_3_Core& gl, const MeshData& data);
+    /// With a program in use that knows resources/shaders/instance.glsl.
+    void draw(QOpenGLFunctions_3_3_Core& gl, QOpenGLShaderProgram& program, InstanceRange range);
 
   private:
     QOpenGLVertexArrayObject m_array;
     QOpenGLBuffer m_vertices{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer m_triangles{QOpenGLBuffer::IndexBuffer};
-    int m_indexCount = 0;
+    int m_indexCount = 0; ///< of one copy
+    int m_copies = 0;
 };
 
 } // namespace carom

@@ -11,6 +11,9 @@ namespace {
 
 /// A turn by less than this is rounding, not spin: 1 - |q·q'| of an angle of about 1/4 degree.
 constexpr double turnedEnough = 2e-6;
+/// Radii [px] up to which 16 and 36 corners are true to a quarter of a pixel: r (1 - cos(pi / n)).
+constexpr double coarseUpTo = 13;
+constexpr double mediumUpTo = 65;
 
 Vec3 halfSizeOf(const Shape& shape) {
     struct Visitor {
@@ -65,10 +68,16 @@ void InstanceTable::build(const Scene& scene) {
     m_instances.resize(m_sources.size());
 }
 
-void InstanceTable::place(std::span<const Pose> poses, const Camera& camera, const Camera& light) {
+std::span<InstanceTable::Source> InstanceTable::part(InstanceRange range) {
+    return std::span(m_sources).subspan(static_cast<std::size_t>(range.first),
+                                        static_cast<std::size_t>(range.count));
+}
+
+void InstanceTable::place(std::span<const Pose> poses, const Camera& camera, const PictureSize& size,
+                          const Camera& light) {
     const Mat3 lightFromWorld = viewMatrix(light).block<3, 3>(0, 0);
     m_bounds = m_lightBounds = {Vec3::Constant(-0.5), Vec3::Constant(0.5)};
-    const Vec3 forward = camera.forward();
+    const Vec3 forward = camera.forward(), eye = camera.eye();
     bool first = true;
     for (Source& source : m_sources) {
         const Pose& pose = poses[source.body];
@@ -79,7 +88,7 @@ void InstanceTable::place(std::span<const Pose> poses, const Camera& camera, con
         for (int part = 0; part < 4; ++part)
             instance.orientation[part] = static_cast<float>(pose.orientation.coeffs()[part]);
         if (1 - std::abs(pose.orientation.dot(source.start)) > turnedEnough) instance.pattern = 1;
-        source.depth = pose.position.dot(forward);
+        source.depth = (pose.position - eye).dot(forward);
         const Aabb box = grown({pose.position, pose.position}, source.radius);
         const Vec3 seenByLight = lightFromWorld * pose.position;
         const Aabb lightBox = grown({seenByLight, seenByLight}, source.radius);
@@ -87,11 +96,45 @@ void InstanceTable::place(std::span<const Pose> poses, const Camera& camera, con
         m_lightBounds = first ? lightBox : united(m_lightBounds, lightBox);
         first = false;
     }
-    std::sort(m_sources.begin() + m_spheres.first, m_sources.begin() + m_spheres.first + m_spheres.count,
-              [](const Source& a, const Source& b) { return a.depth > b.depth; });
+    orderSpheres();
+    orderCylinders(camera, camera.pixelSize(size));
     for (std::size_t i = 0; i < m_sources.size(); ++i) {
         m_instances[i] = m_sources[i].instance;
         m_indexOf[m_sources[i].body] = static_cast<int>(i);
+    }
+}
+
+void InstanceTable::orderSpheres() {
+    const std::span<Source> spheres = part(m_spheres);
+    std::sort(spheres.begin(), spheres.end(),
+              [](const Source& a, const Source& b) { return a.depth > b.depth; });
+    m_anySpins = std::any_of(spheres.begin(), spheres.end(),
+                             [](const Source& source) { return source.instance.pattern > 0; });
+}
+
+/// `pixel`: what one covers at the camera's target [m].
+void InstanceTable::orderCylinders(const Camera& camera, double pixel) {
+    const std::span<Source> cylinders = part(m_cylinders);
+    for (Source& source : cylinders) {
+        const double nearest = source.depth - source.radius;
+        const double covers = camera.orthographic ? pixel : pixel / camera.distance * nearest;
+        const double radius = source.instance.halfSize[0] / covers; // [px]
+        source.detail = covers <= 0 || radius > mediumUpTo ? Detail::Fine
+                        : radius > coarseUpTo              ? Detail::Medium
+                                                           : Detail::Coarse;
+    }
+    // Within one detail front to back: what lies behind is not shaded.
+    std::sort(cylinders.begin(), cylinders.end(), [](const Source& a, const Source& b) {
+        return a.detail != b.detail ? a.detail < b.detail : a.depth < b.depth;
+    });
+    int first = m_cylinders.first;
+    for (std::size_t detail = 0; detail < detailCount; ++detail) {
+        const int count = static_cast<int>(
+            std::count_if(cylinders.begin(), cylinders.end(), [detail](const Source& source) {
+                return source.detail == static_cast<Detail>(detail);
+            }));
+        m_byDetail[detail] = {first, count};
+        first += count;
     }
 }
 

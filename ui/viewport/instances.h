@@ -3,6 +3,7 @@
 
 #include "ui/viewport/camera.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,18 +27,27 @@ struct InstanceRange {
     int count = 0;
 };
 
+/// How many corners stand for a circle: as many as keep it true to a quarter of a pixel.
+enum class Detail : std::size_t { Coarse, Medium, Fine };
+inline constexpr std::array detailSegments = {16, 36, 96};
+inline constexpr std::size_t detailCount = detailSegments.size();
+
 /// All bounded bodies of a scene, kind by kind, rewritten for every picture.
 class InstanceTable {
   public:
     void build(const Scene& scene);
-    /// Writes the poses. Spheres come back to front: their edges are blended. A body whose orientation is
-    /// not the one it started with is marked as spinning from then on.
-    void place(std::span<const Pose> poses, const Camera& camera, const Camera& light);
+    /// Writes the poses for a picture of `size` [device px]. A body whose orientation is not the one it
+    /// started with is marked as spinning from then on.
+    void place(std::span<const Pose> poses, const Camera& camera, const PictureSize& size,
+               const Camera& light);
 
     std::span<const Instance> all() const { return m_instances; }
+    /// Back to front: their edges are blended.
     InstanceRange spheres() const { return m_spheres; }
-    InstanceRange cylinders() const { return m_cylinders; }
+    InstanceRange cylinders(Detail detail) const { return m_byDetail[static_cast<std::size_t>(detail)]; }
     InstanceRange cuboids() const { return m_cuboids; }
+    /// A sphere carries the pattern that shows spin.
+    bool anySpins() const { return m_anySpins; }
     /// Where a body stands in all(); -1 for walls. Changes with place().
     int indexOf(BodyIndex body) const;
     /// The box of all bounded bodies at the last place(); around the origin where there are none.
@@ -51,14 +61,21 @@ class InstanceTable {
         Instance instance;
         Quat start;        ///< orientation at time 0
         double radius = 0; ///< of the ball around it [m]
-        double depth = 0;  ///< along the line of sight [m]
+        double depth = 0;  ///< in front of the eye [m]
+        Detail detail = Detail::Fine;
     };
+
+    std::span<Source> part(InstanceRange range);
+    void orderSpheres();
+    void orderCylinders(const Camera& camera, double pixel);
 
     std::vector<Source> m_sources;
     std::vector<Instance> m_instances;
     std::vector<int> m_indexOf;
     InstanceRange m_spheres, m_cylinders, m_cuboids;
+    std::array<InstanceRange, detailCount> m_byDetail;
     Aabb m_bounds, m_lightBounds;
+    bool m_anySpins = false;
 };
 
 /// The box of all bounded bodies in these poses; a unit box around the origin where there are none.

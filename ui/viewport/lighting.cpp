@@ -13,6 +13,7 @@ namespace {
 constexpr double shadowReach = 2;
 /// About so many lines of the grid lie across a room.
 constexpr double gridLines = 180;
+constexpr float leastLight = 0.05F; ///< that reaches every surface
 
 Vec3 fillDirection() { return Vec3(0.72, 0.35, -0.45).normalized(); }
 
@@ -22,6 +23,9 @@ Eigen::Vector4f four(const Vec3& v, double w) {
 }
 
 Eigen::Vector4f four(const Eigen::Vector3f& v, float w = 0) { return {v.x(), v.y(), v.z(), w}; }
+
+/// As the shaders' function of this name.
+Eigen::Vector4f linear(const Eigen::Vector3f& displayed) { return four(displayed.cwiseProduct(displayed)); }
 
 /// 1, 2 or 5 times a power of ten, near x.
 double roundNumber(double x) {
@@ -87,7 +91,7 @@ FrameUniforms frameUniforms(const PictureOptions& options, const Mat4& clipFromW
     frame.forward = four(camera.forward(), pixel);
     frame.up = four(camera.up(), static_cast<double>(theme.shadow));
     frame.keyDirection = four(keyDirection(), shadow.texel);
-    frame.keyColour = four(theme.keyLight, theme.ambient);
+    frame.keyColour = four(theme.keyLight);
     frame.fillDirection = four(fillDirection(), 0);
     frame.fillColour = four(theme.fillLight, theme.vignette);
     frame.skyTop = four(theme.skyTop);
@@ -98,6 +102,12 @@ FrameUniforms frameUniforms(const PictureOptions& options, const Mat4& clipFromW
     frame.picture = {static_cast<float>(options.size.width), static_cast<float>(options.size.height),
                      static_cast<float>(roundNumber(2 * room.extent / gridLines)),
                      options.dimmed ? 0.75F : 0.0F};
+    frame.mirrorTop = linear(theme.skyTop);
+    frame.mirrorHorizon = linear(theme.skyHorizon);
+    frame.mirrorGround = linear(theme.ground);
+    const Eigen::Vector4f anywhere = Eigen::Vector4f::Constant(leastLight);
+    frame.lightAbove = theme.ambient * (frame.mirrorTop + frame.mirrorHorizon) / 2 + anywhere;
+    frame.lightBelow = theme.ambient * frame.mirrorGround + anywhere;
     return frame;
 }
 

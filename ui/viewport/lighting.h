@@ -48,8 +48,9 @@ struct FrameUniforms {
     Eigen::Matrix4f clipFromWorld, shadowFromWorld;
     Eigen::Vector4f eye, forward, up, keyDirection, keyColour, fillDirection, fillColour;
     Eigen::Vector4f skyTop, skyHorizon, ground, floorTint, roomCentre, picture;
+    Eigen::Vector4f lightAbove, lightBelow, mirrorTop, mirrorHorizon, mirrorGround;
 };
-static_assert(sizeof(FrameUniforms) == 2 * 64 + 13 * 16);
+static_assert(sizeof(FrameUniforms) == 2 * 64 + 18 * 16);
 
 /// For the picture of `options`, or for the shadow map where options carry the light's camera and size.
 FrameUniforms frameUniforms(const PictureOptions& options, const Mat4& clipFromWorld,

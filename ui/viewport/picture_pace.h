@@ -3,9 +3,9 @@
 
 namespace carom {
 
-/// Keeps pictures out of the way where the processor draws them: whoever types waits for the picture under
-/// way, so dear ones leave their shadows out while things move, and then leave the thread free for a while.
-/// With a graphics card no picture is dear.
+/// Keeps pictures out of the way where the processor draws them: it simulates and shows letters meanwhile, so
+/// dear ones leave their shadows out while things move, and then leave it free for a while. With a graphics
+/// card no picture is dear.
 class PicturePace {
   public:
     /// Another scene: nothing is known of what its pictures cost.
@@ -25,7 +25,7 @@ class PicturePace {
     double pause() const { return m_last > dear ? m_last / 2 : 0; }
 
   private:
-    /// [ms]; 30 pictures a second can be had up to here, with time left for typing between them.
+    /// [ms]; 30 pictures a second can be had up to here, with time left for the simulation between them.
     static constexpr double dear = 25;
     /// [ms]; shadows cost about three times as much as the rest, so with them it will not be dear.
     static constexpr double cheap = 6;

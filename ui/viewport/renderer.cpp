@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace carom {
 
 namespace {
 
-constexpr int cylinderSegments = 96;
 constexpr int smoothSamples = 4;
 constexpr float outlineWidth = 3;       ///< [px]
 constexpr float wallFromBehind = 0.05F; ///< opacity
@@ -22,6 +22,10 @@ constexpr double floorNormalY = 0.7;
 struct WallVertex {
     float position[3], normal[3], colour[3], along[2];
 };
+
+/// The next root of a power of two, so that the depths of a picture do not change with every step of a body.
+double roundedUp(double x) { return std::exp2(std::ceil(2 * std::log2(x)) / 2); }
+double roundedDown(double x) { return std::exp2(std::floor(2 * std::log2(x)) / 2); }
 
 void copy(const Vec3& from, float (&to)[3]) {
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(from[axis]);
@@ -41,9 +45,14 @@ bool Renderer::initialise() {
 
     m_instances.create();
     m_instances.setUsagePattern(QOpenGLBuffer::StreamDraw);
-    m_square.create(*this, squareMesh(), m_instances);
-    m_cube.create(*this, cubeMesh(), m_instances);
-    m_cylinder.create(*this, cylinderMesh(cylinderSegments), m_instances);
+    m_instances.bind();
+    glGenTextures(1, &m_instanceTexture);
+    glBindTexture(GL_TEXTURE_BUFFER, m_instanceTexture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, m_instances.bufferId());
+    m_square.create(*this, squareMesh());
+    m_cube.create(*this, cubeMesh());
+    for (std::size_t detail = 0; detail < detailCount; ++detail)
+        m_cylinders[detail].create(*this, cylinderMesh(detailSegments[detail]));
     m_walls.create(*this, {3, 3, 3, 2});
     m_shadowed.create(*this, {3});
     m_lines.create(*this, {3, 3});
@@ -77,6 +86,7 @@ void Renderer::createShadowMap() {
 void Renderer::show(const Scene& scene, const Room& room) {
     m_table.build(scene);
     m_room = room;
+    m_backdropFrame.picture.setZero(); // other walls
     std::vector<WallVertex> vertices;
     for (const RoomFace& face : room.faces) {
         const Tangents tangents = tangentsOf(face.wall.normal);
@@ -105,9 +115,11 @@ void Renderer::useFrame(const FrameUniforms& frame) {
 }
 
 void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) {
-    m_table.place(poses, options.camera, lightCamera());
+    m_table.place(poses, options.camera, options.size, lightCamera());
     m_instances.bind();
     m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
+    glActiveTexture(GL_TEXTURE0 + instanceUnit);
+    glBindTexture(GL_TEXTURE_BUFFER, m_instanceTexture);
 
     drawShadowMap(options);
     if (options.smooth)
@@ -139,31 +151,74 @@ void Renderer::drawPicture(const PictureOptions& options) {
     const auto [nearest, furthest] = depthRange(options);
     const Mat4 clipFromWorld =
         projectionMatrix(options.camera, options.size, nearest, furthest) * viewMatrix(options.camera);
-    useFrame(frameUniforms(options, clipFromWorld, m_shadow, m_room));
+    const FrameUniforms frame = frameUniforms(options, clipFromWorld, m_shadow, m_room);
+    useFrame(frame);
 
     glViewport(0, 0, static_cast<GLsizei>(options.size.width), static_cast<GLsizei>(options.size.height));
-    glClearStencil(0);
-    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, m_shadowTexture);
     glDepthFunc(GL_LEQUAL);
     // The picture stays opaque whatever is blended: alpha of what is there is kept.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 
-    drawSky(clipFromWorld);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
-    drawWalls(false);
+    const Feature features = featuresOf(options);
+    const Backdrop backdrop{frame, clipFromWorld, features};
+    if (options.smooth || !copyBackdrop(backdrop)) drawBackdrop(backdrop);
+    glActiveTexture(GL_TEXTURE0 + shadowUnit); // making a framebuffer lets it go
+    glBindTexture(GL_TEXTURE_2D, m_shadowTexture);
     if (options.shadows) {
         drawWallShadows();
         drawContactShadows();
     }
-    drawBodies(Pass::SphereLit, Pass::MeshLit);
-    drawWalls(true);
+    drawBodies(Pass::SphereLit, Pass::MeshLit, {.features = features});
+    drawWalls(true, features);
     drawLines();
     drawOutline(options);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::drawBackdrop(const Backdrop& backdrop) {
+    glClearStencil(0);
+    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    drawSky(backdrop.clipFromWorld);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    drawWalls(false, backdrop.features);
+}
+
+bool Renderer::copyBackdrop(const Backdrop& backdrop) {
+    FrameUniforms seen = backdrop.frame;
+    seen.shadowFromWorld.setZero(); // bodies move it, and neither sky nor walls look at it
+    seen.keyDirection.w() = 0;
+    if (std::memcmp(&seen, &m_backdropFrame, sizeof seen) != 0) {
+        m_backdropFrame = seen; // worth keeping if the next picture looks the same way
+        m_backdropDrawn = false;
+        return false;
+    }
+    GLint outer = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &outer);
+    const QSize size(static_cast<int>(seen.picture.x()), static_cast<int>(seen.picture.y()));
+    if (!m_backdropDrawn) {
+        if (!m_backdrop || m_backdrop->size() != size)
+            m_backdrop = std::make_unique<QOpenGLFramebufferObject>(
+                size, QOpenGLFramebufferObject::CombinedDepthStencil);
+        m_backdrop->bind();
+        drawBackdrop(backdrop);
+        m_backdropDrawn = true;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_backdrop->handle());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(outer));
+    glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    return true;
+}
+
+Feature Renderer::featuresOf(const PictureOptions& options) const {
+    return (options.shadows ? Feature::Shadows : Feature::None) |
+           (m_table.anySpins() ? Feature::Pattern : Feature::None) |
+           (options.dimmed ? Feature::Dimmed : Feature::None);
 }
 
 Renderer::DepthRange Renderer::depthRange(const PictureOptions& options) const {
@@ -172,7 +227,7 @@ Renderer::DepthRange Renderer::depthRange(const PictureOptions& options) const {
     const Aabb& bodies = m_table.bounds();
     const double toRoom = (eye - m_room.centre).norm() + 1.5 * m_room.extent;
     const double toBodies = (bodies.centre() - eye).norm() + bodies.size().norm() / 2;
-    const double furthest = 1.01 * std::max({toRoom, toBodies, camera.distance * 2});
+    const double furthest = roundedUp(1.01 * std::max({toRoom, toBodies, camera.distance * 2}));
     if (camera.orthographic) return {-furthest, furthest};
 
     // As near as anything can be: the digits of the depth buffer lie where the near plane is.
@@ -182,7 +237,7 @@ Renderer::DepthRange Renderer::depthRange(const PictureOptions& options) const {
     const double tangent = std::tan(camera.fieldOfView / 2);
     const double slope = tangent * std::hypot(1.0, options.size.aspect());
     const double alongSight = nearest / std::hypot(1.0, slope); // in the picture's corner
-    return {std::max(furthest / 20000, 0.9 * alongSight), furthest};
+    return {roundedDown(std::max(furthest / 20000, 0.9 * alongSight)), furthest};
 }
 
 void Renderer::drawShadowMap(const PictureOptions& options) {
@@ -201,7 +256,8 @@ void Renderer::drawShadowMap(const PictureOptions& options) {
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    if (options.shadows) drawBodies(Pass::SphereShadow, Pass::MeshFlat); // else everything is in the light
+    if (options.shadows)
+        drawBodies(Pass::SphereShadow, Pass::MeshFlat, {}); // else everything is in the light
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
 }
 
@@ -215,9 +271,9 @@ void Renderer::drawSky(const Mat4& clipFromWorld) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Renderer::drawWalls(bool fromBehind) {
+void Renderer::drawWalls(bool fromBehind, Feature features) {
     if (m_walls.isEmpty()) return;
-    m_shaders.use(Pass::WallFace).setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
+    m_shaders.use(Pass::WallFace, features).setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
     glDepthMask(fromBehind ? GL_FALSE : GL_TRUE);
     glEnable(GL_CULL_FACE);
     glCullFace(fromBehind ? GL_FRONT : GL_BACK);
@@ -270,27 +326,30 @@ void Renderer::drawContactShadows() {
         const Eigen::Vector3f normal = face.wall.normal.cast<float>();
         program.setUniformValue("floorPlane", normal.x(), normal.y(), normal.z(),
                                 static_cast<float>(face.wall.offset));
-        m_square.draw(*this, m_instances, m_table.spheres());
+        m_square.draw(*this, program, m_table.spheres());
     }
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);
 }
 
-void Renderer::drawBodies(Pass spheres, Pass meshes, float growth, int instance) {
-    const auto part = [instance](InstanceRange range) {
-        if (instance == everyInstance) return range;
-        const bool inside = instance >= range.first && instance < range.first + range.count;
-        return inside ? InstanceRange{instance, 1} : InstanceRange{};
+void Renderer::drawBodies(Pass spheres, Pass meshes, const BodyStyle& style) {
+    const auto part = [&style](InstanceRange range) {
+        if (style.instance == everyInstance) return range;
+        const bool inside = style.instance >= range.first && style.instance < range.first + range.count;
+        return inside ? InstanceRange{style.instance, 1} : InstanceRange{};
     };
-    m_shaders.use(meshes).setUniformValue("growth", growth);
+    QOpenGLShaderProgram& mesh = m_shaders.use(meshes, style.features);
+    mesh.setUniformValue("growth", style.growth);
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
-    m_cylinder.draw(*this, m_instances, part(m_table.cylinders()));
-    m_cube.draw(*this, m_instances, part(m_table.cuboids()));
+    for (std::size_t detail = 0; detail < detailCount; ++detail)
+        m_cylinders[detail].draw(*this, mesh, part(m_table.cylinders(static_cast<Detail>(detail))));
+    m_cube.draw(*this, mesh, part(m_table.cuboids()));
     glDisable(GL_CULL_FACE);
-    m_shaders.use(spheres).setUniformValue("growth", growth);
-    m_square.draw(*this, m_instances, part(m_table.spheres()));
+    QOpenGLShaderProgram& sphere = m_shaders.use(spheres, style.features);
+    sphere.setUniformValue("growth", style.growth);
+    m_square.draw(*this, sphere, part(m_table.spheres()));
 }
 
 void Renderer::drawLines() {
@@ -317,11 +376,11 @@ void Renderer::drawOutline(const PictureOptions& options) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glStencilFunc(GL_ALWAYS, 2, 2);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    drawBodies(Pass::SphereFlat, Pass::MeshFlat, 0, index);
+    drawBodies(Pass::SphereFlat, Pass::MeshFlat, {.instance = index});
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glStencilFunc(GL_NOTEQUAL, 2, 2);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    drawBodies(Pass::SphereFlat, Pass::MeshFlat, outlineWidth, index);
+    drawBodies(Pass::SphereFlat, Pass::MeshFlat, {.growth = outlineWidth, .instance = index});
     glDisable(GL_STENCIL_TEST);
 }
 

@@ -20,10 +20,10 @@
 // Draws a scene with OpenGL 3.3 core, in an order that a software rasteriser is quick with:
 //
 //     shadow map of the first light   spheres as billboards, meshes, depth only
-//     sky, walls                      one triangle; one buffer of polygons
+//     sky, walls                      one triangle; one buffer of polygons; copied while the camera rests
 //     shadows on walls                only where the shadow map reaches, multiplied on
 //     contact shadows on floors       one square a sphere
-//     meshes                          cylinders and cuboids, instanced
+//     meshes                          cylinders and cuboids
 //     spheres                         one quad each, ray-cast, back to front: smooth edges by coverage
 //     walls seen from behind          a breath of colour, so they never hide the scene
 //     overlays                        lines; what bodies hide of them shows faintly
@@ -56,6 +56,18 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     struct DepthRange {
         double nearest, furthest; ///< in front of the eye [m]
     };
+    /// Sky and walls, and all they depend on: while the camera stands still they are drawn once.
+    struct Backdrop {
+        const FrameUniforms& frame;
+        const Mat4& clipFromWorld;
+        Feature features;
+    };
+    static constexpr int everyInstance = -1;
+    struct BodyStyle {
+        Feature features = Feature::None;
+        float growth = 0;             ///< [px]
+        int instance = everyInstance; ///< or only this one
+    };
 
     void createShadowMap();
     void useFrame(const FrameUniforms& frame);
@@ -63,27 +75,33 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     void drawShadowMap(const PictureOptions& options);
     void drawSmoothly(const PictureOptions& options);
     void drawPicture(const PictureOptions& options);
+    void drawBackdrop(const Backdrop& backdrop);
+    /// Where the picture before had the same one; false where it must be drawn.
+    bool copyBackdrop(const Backdrop& backdrop);
     void drawSky(const Mat4& clipFromWorld);
-    void drawWalls(bool fromBehind);
+    void drawWalls(bool fromBehind, Feature features);
     void drawWallShadows();
     void drawContactShadows();
     void drawLines();
     void drawOutline(const PictureOptions& options);
-    /// All bodies, or the one whose instance this is.
-    void drawBodies(Pass spheres, Pass meshes, float growth = 0, int instance = everyInstance);
-
-    static constexpr int everyInstance = -1;
+    void drawBodies(Pass spheres, Pass meshes, const BodyStyle& style);
+    Feature featuresOf(const PictureOptions& options) const;
 
     Shaders m_shaders;
-    GlMesh m_square, m_cube, m_cylinder;
+    GlMesh m_square, m_cube;
+    std::array<GlMesh, detailCount> m_cylinders;
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
+    GLuint m_instanceTexture = 0; ///< shaders read m_instances through it
     GlStream m_walls, m_lines;
     GlStream m_shadowed; ///< the polygon of a wall under the shadow map
     QOpenGLVertexArrayObject m_noVertices;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth; ///< several samples a pixel; made when first wanted
-    GLuint m_frameBuffer = 0;                           ///< the uniform block
-    GLuint m_shadowTexture = 0;                         ///< depth
-    GLuint m_shadowTarget = 0;                          ///< framebuffer of m_shadowTexture
+    std::unique_ptr<QOpenGLFramebufferObject> m_backdrop;
+    FrameUniforms m_backdropFrame{}; ///< that m_backdrop is for
+    bool m_backdropDrawn = false;
+    GLuint m_frameBuffer = 0;   ///< the uniform block
+    GLuint m_shadowTexture = 0; ///< depth
+    GLuint m_shadowTarget = 0;  ///< framebuffer of m_shadowTexture
     ShadowView m_shadow;
     Room m_room;
     InstanceTable m_table;

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -15,12 +16,16 @@ namespace {
 struct PassRow {
     Pass pass;
     std::vector<const char*> vertex, fragment;
+    Feature features = Feature::None; ///< those it can be had with and without
 };
 
 const std::array<PassRow, passCount>& passRows() {
     static const std::array<PassRow, passCount> rows = {{
         {Pass::Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}},
-        {Pass::WallFace, {"frame.glsl", "light.glsl", "wall.vert"}, {"frame.glsl", "wall.frag"}},
+        {Pass::WallFace,
+         {"frame.glsl", "light.glsl", "wall.vert"},
+         {"frame.glsl", "wall.frag"},
+         Feature::Dimmed},
         {Pass::WallShadow,
          {"frame.glsl", "light.glsl", "wall_shadow.vert"},
          {"frame.glsl", "light.glsl", "wall_shadow.frag"}},
@@ -28,21 +33,27 @@ const std::array<PassRow, passCount>& passRows() {
         {Pass::SphereShadow, {"frame.glsl", "instance.glsl", "sphere_shadow.vert"}, {"sphere_shadow.frag"}},
         {Pass::SphereLit,
          {"frame.glsl", "instance.glsl", "sphere.vert"},
-         {"frame.glsl", "light.glsl", "sphere_surface.glsl", "sphere.frag"}},
+         {"frame.glsl", "light.glsl", "sphere_surface.glsl", "sphere.frag"},
+         Feature::Shadows | Feature::Pattern | Feature::Dimmed},
         {Pass::SphereFlat,
          {"frame.glsl", "instance.glsl", "sphere.vert"},
          {"frame.glsl", "sphere_surface.glsl", "sphere_flat.frag"}},
         {Pass::MeshLit,
          {"frame.glsl", "instance.glsl", "mesh.vert"},
-         {"frame.glsl", "light.glsl", "mesh.frag"}},
+         {"frame.glsl", "light.glsl", "mesh.frag"},
+         Feature::Shadows | Feature::Dimmed},
         {Pass::MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}},
         {Pass::Line, {"frame.glsl", "line.vert"}, {"line.frag"}},
     }};
     return rows;
 }
 
-QByteArray sourceOf(const std::vector<const char*>& files) {
+QByteArray sourceOf(const std::vector<const char*>& files, Feature features) {
     QByteArray text = "#version 330 core\n";
+    for (const auto& [feature, define] : {std::pair{Feature::Shadows, "#define SHADOWS\n"},
+                                          {Feature::Pattern, "#define PATTERN\n"},
+                                          {Feature::Dimmed, "#define DIMMED\n"}})
+        if ((features & feature) != Feature::None) text += define;
     for (const char* file : files)
         text += "#line 1\n" + resource(QStringLiteral("shaders/") + QLatin1StringView(file));
     return text;
@@ -51,23 +62,35 @@ QByteArray sourceOf(const std::vector<const char*>& files) {
 } // namespace
 
 QString Shaders::compile(QOpenGLFunctions_3_3_Core& gl) {
-    for (const PassRow& row : passRows()) {
-        QOpenGLShaderProgram& program = m_programs[static_cast<std::size_t>(row.pass)];
-        if (!program.addShaderFromSourceCode(QOpenGLShader::Vertex, sourceOf(row.vertex)) ||
-            !program.addShaderFromSourceCode(QOpenGLShader::Fragment, sourceOf(row.fragment)) ||
-            !program.link())
-            return QStringLiteral("the shader %1 does not compile: %2")
-                .arg(QLatin1StringView(row.fragment.back()), program.log());
-        const GLuint block = gl.glGetUniformBlockIndex(program.programId(), "Frame");
-        if (block != GL_INVALID_INDEX) gl.glUniformBlockBinding(program.programId(), block, frameBinding);
-    }
+    m_gl = &gl;
+    for (const PassRow& row : passRows())
+        if (const QString problem = compile(row.pass, row.features); !problem.isEmpty()) return problem;
     return {};
 }
 
-QOpenGLShaderProgram& Shaders::use(Pass pass) {
-    QOpenGLShaderProgram& program = m_programs[static_cast<std::size_t>(pass)];
-    program.bind();
-    return program;
+QString Shaders::compile(Pass pass, Feature features) {
+    const PassRow& row = passRows()[static_cast<std::size_t>(pass)];
+    QOpenGLShaderProgram& made = program(pass, features);
+    if (!made.addShaderFromSourceCode(QOpenGLShader::Vertex, sourceOf(row.vertex, features)) ||
+        !made.addShaderFromSourceCode(QOpenGLShader::Fragment, sourceOf(row.fragment, features)) ||
+        !made.link())
+        return QStringLiteral("the shader %1 does not compile: %2")
+            .arg(QLatin1StringView(row.fragment.back()), made.log());
+    const GLuint block = m_gl->glGetUniformBlockIndex(made.programId(), "Frame");
+    if (block != GL_INVALID_INDEX) m_gl->glUniformBlockBinding(made.programId(), block, frameBinding);
+    made.bind();
+    made.setUniformValue("shadowMap", shadowUnit);
+    made.setUniformValue("instances", instanceUnit);
+    return {};
+}
+
+QOpenGLShaderProgram& Shaders::use(Pass pass, Feature features) {
+    const Feature known = passRows()[static_cast<std::size_t>(pass)].features;
+    features = features & known;
+    if (!program(pass, features).isLinked() && !compile(pass, features).isEmpty()) features = known;
+    QOpenGLShaderProgram& used = program(pass, features);
+    used.bind();
+    return used;
 }
 
 } // namespace carom

@@ -4,16 +4,11 @@
 #include "core/base/clock.h"
 #include "ui/viewport/instances.h"
 #include "ui/viewport/navigation.h"
-#include "ui/viewport/renderer.h"
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
 #include <QPainter>
-#include <QSurfaceFormat>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -29,51 +24,19 @@ constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel
 constexpr double pixelsPerNotch = 30;   ///< [px] of a drag that zooms
 constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
 constexpr int restAfter = 250;          ///< [ms] without a change
-constexpr double typingPause = 3;       ///< in times of a picture, between two of them while somebody types
 constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
 
 bool same(const CameraSettings& a, const CameraSettings& b) {
     return a.position == b.position && a.target == b.target && a.fieldOfView == b.fieldOfView;
 }
 
-/// Knows when a key was last pressed, anywhere in the program.
-class Typing : public QObject {
-  public:
-    static Typing& instance() {
-        static Typing* const typing = new Typing; // the application's, which it ends with
-        return *typing;
-    }
-    bool isUnderWay() const { return m_pressed && m_since.elapsed() < goesOnFor; }
-
-  protected:
-    bool eventFilter(QObject* object, QEvent* event) override {
-        if (event->type() == QEvent::KeyPress) {
-            m_pressed = true;
-            m_since.lap();
-        }
-        return QObject::eventFilter(object, event);
-    }
-
-  private:
-    Typing() : QObject(qApp) { qApp->installEventFilter(this); }
-
-    static constexpr double goesOnFor = 400; // [ms] after a key
-    bool m_pressed = false;
-    Stopwatch m_since;
-};
-
 bool declared(const CameraSettings& camera) { return camera.position || camera.target; }
 
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QOpenGLWidget(parent), m_badge(new QLabel(this)), m_navigation(&navigationPresets().front()) {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    format.setStencilBufferSize(8);
-    setFormat(format);
+    : QWidget(parent), m_badge(new QLabel(this)), m_navigation(&navigationPresets().front()) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(120, 90);
     setAccessibleName(tr("Viewport"));
@@ -86,73 +49,68 @@ Viewport::Viewport(QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(restAfter);
     connect(&m_rest, &QTimer::timeout, this, [this] {
-        m_atRest = true;
-        update();
+        m_atRest = m_stale = true;
+        schedule();
     });
     m_pause.setSingleShot(true);
-    connect(&m_pause, &QTimer::timeout, this, qOverload<>(&Viewport::update));
+    connect(&m_pause, &QTimer::timeout, this, &Viewport::drawForScreen);
+    connect(&m_drawing, &DrawingThread::ready, this, [this](bool software) {
+        m_ready = true;
+        m_software = software;
+        redraw();
+    });
+    connect(&m_drawing, &DrawingThread::drawn, this, &Viewport::takePicture);
+    connect(&m_drawing, &DrawingThread::failed, this, &Viewport::failed);
 }
 
-Viewport::~Viewport() {
-    if (context()) disconnect(context(), nullptr, this, nullptr);
-    dropRenderer();
-}
-
-void Viewport::dropRenderer() {
-    // Its buffers belong to the context, which is about to go.
-    makeCurrent();
-    m_renderer.reset();
-    m_ready = false;
-    doneCurrent();
-}
+Viewport::~Viewport() = default;
 
 void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
-    const bool first = !m_pipeline;
-    m_pipeline = std::move(pipeline);
+    const bool first = !hasScene();
+    const std::shared_ptr<Stage> stage = std::make_shared<Stage>();
+    stage->pipeline = std::move(pipeline);
     m_snapshot.reset();
     m_explanations.clear();
-    m_startPoses.clear();
+    m_lines.reset();
     m_pace.forget();
-    m_sceneChanged = m_linesChanged = true;
+    m_stage = stage;
     redraw();
-    if (!m_pipeline) {
-        m_room = {};
+    if (!hasScene()) {
         m_selected = noBody;
         return;
     }
-    const Scene& scene = m_pipeline->scene();
-    for (const Body& body : scene.bodies) m_startPoses.push_back(body.pose);
-    m_room = roomOf(scene, boundsOf(scene, m_startPoses));
-    if (m_selected != noBody && m_selected >= scene.bodies.size()) m_selected = noBody;
+    for (const Body& body : scene().bodies) stage->start.push_back(body.pose);
+    stage->room = roomOf(scene(), boundsOf(scene(), stage->start));
+    if (m_selected != noBody && m_selected >= scene().bodies.size()) m_selected = noBody;
     if (first) {
         m_camera = Camera{};
         m_cameraMoved = false;
         frameAll();
     }
-    if (first || !same(scene.camera, m_declaredCamera)) {
-        apply(m_camera, scene.camera);
-        if (declared(scene.camera)) m_cameraMoved = true;
+    if (first || !same(scene().camera, m_declaredCamera)) {
+        apply(m_camera, scene().camera);
+        if (declared(scene().camera)) m_cameraMoved = true;
     }
-    m_declaredCamera = scene.camera;
+    m_declaredCamera = scene().camera;
 }
 
 void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
-    if (!m_pipeline || !snapshot || snapshot->pose.size() != m_startPoses.size()) return;
+    if (!hasScene() || !snapshot || snapshot->pose.size() != m_stage->start.size()) return;
     m_snapshot = std::move(snapshot);
-    m_explanations.note(*m_pipeline, *m_snapshot);
-    m_linesChanged = true;
+    m_explanations.note(*m_stage->pipeline, *m_snapshot);
+    m_lines.reset();
     redraw();
 }
 
 void Viewport::showStructure(std::vector<Aabb> boxes) {
     m_explanations.setStructure(std::move(boxes));
-    m_linesChanged = true;
+    m_lines.reset();
     redraw();
 }
 
 void Viewport::showGhost(const Ghost& ghost) {
     m_explanations.setGhost(ghost);
-    m_linesChanged = true;
+    m_lines.reset();
     redraw();
 }
 
@@ -172,7 +130,7 @@ void Viewport::setDimmed(bool dimmed, const QString& badge) {
 
 void Viewport::setOverlays(Overlays overlays) {
     m_explanations.setOverlays(overlays);
-    m_linesChanged = true;
+    m_lines.reset();
     redraw();
 }
 
@@ -193,16 +151,64 @@ void Viewport::setCamera(const Camera& camera) {
 
 void Viewport::redraw() {
     m_atRest = false;
-    if (m_ready && m_renderer->isSoftware()) m_rest.start();
-    if (m_pause.isActive()) return;
-    // A picture under way delays a key, and one that is due goes to the display together with the text.
-    const bool yields = m_ready && m_renderer->isSoftware() && Typing::instance().isUnderWay();
-    const double pause = yields ? typingPause * m_lastRenderTime : m_pace.pause();
-    const double wait = pause - m_sincePicture.elapsed();
-    if (wait > 1)
-        m_pause.start(static_cast<int>(wait));
-    else
+    m_stale = true;
+    if (m_software) m_rest.start();
+    schedule();
+}
+
+/// At once would draw every change of several that come together.
+void Viewport::schedule() {
+    if (!m_ready || m_underWay || m_pause.isActive() || !isVisible()) return;
+    m_pause.start(std::max(0, static_cast<int>(m_pace.pause() - m_sincePicture.elapsed())));
+}
+
+PictureJob Viewport::job(const PictureSize& pixels) {
+    return {.stage = m_stage,
+            .state = m_snapshot,
+            .lines = std::make_shared<const std::vector<LineVertex>>(),
+            .options = {.size = pixels,
+                        .camera = m_camera,
+                        .theme = viewTheme(m_dark),
+                        .selected = m_selected,
+                        .dimmed = m_dimmed,
+                        .smooth = true}};
+}
+
+PictureJob Viewport::screenJob() {
+    const double scale = devicePixelRatioF();
+    const PictureSize size = pictureSize();
+    PictureJob made = job({std::round(size.width * scale), std::round(size.height * scale)});
+    if (!m_lines)
+        m_lines = std::make_shared<const std::vector<LineVertex>>(
+            hasScene() ? m_explanations.lines(*m_stage->pipeline, m_snapshot.get())
+                       : std::vector<LineVertex>());
+    made.lines = m_lines;
+    made.options.smooth = !isMoving();
+    return made;
+}
+
+void Viewport::drawForScreen() {
+    if (m_underWay || !m_stale || !isVisible()) return;
+    PictureJob next = screenJob();
+    m_hurried = isMoving() && m_pace.leavesShadowsOut();
+    next.options.shadows = !m_hurried;
+    m_stale = false;
+    m_underWay = true;
+    m_drawing.post(std::move(next));
+}
+
+void Viewport::takePicture(const DrawnPicture& picture) {
+    m_underWay = false;
+    m_sincePicture.lap();
+    if (!picture.image.isNull()) {
+        m_shown = picture;
+        m_shown.image.setDevicePixelRatio(devicePixelRatioF());
+        if (!picture.job.options.smooth) m_pace.note(picture.milliseconds, !m_hurried);
+        ++m_framesRendered;
         update();
+        Q_EMIT frameRendered(picture.milliseconds);
+    }
+    if (m_stale) schedule();
 }
 
 void Viewport::moveCamera() {
@@ -216,19 +222,19 @@ PictureSize Viewport::pictureSize() const {
 
 std::span<const Pose> Viewport::poses() const {
     if (m_snapshot) return m_snapshot->pose;
-    return m_startPoses;
+    return m_stage->start;
 }
 
 Ray Viewport::rayAt(const QPointF& position) const {
     Ray ray = rayThrough(m_camera, pictureSize(), {position.x(), position.y()});
     // An orthographic picture also shows what lies behind the plane of the eye.
-    if (m_camera.orthographic) ray.origin -= 4 * (m_room.extent + m_camera.distance) * ray.direction;
+    if (m_camera.orthographic) ray.origin -= 4 * (m_stage->room.extent + m_camera.distance) * ray.direction;
     return ray;
 }
 
 Hit Viewport::hitAt(const QPointF& position) const {
-    if (!m_pipeline) return {};
-    return pick(rayAt(position), m_pipeline->scene(), poses(), m_room);
+    if (!hasScene()) return {};
+    return pick(rayAt(position), scene(), poses(), m_stage->room);
 }
 
 void Viewport::frameBox(const Aabb& box) {
@@ -237,16 +243,15 @@ void Viewport::frameBox(const Aabb& box) {
 }
 
 void Viewport::frameSelection() {
-    if (!m_pipeline || m_selected == noBody || isWall(m_pipeline->scene().bodies[m_selected].shape))
-        return frameAll();
+    if (!hasScene() || m_selected == noBody || isWall(scene().bodies[m_selected].shape)) return frameAll();
     const Vec3& centre = poses()[m_selected].position;
-    const double radius = boundingRadiusOf(m_pipeline->scene().bodies[m_selected].shape);
+    const double radius = boundingRadiusOf(scene().bodies[m_selected].shape);
     m_cameraMoved = true;
     frameBox(grown({centre, centre}, selectionRadii * radius));
 }
 
 void Viewport::frameAll() {
-    if (m_pipeline) frameBox(boundsOf(m_pipeline->scene(), poses()));
+    if (hasScene()) frameBox(boundsOf(scene(), poses()));
 }
 
 void Viewport::lookFrom(double yaw, double pitch) {
@@ -255,91 +260,49 @@ void Viewport::lookFrom(double yaw, double pitch) {
     moveCamera();
 }
 
-void Viewport::initializeGL() {
-    // Comes again with a new context when the widget moves to another window.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::dropRenderer,
-            Qt::UniqueConnection);
-    m_renderer = std::make_unique<Renderer>();
-    m_ready = m_renderer->initialise();
-    m_sceneChanged = m_linesChanged = true;
-    if (!m_ready) Q_EMIT failed(m_renderer->problem());
-    redraw();
-}
-
-void Viewport::resizeGL(int, int) {
-    if (!m_cameraMoved) frameAll();
-}
-
-void Viewport::prepareScene() {
-    static const Scene nothing;
-    if (m_sceneChanged) m_renderer->show(m_pipeline ? m_pipeline->scene() : nothing, m_room);
-    m_sceneChanged = false;
-}
-
 QImage Viewport::picture(const QSize& size, const Snapshot* of) {
-    if (!m_ready || size.isEmpty() || (of != nullptr && of->pose.size() != m_startPoses.size())) return {};
-    const Snapshot* state = of != nullptr ? of : m_snapshot.get();
-    makeCurrent();
-    QImage image;
-    {
-        QOpenGLFramebufferObject target(size, QOpenGLFramebufferObject::CombinedDepthStencil);
-        if (target.isValid() && target.bind()) {
-            prepareScene();
-            m_renderer->showLines(m_pipeline ? m_explanations.lines(*m_pipeline, state)
-                                             : std::vector<LineVertex>());
-            const double width = size.width(), height = size.height();
-            m_renderer->draw(state != nullptr ? std::span<const Pose>(state->pose) : poses(),
-                             {.size = {width, height},
-                              .camera = m_camera,
-                              .theme = viewTheme(m_dark),
-                              .selected = of != nullptr ? noBody : m_selected,
-                              .dimmed = false,
-                              .smooth = true});
-            image = target.toImage().convertToFormat(QImage::Format_RGB32);
-        }
-    }
-    m_linesChanged = true; // those of the screen again
-    doneCurrent();
-    update();
+    if (size.isEmpty() || (of != nullptr && of->pose.size() != m_stage->start.size())) return {};
+    PictureJob made = job({static_cast<double>(size.width()), static_cast<double>(size.height())});
+    if (of != nullptr) made.state = std::make_shared<const Snapshot>(*of);
+    if (of != nullptr) made.options.selected = noBody;
+    if (hasScene())
+        made.lines = std::make_shared<const std::vector<LineVertex>>(
+            m_explanations.lines(*m_stage->pipeline, made.state.get()));
+    made.options.dimmed = false;
+    return m_drawing.draw(std::move(made));
+}
+
+QImage Viewport::shownPicture() {
+    const PictureJob made = screenJob();
+    QImage image = m_drawing.draw(made);
+    if (image.isNull()) return image;
+    image.setDevicePixelRatio(devicePixelRatioF());
+    QPainter painter(&image);
+    paintLabelsOf(painter, made);
     return image;
 }
 
-void Viewport::paintEvent(QPaintEvent* event) {
-    m_onScreen = true;
-    QOpenGLWidget::paintEvent(event);
-    m_onScreen = false;
+void Viewport::paintLabelsOf(QPainter& painter, const PictureJob& job) const {
+    if (job.stage->pipeline && holds(overlays(), Overlay::Labels))
+        paintLabels(painter, job.stage->pipeline->scene(), job.poses(), job.options.camera, pictureSize(),
+                    m_dark);
 }
 
-void Viewport::paintGL() {
-    if (!m_ready) return;
-    const Stopwatch watch;
-    prepareScene();
-    if (m_linesChanged)
-        m_renderer->showLines(m_pipeline ? m_explanations.lines(*m_pipeline, m_snapshot.get())
-                                         : std::vector<LineVertex>());
-    m_linesChanged = false;
-    const double scale = devicePixelRatioF();
-    const PictureSize size = pictureSize();
-    const bool moving = m_renderer->isSoftware() && !m_atRest;
-    const bool hurried = moving && m_onScreen && m_pace.leavesShadowsOut();
-    m_renderer->draw(poses(), {.size = {std::round(size.width * scale), std::round(size.height * scale)},
-                               .camera = m_camera,
-                               .theme = viewTheme(m_dark),
-                               .selected = m_selected,
-                               .dimmed = m_dimmed,
-                               .shadows = !hurried,
-                               .smooth = !moving});
-    if (m_pipeline && holds(overlays(), Overlay::Labels)) {
-        QPainter painter(this);
-        paintLabels(painter, m_pipeline->scene(), poses(), m_camera, size, m_dark);
+void Viewport::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (m_shown.image.isNull()) {
+        const Eigen::Vector3f sky = viewTheme(m_dark).skyHorizon;
+        painter.fillRect(rect(), QColor::fromRgbF(sky.x(), sky.y(), sky.z()));
+        return;
     }
-    // OpenGL only queues the work; the time that counts is the one until it is done.
-    m_renderer->finish();
-    m_lastRenderTime = watch.elapsed();
-    if (moving && m_onScreen) m_pace.note(m_lastRenderTime, !hurried);
-    m_sincePicture.lap();
-    ++m_framesRendered;
-    Q_EMIT frameRendered(m_lastRenderTime);
+    // After a change of size the last picture is stretched until the next has come.
+    painter.drawImage(rect(), m_shown.image);
+    paintLabelsOf(painter, m_shown.job);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    redraw();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -352,16 +315,16 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 
 /// The tips of velocities lie over the bodies, where they are shown.
 std::optional<BodyGrab> Viewport::grabAt(const QPointF& position) const {
-    if (!m_pipeline || !m_mayDrag) return std::nullopt;
+    if (!hasScene() || !m_mayDrag) return std::nullopt;
     const Eigen::Vector2d pixel(position.x(), position.y());
     if (holds(overlays(), Overlay::Velocities)) {
         const std::span<const Vec3> velocities =
-            m_snapshot ? m_snapshot->velocity : m_pipeline->initialState().velocity;
+            m_snapshot ? m_snapshot->velocity : m_stage->pipeline->initialState().velocity;
         const std::optional<BodyGrab> tip = grabTip(m_camera, pictureSize(), pixel, poses(), velocities);
         if (tip && m_mayDrag(tip->body, tip->handle)) return tip;
     }
     const Hit hit = hitAt(position);
-    if (!hit || isWall(m_pipeline->scene().bodies[hit.body].shape)) return std::nullopt;
+    if (!hit || isWall(scene().bodies[hit.body].shape)) return std::nullopt;
     if (!m_mayDrag(hit.body, BodyHandle::Centre)) return std::nullopt;
     const Vec3& centre = poses()[hit.body].position;
     return BodyGrab{hit.body, BodyHandle::Centre, centre, centre, pixel};
@@ -374,7 +337,7 @@ void Viewport::dragBody(const QPointF& position, bool level) {
     if (m_snapshot) {
         moved = *m_snapshot;
     } else {
-        const State& start = m_pipeline->initialState();
+        const State& start = m_stage->pipeline->initialState();
         moved.pose = start.pose;
         moved.velocity = start.velocity;
         moved.angularVelocity = start.angularVelocity;
@@ -451,12 +414,14 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         m_camera.orthographic = !m_camera.orthographic;
         moveCamera();
     } else
-        QOpenGLWidget::keyPressEvent(event);
+        QWidget::keyPressEvent(event);
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-    QOpenGLWidget::resizeEvent(event);
+    QWidget::resizeEvent(event);
     placeBadge();
+    if (!m_cameraMoved) frameAll();
+    redraw();
 }
 
 void Viewport::placeBadge() {

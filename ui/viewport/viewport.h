@@ -2,19 +2,17 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/simulation/pipeline.h"
-#include "core/simulation/snapshot.h"
 #include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/drawing_thread.h"
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/picture_pace.h"
-#include "ui/viewport/room.h"
 
 #include <QImage>
-#include <QOpenGLWidget>
 #include <QPointF>
 #include <QTimer>
+#include <QWidget>
 
 #include <functional>
 #include <memory>
@@ -23,17 +21,17 @@
 #include <vector>
 
 class QLabel;
+class QPainter;
 
 namespace carom {
 
-class Renderer;
 struct NavigationRow;
 
-/// Shows one scene in its newest state. Left drag orbits, or moves a body where that is
-/// allowed (with Ctrl at its height); right or middle drag pans, the wheel zooms at the
-/// cursor, a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the
-/// top, the front, the right, and 5 changes between perspective and orthographic.
-class Viewport : public QOpenGLWidget {
+/// Shows one scene in its newest state, as a drawing thread pictures it. Left drag orbits, or moves a body
+/// where that is allowed (with Ctrl at its height); right or middle drag pans, the wheel zooms at the cursor,
+/// a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the top, the
+/// front, the right, and 5 changes between perspective and orthographic.
+class Viewport : public QWidget {
     Q_OBJECT
 
   public:
@@ -76,8 +74,13 @@ class Viewport : public QOpenGLWidget {
     /// what the overlays draw of it. Null where OpenGL does not work or the size is too much for it.
     QImage picture(const QSize& size, const Snapshot* of = nullptr);
 
+    /// What belongs on the screen now, drawn anew and waited for; in device pixels.
+    QImage shownPicture();
+
     std::int64_t framesRendered() const { return m_framesRendered; }
-    double lastRenderTime() const { return m_lastRenderTime; } ///< [ms], until the picture was complete
+    double lastRenderTime() const { return m_shown.milliseconds; } ///< [ms], until the picture was complete
+    /// Of the state that the picture on screen shows.
+    std::int64_t shownFrame() const { return m_shown.job.state ? m_shown.job.state->frame : 0; }
 
     QSize sizeHint() const override { return {800, 600}; }
 
@@ -93,15 +96,14 @@ class Viewport : public QOpenGLWidget {
     void dragBegan(carom::BodyIndex body, carom::BodyHandle handle);
     void dragged(const carom::Vec3& value);
     void dragEnded();
+    /// A new picture is about to be painted.
     void frameRendered(double milliseconds);
     /// The picture cannot be drawn, and why.
     void failed(const QString& problem);
 
   protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
     void paintEvent(QPaintEvent* event) override;
-    void paintGL() override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -118,32 +120,42 @@ class Viewport : public QOpenGLWidget {
     void placeBadge();
     std::optional<BodyGrab> grabAt(const QPointF& position) const;
     void dragBody(const QPointF& position, bool level);
-    void dropRenderer();
     void moveCamera();
-    void prepareScene();
+    bool hasScene() const { return m_stage->pipeline != nullptr; }
+    const Scene& scene() const { return m_stage->pipeline->scene(); }
+    /// Something to be seen has changed.
     void redraw();
+    void schedule();
+    PictureJob job(const PictureSize& pixels);
+    PictureJob screenJob();
+    bool isMoving() const { return m_software && !m_atRest; }
+    void drawForScreen();
+    void takePicture(const DrawnPicture& picture);
+    void paintLabelsOf(QPainter& painter, const PictureJob& job) const;
 
-    std::unique_ptr<Renderer> m_renderer;
-    std::shared_ptr<const Pipeline> m_pipeline;
+    DrawingThread m_drawing;
+    std::shared_ptr<const Stage> m_stage = std::make_shared<const Stage>(); ///< never null
     std::shared_ptr<const Snapshot> m_snapshot;
     Explanations m_explanations;
-    std::vector<Pose> m_startPoses;
-    Room m_room;
+    std::shared_ptr<const std::vector<LineVertex>>
+        m_lines; ///< of m_snapshot; null when they must be made anew
+    DrawnPicture m_shown;
     Camera m_camera;
     CameraSettings m_declaredCamera;
-    bool m_ready = false;       ///< OpenGL works
-    bool m_sceneChanged = true; ///< the renderer has not seen m_pipeline yet
+    bool m_ready = false;    ///< pictures can be drawn
+    bool m_software = false; ///< by the processor: smooth ones cost twice as much, and are for scenes at rest
+    bool m_underWay = false; ///< a picture is being drawn
+    bool m_stale = true;     ///< what is drawn or on screen is no longer true
+    bool m_hurried = false;  ///< the picture under way has no shadows
     bool m_cameraMoved = false; ///< by the user: resizing no longer frames the scene anew
     bool m_dark = true;
-    bool m_linesChanged = false;
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;
     bool m_atRest = false; ///< nothing has changed for a moment: worth a smooth picture
     QTimer m_rest;
     PicturePace m_pace;
     Stopwatch m_sincePicture;
-    QTimer m_pause;          ///< a picture is due when it ends
-    bool m_onScreen = false; ///< the picture being drawn is for the screen, not for a file
+    QTimer m_pause; ///< a picture is due when it ends
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
@@ -151,7 +163,6 @@ class Viewport : public QOpenGLWidget {
     bool m_dragging = false;
     const NavigationRow* m_navigation; ///< never null
     std::int64_t m_framesRendered = 0;
-    double m_lastRenderTime = 0;
 };
 
 } // namespace carom

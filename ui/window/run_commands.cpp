@@ -91,7 +91,6 @@ void RunCommands::connectFrames() {
     connect(&m_simulation, &Simulation::framesArrived, &m_log, &FrameLog::addFrames);
     connect(&m_simulation, &Simulation::snapshotArrived, this,
             [this, &viewport](const std::shared_ptr<const Snapshot>& snapshot) {
-                m_log.noteShown(snapshot->frame);
                 viewport.showSnapshot(snapshot);
                 m_window.transport().showTime(snapshot->frame, snapshot->time);
                 m_window.timeline().showFrame(snapshot->frame);

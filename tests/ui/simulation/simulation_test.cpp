@@ -353,11 +353,26 @@ class SimulationTest : public QObject {
         first.frame = 1;
         second.frame = 2;
         log.addFrames({first, second});
-        log.noteShown(2);
         log.noteRendered(7.5);
         QCOMPARE(seen.size(), std::size_t{2});
         QCOMPARE(seen[0].render, 0.0);
         QCOMPARE(seen[1].render, 7.5);
+    }
+
+    // Pictures are drawn by another thread, and come between the batches as they like.
+    void aPictureThatFindsNoFrameWaitingCountsForTheNext() {
+        FrameLog log;
+        std::vector<FrameSample> seen;
+        QObject::connect(&log, &FrameLog::samplesReady, [&](const std::vector<FrameSample>& samples) {
+            seen.insert(seen.end(), samples.begin(), samples.end());
+        });
+        log.noteRendered(7.5);
+        log.addFrames({FrameStatistics{}});
+        log.addFrames({FrameStatistics{}});
+        log.addFrames({});
+        QCOMPARE(seen.size(), std::size_t{2});
+        QCOMPARE(seen[0].render, 7.5);
+        QCOMPARE(seen[1].render, 0.0);
     }
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 // Picking and the room of walls, without a display.
 
@@ -155,7 +156,7 @@ class PickingTest : public QObject {
         InstanceTable table;
         table.build(scene);
         Camera camera;
-        table.place(posesOf(scene), camera, Camera{});
+        table.place(posesOf(scene), camera, {800, 600}, Camera{});
         double before = std::numeric_limits<double>::infinity();
         for (const Instance& instance : table.all()) {
             const Vec3 at(instance.position[0], instance.position[1], instance.position[2]);
@@ -166,6 +167,42 @@ class PickingTest : public QObject {
         for (BodyIndex body = 0; body < 50; ++body)
             QCOMPARE(table.all()[static_cast<std::size_t>(table.indexOf(body))].halfSize[0],
                      static_cast<float>(0.01 * (body + 1)));
+    }
+
+    void aCylindersCirclesAreTrueToAQuarterOfAPixel() {
+        Random random(10);
+        Scene scene;
+        for (int i = 0; i < 60; ++i)
+            scene.bodies.push_back(
+                cylinder(std::pow(10, random.uniform(-2, 0)), 0.4, 1, randomVector(random, 8)));
+        constexpr PictureSize size{800, 600};
+        for (const bool orthographic : {false, true}) {
+            InstanceTable table;
+            table.build(scene);
+            Camera camera;
+            camera.distance = 20;
+            camera.orthographic = orthographic;
+            table.place(posesOf(scene), camera, size, Camera{});
+            int placed = 0, used = 0;
+            for (std::size_t detail = 0; detail < detailCount; ++detail) {
+                const InstanceRange range = table.cylinders(static_cast<Detail>(detail));
+                placed += range.count;
+                used += range.count > 0 ? 1 : 0;
+                if (static_cast<Detail>(detail) == Detail::Fine) continue; // the best there is
+                for (int i = range.first; i < range.first + range.count; ++i) {
+                    const Instance& instance = table.all()[static_cast<std::size_t>(i)];
+                    const Vec3 at(instance.position[0], instance.position[1], instance.position[2]);
+                    const double depth = (at - camera.eye()).dot(camera.forward());
+                    const double pixel =
+                        camera.pixelSize(size) * (orthographic ? 1 : depth / camera.distance);
+                    const double off =
+                        instance.halfSize[0] * (1 - std::cos(std::numbers::pi / detailSegments[detail]));
+                    QVERIFY2(off < 0.25 * pixel, "seed 10");
+                }
+            }
+            QCOMPARE(placed, 60);
+            QVERIFY(used >= 2);
+        }
     }
 };
 

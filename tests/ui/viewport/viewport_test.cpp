@@ -6,11 +6,13 @@
 #include <QApplication>
 #include <QImage>
 #include <QLabel>
+#include <QOpenGLContext>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <set>
 
@@ -78,7 +80,7 @@ class ViewportTest : public QObject {
 
     std::unique_ptr<Viewport> m_viewport;
 
-    QImage picked() { return m_viewport->grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+    QImage picked() { return m_viewport->shownPicture().convertToFormat(QImage::Format_RGB32); }
     void show(const Scene& scene, const Camera& camera) {
         m_viewport->showPipeline(nullptr);
         m_viewport->showPipeline(pipelineOf(scene));
@@ -468,8 +470,6 @@ class ViewportTest : public QObject {
         }
     }
 
-    // A widget of OpenGL gets a new context with its new window: everything on the graphics card is made
-    // anew.
     void thePictureSurvivesAMoveIntoAnotherWindow() {
         show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
         QWidget window;
@@ -483,11 +483,53 @@ class ViewportTest : public QObject {
         m_viewport->setParent(nullptr);
     }
 
+    // Sky and walls are drawn into the first picture, kept with the second and copied into the third.
+    void picturesThatFollowEachOtherHaveTheSameBackdrop() {
+        const Scene scene = sceneOf(
+            {coloured(sphere(0.5, 1, {0, 0.5, 0}), red), wall(Vec3::UnitY(), 0), wall(Vec3::UnitX(), -2)});
+        Camera camera = frontCamera();
+        orbit(camera, 0.4, 0.3);
+        show(scene, camera);
+        const QImage drawn = picked(), kept = picked(), copied = picked();
+        QVERIFY(kept == drawn);
+        QVERIFY(copied == drawn);
+        std::shared_ptr<Snapshot> moved = startOf(scene);
+        moved->pose[0].position.x() += 0.7; // another light's view, the same backdrop
+        m_viewport->showSnapshot(moved);
+        const QImage beside = picked();
+        QVERIFY(beside != drawn);
+        QCOMPARE(beside.pixel(3, 3), drawn.pixel(3, 3));
+        m_viewport->setDarkTheme(true);
+        QVERIFY(difference(picked().pixel(3, 3), drawn.pixel(3, 3)) > 30);
+        m_viewport->setDarkTheme(false);
+        QVERIFY(picked() == beside);
+    }
+
+    void picturesAreDrawnBesideTheThreadOfTheWindows() {
+        DrawingThread drawing;
+        QSignalSpy ready(&drawing, &DrawingThread::ready);
+        std::atomic<QThread*> drawer = nullptr;
+        QObject::connect(&drawing, &DrawingThread::drawn, [&drawer](const DrawnPicture& picture) {
+            if (picture.image.size() == QSize(40, 30)) drawer = QThread::currentThread();
+        });
+        PictureJob job{.stage = std::make_shared<const Stage>(),
+                       .state = nullptr,
+                       .lines = std::make_shared<const std::vector<LineVertex>>(),
+                       .options = {.size = {40, 30}, .camera = frontCamera(), .theme = viewTheme(true)}};
+        drawing.post(job);
+        QTRY_VERIFY(drawer != nullptr);
+        QCOMPARE(drawer != QThread::currentThread(), QOpenGLContext::supportsThreadedOpenGL());
+        QCOMPARE(ready.size(), 1);
+        QCOMPARE(drawing.draw(job).size(), QSize(40, 30));
+        job.options.size = {0, 30};
+        QVERIFY(drawing.draw(job).isNull());
+    }
+
     void everyPictureIsCountedAndTimed() {
         show(sceneOf({sphere(1, 1, {0, 0, 0})}), frontCamera());
         QSignalSpy rendered(m_viewport.get(), &Viewport::frameRendered);
         const std::int64_t before = m_viewport->framesRendered();
-        m_viewport->update();
+        m_viewport->setCamera(frontCamera(true));
         QTRY_VERIFY(rendered.size() > 0);
         QVERIFY(m_viewport->framesRendered() > before);
         QVERIFY(m_viewport->lastRenderTime() > 0);

@@ -62,14 +62,14 @@ class TimeTest : public QObject {
     void scrubbingBackShowsTheSamePictureAgain() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
-        const QImage start = ide.viewport.grabFramebuffer();
+        const QImage start = ide.viewport.shownPicture();
         goTo(ide, middle);
-        const QImage there = ide.viewport.grabFramebuffer();
+        const QImage there = ide.viewport.shownPicture();
         QVERIFY(difference(start, there) > 100);
         goTo(ide, 0);
-        QCOMPARE(ide.viewport.grabFramebuffer(), start);
+        QCOMPARE(ide.viewport.shownPicture(), start);
         goTo(ide, middle);
-        QCOMPARE(ide.viewport.grabFramebuffer(), there);
+        QCOMPARE(ide.viewport.shownPicture(), there);
         QVERIFY(!ide.simulation.isRunning());
     }
 
@@ -99,7 +99,7 @@ class TimeTest : public QObject {
     void anEditInTheMiddleOfARunLandsThereWithTheOldRunAsAGhost() {
         Ide ide;
         goTo(ide, middle);
-        const QImage before = ide.viewport.grabFramebuffer();
+        const QImage before = ide.viewport.shownPicture();
         overwrite(ide.editor, "vel 0,3,0", "vel 0,5,0");
         QTRY_VERIFY_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies[1].velocity == Vec3(0, 5, 0),
                                  patience);
@@ -110,11 +110,11 @@ class TimeTest : public QObject {
         const QPoint left = ide.placeOf(1);
         QVERIFY(left != QPoint(-1, -1));
         QVERIFY(ide.viewport.hitAt(left).body == 1);
-        const QImage after = ide.viewport.grabFramebuffer();
+        const QImage after = ide.viewport.shownPicture();
         QVERIFY(difference(before, after) > 100);
         ide.bench.window().actions()[ActionId::ShowGhost].trigger();
         QTest::qWait(100);
-        const QImage alonePicture = ide.viewport.grabFramebuffer();
+        const QImage alonePicture = ide.viewport.shownPicture();
         // The ghost is wire: some hundred pixels, far fewer than a ball.
         QVERIFY2(difference(after, alonePicture) > 50,
                  qPrintable(QString::number(difference(after, alonePicture))));

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/drawing_thread.h"
+
+#include "core/base/clock.h"
+#include "ui/viewport/renderer.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
+
+#include <utility>
+
+namespace carom {
+
+/// What lives in the drawing thread.
+class DrawingThread::Worker : public QObject {
+  public:
+    Worker(DrawingThread& owner, QOffscreenSurface& surface) : m_owner(owner), m_surface(surface) {}
+
+    void start();
+    void stop();
+    DrawnPicture draw(PictureJob job);
+
+  private:
+    QImage readBack() const;
+
+    DrawingThread& m_owner;
+    QOffscreenSurface& m_surface;
+    std::unique_ptr<QOpenGLContext> m_context;
+    std::unique_ptr<Renderer> m_renderer; ///< null where OpenGL does not work
+    std::unique_ptr<QOpenGLFramebufferObject> m_target;
+    std::shared_ptr<const Stage> m_stage; ///< what the renderer has been shown
+    std::shared_ptr<const std::vector<LineVertex>> m_lines;
+};
+
+void DrawingThread::Worker::start() {
+    m_context = std::make_unique<QOpenGLContext>();
+    m_context->setFormat(m_surface.requestedFormat());
+    m_renderer = std::make_unique<Renderer>();
+    const bool current = m_context->create() && m_context->makeCurrent(&m_surface);
+    if (!current || !m_renderer->initialise()) {
+        Q_EMIT m_owner.failed(current ? m_renderer->problem()
+                                      : DrawingThread::tr("this display offers no OpenGL"));
+        m_renderer.reset();
+        return;
+    }
+    Q_EMIT m_owner.ready(m_renderer->isSoftware());
+}
+
+void DrawingThread::Worker::stop() {
+    // What is on the graphics card goes while its context is there.
+    m_target.reset();
+    m_renderer.reset();
+    m_context.reset();
+}
+
+DrawnPicture DrawingThread::Worker::draw(PictureJob job) {
+    const Stopwatch watch;
+    QImage image;
+    const QSize size = job.pixels();
+    if (m_renderer && !size.isEmpty() && m_context->makeCurrent(&m_surface)) {
+        if (!m_target || m_target->size() != size)
+            m_target = std::make_unique<QOpenGLFramebufferObject>(
+                size, QOpenGLFramebufferObject::CombinedDepthStencil);
+        if (m_target->isValid() && m_target->bind()) {
+            static const Scene nothing;
+            if (std::exchange(m_stage, job.stage) != job.stage)
+                m_renderer->show(m_stage->pipeline ? m_stage->pipeline->scene() : nothing, m_stage->room);
+            if (std::exchange(m_lines, job.lines) != job.lines) m_renderer->showLines(*m_lines);
+            m_renderer->draw(job.poses(), job.options);
+            image = readBack();
+        }
+    }
+    return {std::move(job), std::move(image), watch.elapsed()};
+}
+
+QImage DrawingThread::Worker::readBack() const {
+    QImage image(m_target->size(), QImage::Format_RGB32);
+    if (image.isNull()) return image;
+    m_context->functions()->glReadPixels(0, 0, image.width(), image.height(), GL_BGRA,
+                                         GL_UNSIGNED_INT_8_8_8_8_REV, image.bits());
+    image.mirror(); // OpenGL counts rows from below
+    return image;
+}
+
+DrawingThread::DrawingThread(QObject* parent) : QObject(parent), m_worker(new Worker(*this, m_surface)) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    m_surface.setFormat(format);
+    m_surface.create();
+    // Where the display's OpenGL cannot be used by a second thread, the worker does its work in this one.
+    if (QOpenGLContext::supportsThreadedOpenGL()) {
+        m_worker->moveToThread(&m_thread);
+        m_thread.setObjectName(QStringLiteral("drawing"));
+        m_thread.start();
+    }
+    QMetaObject::invokeMethod(
+        m_worker, [worker = m_worker] { worker->start(); }, Qt::QueuedConnection);
+}
+
+DrawingThread::~DrawingThread() {
+    const Qt::ConnectionType wait =
+        m_worker->thread() == thread() ? Qt::DirectConnection : Qt::BlockingQueuedConnection;
+    QMetaObject::invokeMethod(
+        m_worker, [worker = m_worker] { worker->stop(); }, wait);
+    m_thread.quit();
+    m_thread.wait();
+    delete m_worker;
+}
+
+void DrawingThread::post(PictureJob job) {
+    QMetaObject::invokeMethod(
+        m_worker, [this, job = std::move(job)]() mutable { Q_EMIT drawn(m_worker->draw(std::move(job))); },
+        Qt::QueuedConnection);
+}
+
+QImage DrawingThread::draw(PictureJob job) {
+    const Qt::ConnectionType wait =
+        m_worker->thread() == thread() ? Qt::DirectConnection : Qt::BlockingQueuedConnection;
+    QImage image;
+    QMetaObject::invokeMethod(
+        m_worker, [&] { image = m_worker->draw(std::move(job)).image; }, wait);
+    return image;
+}
+
+} // namespace carom
