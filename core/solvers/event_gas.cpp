@@ -19,6 +19,9 @@ constexpr double shortest = 1e-6;
 // collapsed. Real gases take about 1.
 constexpr double stalled = 1e-9;
 
+/// A ball that bounces within this part of its radius of a wall is put right on it: the rest is rounding.
+constexpr double touching = 1e-9;
+
 } // namespace
 
 Loss EventGas::advanceTo(double time) {
@@ -115,14 +118,17 @@ void EventGas::finishStrike(std::uint32_t i) {
 void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
     ++m_counts.bounces;
     const BoundedWall& wall = m_walls[index];
-    restamp(i, time);
     Stamp& stamp = m_stamps[i];
     const Material& material = m_materials[m_agendas[i].material];
-    const double approach = wall.normal.dot(stamp.velocity);
+    const double pull = wall.normal.dot(accelerationOf(i));
+    const double landing = speedAtPlane(gapOnTheWay(i, index), wall.normal.dot(stamp.velocity), pull);
+    restamp(i, time);
+    const double gap = gapTo(wall, i);
+    if (std::abs(gap) <= touching * stamp.radius) moveBy(-gap * wall.normal, stamp.position, m_placeRests[i]);
     const double e = std::min(material.elastic, wall.elastic);
-    const double after = -e * std::min(approach, 0.0);
-    const bool rests = restsAfter(after, wall.normal.dot(accelerationOf(i)), e, stamp.radius);
-    const double change = (rests ? 0 : after) - approach;
+    const double after = e * landing;
+    const bool rests = restsAfter(after, pull, e, stamp.radius);
+    const double change = (rests ? 0 : after) - wall.normal.dot(stamp.velocity);
     stamp.velocity += change * wall.normal;
     note(wall, stamp, change / material.inverseMass);
     if (rests)
@@ -131,6 +137,12 @@ void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
         settle(i, Rest(m_rests[m_agendas[i].rest]));
     m_agendas[i].last = Agenda::wallMark | index;
     plan(i);
+}
+
+/// The gap that a flight to a wall begins with. A ball that has just bounced there touches it: 0, not what
+/// rounding left.
+double EventGas::gapOnTheWay(std::uint32_t i, std::uint16_t wall) const {
+    return m_agendas[i].last == (Agenda::wallMark | wall) ? 0 : gapTo(m_walls[wall], i);
 }
 
 void EventGas::note(const BoundedWall& wall, const Stamp& stamp, double impulse) {
@@ -156,7 +168,7 @@ void EventGas::crossCell(std::uint32_t i) {
 void EventGas::restamp(std::uint32_t i, double time) {
     Stamp& stamp = m_stamps[i];
     const Vec3& acceleration = accelerationOf(i);
-    stamp.position = positionAt(stamp, acceleration, time);
+    moveBy(wayTo(stamp, acceleration, time), stamp.position, m_placeRests[i]);
     stamp.velocity = velocityAt(stamp, acceleration, time);
     stamp.time = time;
     ++m_agendas[i].changes;
@@ -250,12 +262,8 @@ void EventGas::considerWall(std::uint32_t i, std::size_t k) {
     if (!isFree(i))
         for (const std::uint16_t support : m_rests[agenda.rest].on())
             if (support == number) return;
-    // The ball that has just bounced touches the wall: its gap is 0, not what rounding left.
-    const double gap = agenda.last == (Agenda::wallMark | number)
-                           ? 0
-                           : wall.normal.dot(stamp.position) - wall.offset - stamp.radius;
-    const double time =
-        stamp.time + timeToPlane(gap, wall.normal.dot(stamp.velocity), wall.normal.dot(accelerationOf(i)));
+    const double time = stamp.time + timeToPlane(gapOnTheWay(i, number), wall.normal.dot(stamp.velocity),
+                                                 wall.normal.dot(accelerationOf(i)));
     if (time < agenda.otherTime) {
         agenda.otherTime = time;
         agenda.other = static_cast<std::uint16_t>(Agenda::firstWall + k);
@@ -332,15 +340,18 @@ void EventGas::write(State& state) const {
     for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
         if (!isMobile(i)) continue;
         const Vec3& acceleration = accelerationOf(i);
-        state.pose[m_bodies[i]].position = positionAt(m_stamps[i], acceleration, m_now);
+        const WithRest<Vec3> place =
+            exactSum(m_stamps[i].position, wayTo(m_stamps[i], acceleration, m_now) + m_placeRests[i]);
+        state.pose[m_bodies[i]].position = place.value;
+        state.positionRest[m_bodies[i]] = place.rest;
         state.velocity[m_bodies[i]] = velocityAt(m_stamps[i], acceleration, m_now);
     }
 }
 
 std::size_t EventGas::memoryBytes() const {
-    return m_stamps.capacity() * sizeof(Stamp) + m_agendas.capacity() * sizeof(Agenda) +
-           m_bodies.capacity() * sizeof(BodyIndex) + m_materials.capacity() * sizeof(Material) +
-           m_rests.capacity() * sizeof(Rest) +
+    return m_stamps.capacity() * sizeof(Stamp) + m_placeRests.capacity() * sizeof(Vec3) +
+           m_agendas.capacity() * sizeof(Agenda) + m_bodies.capacity() * sizeof(BodyIndex) +
+           m_materials.capacity() * sizeof(Material) + m_rests.capacity() * sizeof(Rest) +
            (m_lastLosses.capacity() + m_order.capacity()) * sizeof(double) + m_cells.memoryBytes() +
            m_queue.memoryBytes();
 }

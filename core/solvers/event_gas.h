@@ -4,6 +4,7 @@
 #include "core/base/index.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/math/compensated.h"
 #include "core/solvers/event_agenda.h"
 #include "core/solvers/event_cells.h"
 #include "core/solvers/event_queue.h"
@@ -122,6 +123,10 @@ class EventGas {
     void considerPair(std::uint32_t i, std::uint32_t j);
     void planOther(std::uint32_t i, double now);
     void considerWall(std::uint32_t i, std::size_t k);
+    double gapTo(const BoundedWall& wall, std::uint32_t i) const {
+        return carom::gapTo(m_stamps[i], m_placeRests[i], wall.normal, wall.offset);
+    }
+    double gapOnTheWay(std::uint32_t i, std::uint16_t wall) const;
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysFitting();
@@ -145,6 +150,7 @@ class EventGas {
     void release(std::uint32_t i);
 
     std::vector<Stamp> m_stamps;
+    std::vector<Vec3> m_placeRests; ///< what the places of the stamps rounded off [m]
     std::vector<Agenda> m_agendas;
     std::vector<BodyIndex> m_bodies;
     std::vector<Material> m_materials;

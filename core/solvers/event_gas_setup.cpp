@@ -40,6 +40,7 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
     m_tally.walls.assign(m_walls.size(), 0);
     const std::size_t count = bodies.bounded.size();
     m_stamps.reserve(count);
+    m_placeRests.reserve(count);
     m_bodies.reserve(count);
     m_agendas.resize(count);
     m_order.resize(count);
@@ -51,6 +52,7 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
         const double radius = std::get<Sphere>(bodies.shape[i]).radius;
         Agenda& agenda = m_agendas[m_stamps.size()];
         m_stamps.push_back({state.pose[i].position, 0, state.velocity[i], radius});
+        m_placeRests.push_back(state.positionRest[i]);
         m_bodies.push_back(i);
         const Material material{bodies.inverseMass[i], bodies.elastic[i]};
         const auto [entry, isNew] = materials.try_emplace({material.inverseMass, material.elastic},
@@ -112,6 +114,7 @@ void EventGas::sortByPlace() {
             m_order[to] = to;
             if (from == begin) break;
             std::swap(m_stamps[to], m_stamps[from]);
+            std::swap(m_placeRests[to], m_placeRests[from]);
             std::swap(m_agendas[to], m_agendas[from]);
             std::swap(m_bodies[to], m_bodies[from]);
             if (!m_lastLosses.empty()) std::swap(m_lastLosses[to], m_lastLosses[from]);

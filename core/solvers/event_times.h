@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/math/compensated.h"
 #include "core/math/types.h"
 
 #include <algorithm>
@@ -26,13 +27,27 @@ struct alignas(64) Stamp {
 };
 static_assert(sizeof(Stamp) == 64);
 
-inline Vec3 positionAt(const Stamp& stamp, const Vec3& acceleration, double time) {
+/// From the place of the stamp on [m].
+inline Vec3 wayTo(const Stamp& stamp, const Vec3& acceleration, double time) {
     const double d = time - stamp.time;
-    return stamp.position + d * (stamp.velocity + (0.5 * d) * acceleration);
+    return d * (stamp.velocity + (0.5 * d) * acceleration);
+}
+
+inline Vec3 positionAt(const Stamp& stamp, const Vec3& acceleration, double time) {
+    return stamp.position + wayTo(stamp, acceleration, time);
 }
 
 inline Vec3 velocityAt(const Stamp& stamp, const Vec3& acceleration, double time) {
     return stamp.velocity + (time - stamp.time) * acceleration;
+}
+
+/// How far a ball's surface is above the plane normal·x = offset at its stamp [m]. `rest` [m] is what the
+/// stamp's position rounded off: a gap that is small against the ball has a part in it.
+inline double gapTo(const Stamp& stamp, const Vec3& rest, const Vec3& normal, double offset) {
+    constexpr double small = 0.01; // of the radius: up to there rounding takes two digits more
+    const double gap = normal.dot(stamp.position) - offset - stamp.radius;
+    if (std::abs(gap) > small * stamp.radius) return gap;
+    return exactGap(normal, offset, stamp.radius, stamp.position, rest);
 }
 
 /// The time from now until a distance s [m] that changes at rate w [m/s] with acceleration a [m/s²] first
@@ -50,6 +65,12 @@ inline double timeToPlane(double s, double w, double a) {
     if (a == 0) return s / -w;
     const double discriminant = w * w - 2 * a * s;
     return discriminant < 0 ? never : 2 * s / (std::sqrt(discriminant) - w);
+}
+
+/// How fast that distance falls when it does so [m/s], by the energy: the time, which is rounded, has no say.
+inline double speedAtPlane(double s, double w, double a) {
+    if (a == 0) return std::max(0.0, -w);
+    return std::sqrt(std::max(0.0, w * w - 2 * a * std::max(0.0, s)));
 }
 
 /// When two balls under one common acceleration g touch while approaching: |D + U t| = R is a quadratic, for

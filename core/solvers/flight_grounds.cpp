@@ -54,7 +54,7 @@ void Flights::restOnWalls(const FlightInput& input) {
     eachFreshWall(input, [&](BodyIndex i, std::uint32_t w) {
         const BoundedWall& wall = m_walls[w];
         const Stamp& ball = m_stamps[i];
-        const double gap = gapTo(wall, ball.position, ball.radius), touching = touchingGap * ball.radius;
+        const double gap = gapTo(wall, i), touching = touchingGap * ball.radius;
         if (gap > touching) return;
         const double speed = wall.normal.dot(ball.velocity);
         const bool pulled = wall.normal.dot(input.gravity) < 0;

@@ -51,7 +51,7 @@ void Flights::foresee(const FlightInput& input, BodyIndex a, BodyIndex b) {
 void Flights::foreseeWall(const FlightInput& input, BodyIndex ball, const BoundedWall& wall) {
     const Stamp& stamp = m_stamps[ball];
     const bool touching = m_log[ball] != none && m_logs[m_log[ball]].last == wall.body;
-    const double gap = touching ? 0 : std::max(0.0, gapTo(wall, stamp.position, stamp.radius));
+    const double gap = touching ? 0 : std::max(0.0, gapTo(wall, ball));
     const double time =
         stamp.time + timeToPlane(gap, wall.normal.dot(stamp.velocity), wall.normal.dot(accelerationOf(ball)));
     if (time < input.end) expect({std::max(time, input.now), ball, wall.body, versionOf(ball, wall.body)});
@@ -143,7 +143,7 @@ bool Flights::closesOnOthers(const FlightInput& input, BodyIndex body, BodyIndex
         const double touching = touchingGap * ball.radius;
         if (isWallBody(i)) {
             const BoundedWall& wall = m_walls[m_wallAt[i]];
-            if (gapTo(wall, position, ball.radius) <= touching &&
+            if (wall.normal.dot(position) - wall.offset - ball.radius <= touching &&
                 -wall.normal.dot(velocity) > lawOf(input, body, i).leastImpact)
                 return true;
         } else if (m_simple[i] != 0) {

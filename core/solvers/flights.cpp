@@ -20,8 +20,9 @@ constexpr std::size_t fewLogs = 512;
 
 Flights::Flights(const Bodies& bodies)
     : m_wallAt(bodies.count(), none), m_simple(bodies.count(), 0), m_grounded(bodies.count(), 1),
-      m_support(bodies.count(), 0), m_stamps(bodies.count()), m_log(bodies.count(), none),
-      m_version(bodies.count(), 0), m_courses(bodies.walls.size() + 1), m_platforms(bodies) {
+      m_support(bodies.count(), 0), m_stamps(bodies.count()), m_placeRests(bodies.count(), Vec3::Zero()),
+      m_log(bodies.count(), none), m_version(bodies.count(), 0), m_courses(bodies.walls.size() + 1),
+      m_platforms(bodies) {
     for (const BodyIndex i : bodies.mobileBodies)
         m_simple[i] = std::holds_alternative<Sphere>(bodies.shape[i]);
     std::vector<std::uint8_t> sprung(bodies.count(), 0);
@@ -83,8 +84,7 @@ void Flights::begin(const FlightInput& input) {
     for (const BodyIndex i : input.bodies.mobileBodies) {
         m_grounded[i] = m_simple[i] == 0;
         m_support[i] = 0;
-        m_stamps[i] = {input.state.pose[i].position, 0, input.state.velocity[i],
-                       input.bodies.boundingRadius[i]};
+        setStamp(input.state, i, 0, input.bodies.boundingRadius[i]);
     }
     sortPairs(input.neighbours);
 }
@@ -112,6 +112,7 @@ void Flights::undo(const FlightInput& input) {
         const BodyIndex ball = m_logs[log].body;
         const Saved& saved = m_saved[m_logs[log].saved];
         m_stamps[ball] = saved.stamp;
+        m_placeRests[ball] = saved.rest;
         m_support[ball] = saved.support;
         m_logs[log] = saved.log;
         ++m_version[ball];
@@ -124,8 +125,7 @@ void Flights::freshen(const FlightInput& input, BodyIndex ball) {
     m_grounded[ball] = 0;
     m_support[ball] = 0;
     ++m_version[ball];
-    m_stamps[ball] = {input.state.pose[ball].position, input.now, input.state.velocity[ball],
-                      input.bodies.boundingRadius[ball]};
+    setStamp(input.state, ball, input.now, input.bodies.boundingRadius[ball]);
     logOf(input, ball) = {.body = ball,
                           .begin = input.now,
                           .turned = input.now,
@@ -186,6 +186,7 @@ void Flights::bring(const FlightInput& input) {
         }
         const Saved& saved = m_saved[log.saved];
         m_stamps[log.body] = saved.stamp;
+        m_placeRests[log.body] = saved.rest;
         m_support[log.body] = saved.support;
         log = saved.log;
     }
@@ -219,7 +220,10 @@ void Flights::settle(const FlightInput& input, BodyIndex ball, double time) {
     Log& log = logOf(input, ball);
     if (log.begin == time) return;
     if (input.ledger != nullptr) book(input, log, time);
-    input.state.pose[ball].position = placeAt(ball, time);
+    const WithRest<Vec3> place = exactSum(
+        m_stamps[ball].position, wayTo(m_stamps[ball], accelerationOf(ball), time) + m_placeRests[ball]);
+    input.state.pose[ball].position = place.value;
+    input.state.positionRest[ball] = place.rest;
     input.state.velocity[ball] = speedAt(ball, time);
     input.state.angularVelocity[ball] = log.spin;
     if (log.spin != Vec3::Zero()) {
@@ -261,7 +265,7 @@ void Flights::moveTo(const FlightInput& input, BodyIndex body, double time) {
     const Vec3& acceleration = accelerationOf(body);
     const double passed = time - stamp.time;
     log.path += passed * (stamp.velocity.norm() + 0.5 * passed * input.gravity.norm());
-    stamp.position = positionAt(stamp, acceleration, time);
+    moveBy(wayTo(stamp, acceleration, time), stamp.position, m_placeRests[body]);
     stamp.velocity = velocityAt(stamp, acceleration, time);
     stamp.time = time;
     ++m_version[body];
@@ -290,7 +294,7 @@ Flights::Log& Flights::logOf(const FlightInput& input, BodyIndex body) {
 Flights::Log& Flights::touch(const FlightInput& input, BodyIndex body) {
     Log& log = logOf(input, body);
     if (log.saved != none) return log;
-    m_saved.push_back({log, m_stamps[body], m_support[body]});
+    m_saved.push_back({log, m_stamps[body], m_placeRests[body], m_support[body]});
     log.saved = static_cast<std::uint32_t>(m_saved.size() - 1);
     log.group = m_log[body];
     log.impacts = 0;

@@ -4,6 +4,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/state.h"
+#include "core/math/compensated.h"
 #include "core/solvers/event_times.h"
 #include "core/solvers/neighbours.h"
 #include "core/solvers/platforms.h"
@@ -107,6 +108,7 @@ class Flights {
     struct Saved {
         Log log;
         Stamp stamp;
+        Vec3 rest = Vec3::Zero();
         std::uint32_t support = 0;
     };
     /// Foreseen in one version of both; in any other it is off.
@@ -178,8 +180,13 @@ class Flights {
         return m_log[body] == none || m_logs[m_log[body]].saved == none ? 0 : m_logs[m_log[body]].impacts;
     }
     std::uint32_t versionOf(BodyIndex a, BodyIndex b) const { return m_version[a] + m_version[b]; }
-    double gapTo(const BoundedWall& wall, const Vec3& position, double radius) const {
-        return wall.normal.dot(position) - wall.offset - radius;
+    double gapTo(const BoundedWall& wall, BodyIndex ball) const {
+        const Stamp& stamp = m_stamps[ball];
+        return exactGap(wall.normal, wall.offset, stamp.radius, stamp.position, m_placeRests[ball]);
+    }
+    void setStamp(const State& state, BodyIndex ball, double time, double radius) {
+        m_stamps[ball] = {state.pose[ball].position, time, state.velocity[ball], radius};
+        m_placeRests[ball] = state.positionRest[ball];
     }
     void ground(BodyIndex ball) {
         if (m_grounded[ball] != 0) return;
@@ -202,6 +209,7 @@ class Flights {
     std::vector<std::uint8_t> m_grounded; // by body
     std::vector<std::uint32_t> m_support; // by body: 0, or 1 + its wall in m_walls
     std::vector<Stamp> m_stamps;          // by body
+    std::vector<Vec3> m_placeRests;       // by body: what the place of the stamp rounded off [m]
     std::vector<std::uint32_t> m_log;     // by body
     std::vector<std::uint32_t> m_version; // by body: how often its path has changed
     std::vector<Log> m_logs;              // of the frame

@@ -2,6 +2,7 @@
 #include "core/solvers/local_solver.h"
 
 #include "core/dynamics/numbering.h"
+#include "core/math/compensated.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,17 +10,6 @@
 
 namespace carom {
 namespace {
-
-/// a + b and what that rounds off (D. Knuth, "The art of computer programming" 2, 4.2.2, theorem B), in each
-/// coordinate.
-struct Sum {
-    Vec3 value, rest;
-};
-Sum sumOf(const Vec3& a, const Vec3& b) {
-    const Vec3 value = a + b;
-    const Vec3 part = value - a;
-    return {value, (a - (value - part)) + (b - part)};
-}
 
 class LocalSolver final : public Solver {
   public:
@@ -57,7 +47,7 @@ class LocalSolver final : public Solver {
         for (BodyIndex k = 0; k < count; ++k) copyBody(world, m_order[k], m_state, k);
         if (m_origin == Vec3::Zero()) return;
         for (const BodyIndex k : m_bodies.bounded) {
-            const Sum sum = sumOf(m_state.pose[k].position - m_origin, m_state.positionRest[k]);
+            const WithRest<Vec3> sum = exactSum(m_state.pose[k].position - m_origin, m_state.positionRest[k]);
             m_state.pose[k].position = sum.value;
             m_state.positionRest[k] = sum.rest;
         }
@@ -66,7 +56,7 @@ class LocalSolver final : public Solver {
     void leave(State& world) {
         for (const BodyIndex k : m_bodies.mobileBodies) {
             if (m_origin != Vec3::Zero()) {
-                const Sum sum = sumOf(m_origin, m_state.pose[k].position);
+                const WithRest<Vec3> sum = exactSum(m_origin, m_state.pose[k].position);
                 m_state.pose[k].position = sum.value;
                 m_state.positionRest[k] += sum.rest;
             }

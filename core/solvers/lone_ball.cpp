@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/free_rotation.h"
+#include "core/math/compensated.h"
 #include "core/solvers/bounce_train.h"
 #include "core/solvers/contact_settings.h"
 #include "core/solvers/island_motion.h"
@@ -32,7 +33,10 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
 
     loadBodies(input, island);
     const double h = input.substep;
-    const Bounce after = bounceTrain(std::max(0.0, point.separation), speed, pull, pair.restitution, h);
+    Vec3& place = input.state.pose[ball].position;
+    Vec3& placeRest = input.state.positionRest[ball];
+    const double gap = exactGap(normal, wall->offset, input.bodies.boundingRadius[ball], place, placeRest);
+    const Bounce after = bounceTrain(std::max(0.0, gap), speed, pull, pair.restitution, h);
     const double impulse = input.bodies.mass[ball] * (after.speed - speed + pull * h);
     ContactBody& body = m_problem.bodies.front();
     const Vec6 before = body.velocity;
@@ -56,10 +60,10 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     end += (after.speed - normal.dot(end)) * normal;
     Vec3 across = 0.5 * h * (before.head<3>() + end);
     across -= normal.dot(across) * normal;
-    input.state.pose[ball].position += across + (after.gap - point.separation) * normal;
+    moveBy(across + (after.gap - gap) * normal, place, placeRest);
     velocity = end;
     body.velocity.head<3>() = end;
-    if (input.ledger != nullptr) bookBounce(input, before, normal, after.gap - point.separation);
+    if (input.ledger != nullptr) bookBounce(input, before, normal, after.gap - gap);
     const double inertia = input.bodies.inertia[ball].x();
     input.state.angularVelocity[ball] = body.velocity.tail<3>();
     rotateBetween(input.bodies, ball, inertia * before.tail<3>(), inertia * body.velocity.tail<3>(), h,

@@ -52,16 +52,21 @@ void runMillionBounces(Trial& trial) {
                  {1e-10, 1e-10});
 }
 
+/// How far the ball, of radius .5, is above the floor: its place with all digits that the world has of it.
+double gapOf(const World& world) {
+    return (world.state().pose[ball].position.y() - 0.5) + world.state().positionRest[ball].y();
+}
+
 // Energy measured from the floor, as gap and speed give it: its root is the speed at which the ball lands, so
 // the rebound's height ratio is the energy's.
 void runDropHeights(Trial& trial) {
     double worst = 0;
     for (double height = 1e-9; height < 2e3; height *= 10) {
         World world = trial.world(falling() + ballOver(0.5 + height, 0.5, 1));
-        const double start = standardFall * (world.state().pose[ball].position.y() - 0.5);
+        const double start = standardFall * gapOf(world);
         const double fall = std::sqrt(2 * height / standardFall);
         trial.run(world, 20 + static_cast<std::int64_t>(2.5 * fall * 60), [&] {
-            const double gap = world.state().pose[ball].position.y() - 0.5;
+            const double gap = gapOf(world);
             const double speed = world.state().velocity[ball].y();
             const double energy = 0.5 * speed * speed + standardFall * gap;
             worst = std::max(worst, std::abs(energy / start - 1));
@@ -86,7 +91,7 @@ double pathOf(Trial& trial, double elastic) {
     const double frame = world.pipeline().settings().step;
     double path = 0, gap = 1, speed = 0;
     while (trial.step(world)) {
-        const double nextGap = world.state().pose[ball].position.y() - 0.5;
+        const double nextGap = gapOf(world);
         const double next = world.state().velocity[ball].y();
         const bool bounced = next > speed - g4 * frame * 0.5;
         const double apex = speed > 0 && (bounced || next < 0) ? 0.5 * speed * speed / g4 : 0;

@@ -78,7 +78,7 @@ class AllocationTest : public QObject {
         SimulationSettings options;
         options.broadphase = broadphase.toStdString();
         World world = test::worldOf(scene, options);
-        test::run(world, 600);
+        test::run(world, 1100); // the largest crowds have been
 
         const long before = allocations;
         std::uint64_t contacts = 0;

@@ -30,6 +30,7 @@ class ObviousGas {
             const Sphere* ball = std::get_if<Sphere>(&bodies.shape[i]);
             m_stamps.push_back({state.pose[i].position, 0, state.velocity[i], ball ? ball->radius : 0});
             m_acceleration.push_back(bodies.mobile[i] ? gravity : Vec3::Zero());
+            m_rests.push_back(Vec3::Zero());
             m_last.push_back(noBody);
         }
     }
@@ -43,7 +44,9 @@ class ObviousGas {
         }
         m_now = time;
     }
-    Vec3 positionOf(BodyIndex i) const { return positionAt(m_stamps[i], m_acceleration[i], m_now); }
+    Vec3 positionOf(BodyIndex i) const {
+        return m_stamps[i].position + (wayTo(m_stamps[i], m_acceleration[i], m_now) + m_rests[i]);
+    }
     std::uint64_t meetings() const { return m_meetings; }
 
   private:
@@ -61,8 +64,7 @@ class ObviousGas {
             for (const BodyIndex k : m_bodies.walls) {
                 const Wall& wall = std::get<Wall>(m_bodies.shape[k]);
                 const Stamp& s = m_stamps[i];
-                const double gap = m_last[i] == k ? 0 : wall.normal.dot(s.position) - wall.offset - s.radius;
-                consider(s.time + timeToPlane(gap, wall.normal.dot(s.velocity),
+                consider(s.time + timeToPlane(gapAt(i, k), wall.normal.dot(s.velocity),
                                               wall.normal.dot(m_acceleration[i])),
                          i, k);
             }
@@ -78,22 +80,33 @@ class ObviousGas {
         return first;
     }
 
+    double gapAt(BodyIndex i, BodyIndex k) const {
+        const Wall& wall = std::get<Wall>(m_bodies.shape[k]);
+        return m_last[i] == k ? 0 : gapTo(m_stamps[i], m_rests[i], wall.normal, wall.offset);
+    }
+
     void carry(BodyIndex i, double time) {
         const Stamp before = m_stamps[i];
-        m_stamps[i].position = positionAt(before, m_acceleration[i], time);
+        moveBy(wayTo(before, m_acceleration[i], time), m_stamps[i].position, m_rests[i]);
         m_stamps[i].velocity = velocityAt(before, m_acceleration[i], time);
         m_stamps[i].time = time;
     }
 
     void happen(const Meeting& meeting) {
         const BodyIndex i = meeting.a, j = meeting.b;
-        carry(i, meeting.time);
-        m_last[i] = j;
         if (const Wall* wall = std::get_if<Wall>(&m_bodies.shape[j])) {
-            const double approach = wall->normal.dot(m_stamps[i].velocity);
-            m_stamps[i].velocity += (-std::min(approach, 0.0) - approach) * wall->normal;
+            const Vec3& normal = wall->normal;
+            const double landing =
+                speedAtPlane(gapAt(i, j), normal.dot(m_stamps[i].velocity), normal.dot(m_acceleration[i]));
+            carry(i, meeting.time);
+            m_last[i] = j;
+            Stamp& stamp = m_stamps[i];
+            moveBy(-gapTo(stamp, m_rests[i], normal, wall->offset) * normal, stamp.position, m_rests[i]);
+            stamp.velocity += (landing - normal.dot(stamp.velocity)) * normal;
             return;
         }
+        carry(i, meeting.time);
+        m_last[i] = j;
         carry(j, meeting.time);
         m_last[j] = i;
         const Vec3 D = m_stamps[j].position - m_stamps[i].position;
@@ -108,6 +121,7 @@ class ObviousGas {
 
     const Bodies& m_bodies;
     std::vector<Stamp> m_stamps;
+    std::vector<Vec3> m_rests; // what their places rounded off
     std::vector<Vec3> m_acceleration;
     std::vector<BodyIndex> m_last;
     double m_now = 0;
