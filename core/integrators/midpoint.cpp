@@ -6,10 +6,10 @@
 #include <limits>
 
 // The implicit midpoint rule (E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006,
-// II.1): forces are those in the middle of the way that they lead to. Stable at any step, and the energy of a
-// linear oscillation is kept to rounding. What is coupled needs a system of equations solved, which a method
-// has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies that
-// fly freely need no equations: the parabola is exact, and so is free rotation.
+// II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
+// keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
+// method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies
+// that fly freely need no equations: the parabola is exact, and so is free rotation.
 
 namespace carom {
 

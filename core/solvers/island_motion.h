@@ -12,6 +12,7 @@
 #include "core/solvers/newton.h"
 #include "core/solvers/pile_motion.h"
 #include "core/solvers/solver.h"
+#include "core/solvers/spring_solver.h"
 
 #include <vector>
 
@@ -75,6 +76,11 @@ class IslandMotion {
         Mat3 frame = Mat3::Identity();
         Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();
     };
+    /// Where a spring is tied to, before and after a part [m]; and its arm about the body's centre.
+    struct SpringEnd {
+        int body = immobile; // of m_problem
+        Vec3 before = Vec3::Zero(), after = Vec3::Zero(), arm = Vec3::Zero();
+    };
     /// What the impulse of a row acts along.
     struct Push {
         Mat36 a = Mat36::Zero(), b = Mat36::Zero();
@@ -108,6 +114,10 @@ class IslandMotion {
     Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
     void linkSprings(const MotionInput& input, double duration);
     void solveSprings(const MotionInput& input, double duration);
+    bool solveSpringsAlone(const MotionInput& input, double duration);
+    SpringEnd springEnd(const MotionInput& input, BodyIndex body, const Vec3& point, double duration) const;
+    void rememberVelocities();
+    double changeOfVelocities();
     double firstImpact(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
     double findStopTime(const MotionInput& input, const Braked& braked, double duration);
@@ -149,7 +159,9 @@ class IslandMotion {
     ContactSet m_contacts, m_before;
     ContactProblem m_problem, m_parting;
     std::vector<std::uint32_t> m_springs;      // of the island, into Bodies::springs
+    std::vector<Mat3> m_springSlopes;          // by spring of the island
     std::vector<Vec6> m_lastVelocity;          // by body of m_problem, of the round before
+    double m_fastest = 0;                      // body then [m/s]
     std::vector<Start> m_start;                // by body of m_problem
     std::vector<Pose> m_middlePose, m_endPose; // by body of m_problem, foreseen
     std::vector<Place> m_inMiddle, m_atEnd;    // by point of m_contacts, foreseen
@@ -166,6 +178,7 @@ class IslandMotion {
     std::vector<Vec6> m_mean;            // by body of m_problem, the mean velocity; for the ledger only
     std::vector<ImpactRow> m_impactRows;
     NewtonSolver m_newton;
+    SpringSolver m_springSolver;
     GaussSeidelSolver m_gaussSeidel;
     ImpactSolver m_impacts;
     PileMotion m_pile;

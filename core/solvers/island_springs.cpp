@@ -4,33 +4,44 @@
 #include "core/solvers/island_motion.h"
 
 #include <algorithm>
+#include <limits>
 
-// Springs within an island, by the implicit midpoint rule: the force over a part T of the substep is the one
-// at the middle of the way, which itself follows from the velocities sought,
+// Springs within an island. Over a part T of the substep their ends go from x₀ to x₁ (of one relative to the
+// other), and the spring pulls along the middle of the way, by what its mean length and the change of its
+// length say,
 //
-//     p = −T (k (l − l₀) + c (u₀ + u₁)·d/2) d   at   x½ = x₀ + T (v₀ + v₁)/4
+//     p = −T (k (l̄ − L) + c (l₁ − l₀)/T) x̄/l̄      x̄ = (x₀ + x₁)/2,  l̄ = (l₀ + l₁)/2,  l = |x|
 //
-// made linear about the middle x* found in the round before, where the relative velocity at the end was u*:
+// (R. LaBudde, D. Greenspan, "Energy and momentum conserving methods of arbitrary order for the numerical
+// integration of equations of motion", Numerische Mathematik 25, 1975). Since x̄·(x₁ − x₀) = l̄ (l₁ − l₀), its
+// work is exactly what it had stored less what its damper took: the energy of an undamped spring between
+// centres is kept to rounding at any step, so that no spring ever gets longer than its energy allows. The
+// implicit midpoint rule, with |x̄| for l̄, is the same along a line but has no such bound: where ω T is some
+// hundred it finds a length of 3 L, 5 L, ... whose middle is on the other side. Both are symmetric, of order
+// two, and exact for constant forces, and the phase of a linear oscillation is late by (ωT)²/12 of it.
 //
-//     p = −T k (l* − l₀) d − T²/4 K (u₁ − u*) − T/2 c d dᵀ (u₀ + u₁)
-//     K = k (d dᵀ + max(0, 1 − l₀/l*) (1 − d dᵀ))
+// x₁ follows from the velocities sought, x₁ = x₀ + T (u₀ + u₁)/2 for the centres, so the rule is an equation
+// for them, solved by Newton's method with
 //
-// which is a row of the contact problem that gives way (contact_problem.h). A few rounds reach the rule
-// itself. It is symmetric and, like the motion of contacts, exact for constant forces; a linear undamped
-// spring keeps its energy exactly and stays bounded at any step; its phase is late by (ωh)²/12 of it. Source:
-// E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006, II.1. An island with springs
-// moves so whatever the integrator.
+//     A = −∂p/∂u₁ = T/l̄ (T/4 f 1 + (T/4 (k − f/l̄) + c/2) x̄ eᵀ)      f = −|p|/T the tension, e = x₁/l₁
+//
+// Among contacts springs are rows of the contact problem that give way (contact_problem.h), which knows
+// nothing of parts of A that are not symmetric or push: there the rounds converge more slowly, and for
+// springs far too stiff for the step not at all. Between points off the centres the arms are means of both
+// ends, too, and the energy is kept to order two. An island with springs moves so if the integrator is
+// `midpoint` or anything touches.
 
 namespace carom {
 namespace {
 
-/// Rounds at most, and the change of velocities, relative to the fastest, at
-/// which they end. Newton's iteration: the third round is good to 1e-10 at any
-/// step that resolves the oscillation.
+/// Rounds at most among contacts, and the change of velocities, relative to the fastest, at which they end.
+/// The third round is good to 1e-10 at any step that resolves the oscillation.
 constexpr int mostRounds = 8;
 constexpr double roundsEnd = 1e-14;
-/// Tolerance of the solve relative to the speeds in play: springs lose nothing,
-/// so nothing may be lost here.
+/// Rounds of Newton's method at most; and the change from which on one that does not halve is rounding.
+constexpr int mostNewtonRounds = 40;
+constexpr double maybeRounding = 1e-6;
+/// Tolerance of the solve relative to the speeds in play: springs lose nothing, so nothing may be lost here.
 constexpr double springTolerance = 1e-14;
 /// With contacts in play, which do lose, this part of the tolerance of contacts will do.
 constexpr double contactPart = 1e-3;
@@ -38,20 +49,61 @@ constexpr double contactPart = 1e-3;
 } // namespace
 
 void IslandMotion::solveSprings(const MotionInput& input, double duration) {
-    for (int round = 0; round < mostRounds; ++round) {
-        m_lastVelocity.resize(m_problem.bodies.size());
-        for (std::size_t i = 0; i < m_lastVelocity.size(); ++i)
-            m_lastVelocity[i] = m_problem.bodies[i].velocity;
-        linkSprings(input, duration);
-        solve(input);
-        double change = 0, fastest = 0;
-        for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) {
-            const ContactBody& body = m_problem.bodies[i];
-            change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
-            fastest = std::max(fastest, fastestPart(m_lastVelocity[i], body.gyration));
+    // A spring too stiff for the step ends the part about where it began it: that guess is near the solution,
+    // where the one that goes on as before may be metres off.
+    linkSprings(input, duration);
+    bool stiff = false;
+    for (const SoftRow& row : m_problem.springs) stiff = stiff || row.rate.maxCoeff() > row.effectiveMass;
+    const auto guess = [&](double sign) {
+        for (std::size_t i = 0; i < m_problem.bodies.size(); ++i)
+            m_problem.bodies[i].velocity = sign * m_start[i].velocity;
+    };
+    if (stiff) guess(-1);
+    if (!m_problem.rows.empty()) {
+        for (int round = 0; round < mostRounds; ++round) {
+            rememberVelocities();
+            linkSprings(input, duration);
+            solve(input);
+            if (changeOfVelocities() <= std::max(roundsEnd * m_fastest, m_tolerance)) return;
         }
-        if (change <= std::max(roundsEnd * fastest, m_problem.rows.empty() ? 0 : m_tolerance)) break;
+        return;
     }
+    if (solveSpringsAlone(input, duration)) return;
+    guess(stiff ? 1 : -1);
+    solveSpringsAlone(input, duration);
+}
+
+// Whether the rounds have led to a solution.
+bool IslandMotion::solveSpringsAlone(const MotionInput& input, double duration) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < mostNewtonRounds; ++round) {
+        rememberVelocities();
+        linkSprings(input, duration);
+        if (!m_springSolver.step(m_problem, m_springSlopes)) return false;
+        const double change = changeOfVelocities();
+        if (change <= std::max(roundsEnd * m_fastest, m_tolerance)) return true;
+        if (change <= maybeRounding * m_fastest && change > 0.5 * before) return true;
+        before = change;
+    }
+    return false;
+}
+
+void IslandMotion::rememberVelocities() {
+    m_lastVelocity.resize(m_problem.bodies.size());
+    for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) m_lastVelocity[i] = m_problem.bodies[i].velocity;
+}
+
+// Since they were remembered [m/s]; and how fast the fastest was then.
+double IslandMotion::changeOfVelocities() {
+    double change = 0;
+    m_fastest = 0;
+    for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) {
+        const ContactBody& body = m_problem.bodies[i];
+        change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
+        m_fastest = std::max({m_fastest, fastestPart(m_lastVelocity[i], body.gyration),
+                              fastestPart(m_start[i].velocity, body.gyration)});
+    }
+    return change;
 }
 
 // The mean of both ends, which is not where the body is at half time if it is accelerated.
@@ -66,59 +118,80 @@ Pose IslandMotion::middlePose(const MotionInput& input, BodyIndex i, double dura
     return pose;
 }
 
-// The rows of the island's springs, linear about the middle of the way as the
-// present velocities give it.
+// One end of a spring at both ends of the part as the present velocities give them.
+IslandMotion::SpringEnd IslandMotion::springEnd(const MotionInput& input, BodyIndex i, const Vec3& point,
+                                                double duration) const {
+    SpringEnd end;
+    if (i == noBody) {
+        end.before = end.after = point;
+        return end;
+    }
+    const Pose& pose = input.state.pose[i];
+    end.before = end.after = pose.toWorld(point);
+    if (localOf(i) == immobile || input.bodies.mobile[i] == 0) return end;
+    const Pose last = poseAt(input, i, duration, duration);
+    end.body = localOf(i);
+    end.after = last.toWorld(point);
+    end.arm = 0.5 * ((end.before - pose.position) + (end.after - last.position));
+    return end;
+}
+
+// The rows of the island's springs, linear about the way that the present velocities give.
 void IslandMotion::linkSprings(const MotionInput& input, double duration) {
     m_problem.springs.clear();
+    m_springSlopes.clear();
+    const bool alone = m_problem.rows.empty();
     double fastest = 0, pulled = 0;
     for (const ContactBody& body : m_problem.bodies)
         fastest = std::max(fastest, fastestPart(body.velocity, body.gyration));
-    const auto middleOf = [&](BodyIndex i, const Vec3& point) -> Vec3 {
-        if (i == noBody) return point;
-        if (localOf(i) == immobile || input.bodies.mobile[i] == 0) return input.state.pose[i].toWorld(point);
-        return middlePose(input, i, duration).toWorld(point);
-    };
-    const auto bodyOf = [&](BodyIndex i) {
-        return i == noBody || input.bodies.mobile[i] == 0 ? immobile : localOf(i);
-    };
     for (const std::uint32_t index : m_springs) {
         const SpringForce& spring = input.bodies.springs[index];
-        const Vec3 from = middleOf(spring.from, spring.fromAt), to = middleOf(spring.to, spring.toAt);
-        const Vec3 apart = to - from;
-        const double length = apart.norm();
-        const Vec3 direction = length > 0 ? Vec3(apart / length) : Vec3(Vec3::UnitY());
-        const Tangents tangents = tangentsOf(direction);
-        Mat3 frame;
-        frame << direction.transpose(), tangents.first.transpose(), tangents.second.transpose();
+        const SpringEnd from = springEnd(input, spring.from, spring.fromAt, duration);
+        const SpringEnd to = springEnd(input, spring.to, spring.toAt, duration);
+        const Vec3 first = to.before - from.before, last = to.after - from.after;
+        const Vec3 middle = 0.5 * (first + last);
+        const double firstLength = first.norm(), lastLength = last.norm();
+        const double length = 0.5 * (firstLength + lastLength);
+        const Vec3 along = length > 0 ? Vec3(middle / length) : Vec3(Vec3::UnitY());
+        const Vec3 grows = lastLength > 0 ? Vec3(last / lastLength) : along;
+        const double tension = spring.stiffness * (length - spring.length) +
+                               spring.damping * (lastLength - firstLength) / duration;
+        const double turning = length > 0 ? 0.25 * duration * duration * tension / length : 0;
+        const double stretching =
+            0.25 * duration * duration * spring.stiffness + 0.5 * duration * spring.damping - turning;
 
         SoftRow row;
-        row.a = bodyOf(spring.from);
-        row.b = bodyOf(spring.to);
-        const auto armOf = [&](BodyIndex i, const Vec3& point) -> Vec3 {
-            if (bodyOf(i) == immobile) return Vec3::Zero();
-            return point - middlePose(input, i, duration).position;
-        };
-        prepareRow(m_problem, frame, armOf(spring.from, from), armOf(spring.to, to), row);
-        Vec3 before = Vec3::Zero();
-        if (row.a != immobile) before += row.jacobianA * m_start[at(row.a)].velocity;
-        if (row.b != immobile) before += row.jacobianB * m_start[at(row.b)].velocity;
-        const Vec3 after = relativeVelocity(m_problem, row);
-
-        const double across = length > spring.length ? 1 - spring.length / length : 0;
-        const Vec3 stiffness = (0.25 * duration * duration * spring.stiffness) * Vec3(1, across, across);
-        const double damping = 0.5 * duration * spring.damping;
-        row.rate = stiffness + Vec3(damping, 0, 0);
-        row.offset = -stiffness.cwiseProduct(after);
-        row.offset.x() += duration * spring.stiffness * (length - spring.length) + damping * before.x();
-        const Vec3 yielded = row.rate.cwiseProduct(after);
-        row.impulse = -(row.offset + yielded);
-        // Of a stiff spring both parts are large and cancel: what is left is rounded as they are.
-        pulled = std::max(pulled, (row.offset.norm() + yielded.norm()) / row.effectiveMass);
+        row.a = from.body;
+        row.b = to.body;
+        if (alone) {
+            prepareRow(m_problem, Mat3::Identity(), from.arm, to.arm, row);
+            row.impulse = (-duration * tension) * along;
+            row.rate = Vec3::Constant(stretching + turning); // how stiff it is, for the guess
+            // Lengths are rounded, and so are the forces that they give.
+            pulled = std::max(pulled, duration * spring.stiffness * length / row.effectiveMass);
+            m_springSlopes.push_back(turning * Mat3::Identity() + stretching * along * grows.transpose());
+        } else {
+            const double part = along.norm();
+            const Vec3 direction = part > 0 ? Vec3(along / part) : Vec3(Vec3::UnitY());
+            const Tangents tangents = tangentsOf(direction);
+            Mat3 frame;
+            frame << direction.transpose(), tangents.first.transpose(), tangents.second.transpose();
+            prepareRow(m_problem, frame, from.arm, to.arm, row);
+            const Vec3 after = relativeVelocity(m_problem, row);
+            const double across = std::max(0.0, turning);
+            row.rate =
+                Vec3(std::max(0.0, turning + stretching * part * grows.dot(direction)), across, across);
+            row.offset = -row.rate.cwiseProduct(after);
+            row.offset.x() += duration * tension * part;
+            const Vec3 yielded = row.rate.cwiseProduct(after);
+            row.impulse = -(row.offset + yielded);
+            // Of a stiff spring both parts are large and cancel: what is left is rounded as they are.
+            pulled = std::max(pulled, (row.offset.norm() + yielded.norm()) / row.effectiveMass);
+        }
         m_problem.springs.push_back(row);
     }
     m_tolerance = springTolerance * std::max({m_scale, fastest, pulled});
-    if (!m_problem.rows.empty())
-        m_tolerance = std::max(m_tolerance, contactPart * input.settings.tolerance * m_scale);
+    if (!alone) m_tolerance = std::max(m_tolerance, contactPart * input.settings.tolerance * m_scale);
 }
 
 } // namespace carom

@@ -75,6 +75,10 @@ void runStiff(Trial& trial) {
 
 std::string pendulum() { return falling() + ballOnSpring(Vec3(1, 0, 0), 100); }
 
+/// Part of the energy that a kept one may be off by rounding in 100,000 steps of some roundings each, which
+/// add up as a random walk does: no trend.
+constexpr double rounding = 1e-12;
+
 Vec3 placeAfterASecond(Trial& trial, int substeps) {
     World world = trial.world(pendulum(), text("substeps ", substeps));
     trial.run(world, 60);
@@ -95,7 +99,8 @@ void runPendulum(Trial& trial) {
                fine = placeAfterASecond(trial, 64);
     const double order = std::log2((coarse - middle).norm() / (middle - fine).norm());
     trial.expect("energy error", std::max(early, late), {1e-2, 1e-2});
-    trial.expect("energy error, second half against the first", late / early, {1.5, 1.5});
+    trial.expect("energy error, second half against the first",
+                 std::max(late, rounding) / std::max(early, rounding), {1.5, 1.5});
     trial.expect("order, distance from 2", std::abs(order - 2), {0.05, 0.05});
 }
 

@@ -21,11 +21,7 @@ struct KnownFailure {
 };
 
 inline constexpr std::array knownFailures = {
-    KnownFailure{"drop_heights", StudyColumn::Accurate, "at .5 m a gap of 1e-9 m carries 7 digits"},
-    KnownFailure{"drop_heights", StudyColumn::Exact, "at .5 m a gap of 1e-9 m carries 7 digits"},
     KnownFailure{"pyramid", StudyColumn::Accurate, "steps overlap by 1.5e-4 of a radius when struck"},
-    KnownFailure{"stiff_spring", StudyColumn::Default, "the end of a stiff spring gets 5 m away from 1 m"},
-    KnownFailure{"stiff_spring", StudyColumn::Accurate, "the end of a stiff spring gets 9 m away from 1 m"},
 };
 
 inline bool isKnownToFail(const HardCase& hardCase, StudyColumn column) {
