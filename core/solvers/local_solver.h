@@ -14,8 +14,8 @@
 //
 // Within a frame nobody else looks at the world's state, so it goes to and fro once a frame. Far out a
 // coordinate of the world has fewer digits than one near the origin; what it rounds off is kept as
-// State::positionRest, so that going to and fro changes no bit of a place and the world's state is all there is
-// to save.
+// State::positionRest, so that going to and fro changes no bit of a place and the world's state is all there
+// is to save.
 
 namespace carom {
 
