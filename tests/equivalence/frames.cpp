@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 #include <string>
 
-// Steps the scene on standard input: `frames WARMUP COUNTED`. A program of its own, small and without Qt, so
-// that unused_test can have its instructions counted; only those of the COUNTED frames are.
+// Steps the scenes on standard input, which a line of `====` parts: `frames WARMUP COUNTED`. A program of its
+// own, small and without Qt, so that unused_test can have its instructions counted; only those of the COUNTED
+// frames are.
 
 namespace carom {
 
@@ -22,12 +22,15 @@ namespace carom {
 
 int main(int count, char** words) {
     if (count != 3) return 2;
-    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    const carom::Build built = carom::build(text);
-    if (!built.pipeline) return 1;
-    carom::World world(built.pipeline);
-    for (int i = std::atoi(words[1]); i > 0; --i) world.step();
-    carom::countedFrames(world, std::atoi(words[2]));
-    std::printf("%llx\n", static_cast<unsigned long long>(world.stateHash()));
-    return world.health().finite ? 0 : 1;
+    for (std::string line; std::cin;) {
+        std::string text;
+        while (std::getline(std::cin, line) && line != "====") text += line + '\n';
+        if (text.empty()) break;
+        carom::World world(carom::build(text).pipeline);
+        for (int i = std::atoi(words[1]); i > 0; --i) world.step();
+        carom::countedFrames(world, std::atoi(words[2]));
+        if (!world.health().finite) return 1;
+        std::printf("%llx\n", static_cast<unsigned long long>(world.stateHash()));
+    }
+    return 0;
 }

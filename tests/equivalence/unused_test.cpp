@@ -42,21 +42,28 @@ Profile readProfile(const QString& path) {
     return profile;
 }
 
-Profile profileOf(const QByteArray& text) {
-    static QMap<QByteArray, Profile> known;
-    if (const auto found = known.constFind(text); found != known.constEnd()) return *found;
+/// Of all these scenes, in one run of valgrind, which writes a file a scene; empty where it failed.
+QMap<QByteArray, Profile> profilesOf(const QList<QByteArray>& texts) {
     const QTemporaryDir folder;
     const QString counts = folder.filePath(QStringLiteral("counts"));
     const Ended ended = runCommand(
         QStringLiteral("valgrind"),
         {QStringLiteral("--tool=callgrind"), QStringLiteral("--toggle-collect=carom::countedFrames*"),
+         QStringLiteral("--dump-after=carom::countedFrames(carom::World&, int)"),
          QStringLiteral("--callgrind-out-file=") + counts, QStringLiteral(CAROM_FRAMES),
          QString::number(warmUp), QString::number(counted)},
-        text);
-    if (ended.exitCode != 0) qWarning("%s", qPrintable(ended.err));
-    Profile profile = ended.exitCode == 0 ? readProfile(counts) : Profile();
-    profile.hash = ended.out.trimmed();
-    return *known.insert(text, profile);
+        texts.join("====\n"));
+    const QStringList hashes = linesOf(ended.out);
+    if (ended.exitCode != 0 || hashes.size() != texts.size()) {
+        qWarning("%s", qPrintable(ended.err));
+        return {};
+    }
+    QMap<QByteArray, Profile> profiles;
+    for (qsizetype i = 0; i < texts.size(); ++i) {
+        Profile& profile = profiles[texts[i]] = readProfile(counts + QStringLiteral(".%1").arg(i + 1));
+        profile.hash = hashes[i];
+    }
+    return profiles;
 }
 
 /// Whether a function whose name holds `name` was called.
@@ -85,15 +92,89 @@ QByteArray resisted(const char* arm) {
            arm + " }\ncuboid { size 99, 1, 99  centre 9, -0.5, 9  fixed yes  friction 1 }\n";
 }
 
+/// A scene with something that has no effect, or that a kernel is needed for, and the same without.
+struct Row {
+    const char* name;
+    const char* kernel; // that the scene with it needs
+    QByteArray with, without = sceneWith("");
+};
+
+QList<Row> rowsOfZeros() {
+    QList<Row> rows;
+    const auto add = [&](const char* name, const QByteArray& with,
+                         const QByteArray& without = sceneWith("")) {
+        rows.push_back({name, "", with, without});
+    };
+    add("friction 0", sceneWith("friction 0"));
+    add("friction 0 of boxes, too", sceneWith("friction 0", "friction 0", boxes), sceneWith("", "", boxes));
+    add("friction of the floor alone", sceneWith("", "friction 0.5"));
+    add("friction of what is fixed",
+        sceneWith("", "friction 0.5", "wall { normal 1, 0, 0  toOrig 99  friction 1 }\n"),
+        sceneWith("", "", "wall { normal 1, 0, 0  toOrig 99 }\n"));
+    add("rolling 0", sceneWith("rolling 0"));
+    add("no spin", sceneWith("angvel 0, 0, 0"));
+    add("speed of what is fixed",
+        sceneWith("", "", "sphere { radius 1  centre 60, 0, 0  fixed yes  vel 1, 2, 3  angvel 1, 2, 3 }\n"),
+        sceneWith("", "", "sphere { radius 1  centre 60, 0, 0  fixed yes }\n"));
+    add("a spring between what is fixed",
+        sceneWith("", "", "spring { from world  to post  stiffness 5  damping 1 }\n"));
+    add("damping 0",
+        sceneWith("", "",
+                  "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
+                  "5  length 1  damping 0 }\n"),
+        sceneWith("", "",
+                  "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
+                  "5  length 1 }\n"));
+    add("gravity as it is", sceneWith("", "", "gravity { accel 0, -9.8, 0 }\n"));
+    return rows;
+}
+
+QList<Row> rowsOfKernels() {
+    QList<Row> rows;
+    const auto add = [&](const char* name, const char* kernel, const QByteArray& with,
+                         const QByteArray& without = sceneWith("")) {
+        rows.push_back({name, kernel, with, without});
+    };
+    const QByteArray rough = sceneWith("friction 0.3", "friction 0.3");
+    const QByteArray tied = "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\n"
+                            "spring { from world  to a  stiffness 5  length 1 }\n";
+    add("rotation", "carom::tumbleFreely(", rough);
+    add("gyroscopic term", "::rotateAsymmetric(",
+        sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
+    add("gyroscopic term of a cube", "::rotateAsymmetric(",
+        sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"),
+        sceneWith("", "", "cuboid { size 2, 2, 2  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
+    add("friction", "carom::Flights::setSpin(", rough);
+    add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
+    add("springs", "carom::springEnergy(", sceneWith("", "", tied));
+    add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
+    add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
+    add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes));
+    add("collision", "carom::collideInto(", sceneWith("", "", boxes),
+        "sphere { radius 1  mass 1  centre 0, 9, 0 }\n");
+    return rows;
+}
+
 } // namespace
 
 class UnusedTest : public QObject {
     Q_OBJECT
 
+    QMap<QByteArray, Profile> m_profiles;
+
   private Q_SLOTS:
+    void initTestCase() {
+        QList<QByteArray> texts = {sceneWith(""), sceneWith("") + "# and a word more\n"};
+        for (const Row& row : rowsOfZeros() + rowsOfKernels())
+            for (const QByteArray& text : {row.with, row.without})
+                if (!texts.contains(text)) texts.push_back(text);
+        m_profiles = profilesOf(texts);
+        QVERIFY2(!m_profiles.isEmpty(), "valgrind is a package that the tests need");
+    }
+
     void theSameSceneTakesTheSameInstructions() {
-        const QByteArray text = sceneWith("");
-        const Profile once = profileOf(text), again = profileOf(text + "# and a word more\n");
+        const Profile once = m_profiles[sceneWith("")];
+        const Profile again = m_profiles[sceneWith("") + "# and a word more\n"];
         QVERIFY(once.instructions > 100'000);
         QCOMPARE(again.instructions, once.instructions);
         QCOMPARE(again.hash, once.hash);
@@ -102,38 +183,13 @@ class UnusedTest : public QObject {
     void anEffectThatIsAbsentTakesNoInstruction_data() {
         QTest::addColumn<QByteArray>("with");
         QTest::addColumn<QByteArray>("without");
-        const auto add = [](const char* name, const QByteArray& with,
-                            const QByteArray& without = sceneWith("")) {
-            QTest::newRow(name) << with << without;
-        };
-        add("friction 0", sceneWith("friction 0"));
-        add("friction 0 of boxes, too", sceneWith("friction 0", "friction 0", boxes),
-            sceneWith("", "", boxes));
-        add("friction of the floor alone", sceneWith("", "friction 0.5"));
-        add("friction of what is fixed",
-            sceneWith("", "friction 0.5", "wall { normal 1, 0, 0  toOrig 99  friction 1 }\n"),
-            sceneWith("", "", "wall { normal 1, 0, 0  toOrig 99 }\n"));
-        add("rolling 0", sceneWith("rolling 0"));
-        add("no spin", sceneWith("angvel 0, 0, 0"));
-        add("speed of what is fixed",
-            sceneWith("", "",
-                      "sphere { radius 1  centre 60, 0, 0  fixed yes  vel 1, 2, 3  angvel 1, 2, 3 }\n"),
-            sceneWith("", "", "sphere { radius 1  centre 60, 0, 0  fixed yes }\n"));
-        add("a spring between what is fixed",
-            sceneWith("", "", "spring { from world  to post  stiffness 5  damping 1 }\n"));
-        add("damping 0",
-            sceneWith("", "",
-                      "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
-                      "5  length 1  damping 0 }\n"),
-            sceneWith("", "",
-                      "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
-                      "5  length 1 }\n"));
-        add("gravity as it is", sceneWith("", "", "gravity { accel 0, -9.8, 0 }\n"));
+        for (const Row& row : rowsOfZeros()) QTest::newRow(row.name) << row.with << row.without;
     }
     void anEffectThatIsAbsentTakesNoInstruction() {
         QFETCH(QByteArray, with);
         QFETCH(QByteArray, without);
-        const Profile a = profileOf(with), b = profileOf(without);
+        QVERIFY(with != without);
+        const Profile a = m_profiles[with], b = m_profiles[without];
         QVERIFY(b.instructions > 100'000);
         QCOMPARE(a.instructions, b.instructions);
         QCOMPARE(a.hash, b.hash);
@@ -143,36 +199,16 @@ class UnusedTest : public QObject {
         QTest::addColumn<QString>("kernel");
         QTest::addColumn<QByteArray>("with");
         QTest::addColumn<QByteArray>("without");
-        const auto add = [](const char* name, const char* kernel, const QByteArray& with,
-                            const QByteArray& without = sceneWith("")) {
-            QTest::newRow(name) << QString::fromLatin1(kernel) << with << without;
-        };
-        const QByteArray rough = sceneWith("friction 0.3", "friction 0.3");
-        const QByteArray tied = "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\n"
-                                "spring { from world  to a  stiffness 5  length 1 }\n";
-        add("rotation", "carom::tumbleFreely(", rough);
-        add("gyroscopic term", "::rotateAsymmetric(",
-            sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
-        add("gyroscopic term of a cube", "::rotateAsymmetric(",
-            sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"),
-            sceneWith("", "", "cuboid { size 2, 2, 2  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
-        add("friction", "carom::Flights::setSpin(", rough);
-        add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
-        add("springs", "carom::springEnergy(", sceneWith("", "", tied));
-        add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
-        add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
-        add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes));
-        add("collision", "carom::collideInto(", sceneWith("", "", boxes),
-            "sphere { radius 1  mass 1  centre 0, 9, 0 }\n");
+        for (const Row& row : rowsOfKernels())
+            QTest::newRow(row.name) << QString::fromLatin1(row.kernel) << row.with << row.without;
     }
     void theKernelsOfAnAbsentEffectAreNotCalled() {
         QFETCH(QString, kernel);
         QFETCH(QByteArray, with);
         QFETCH(QByteArray, without);
-        QVERIFY2(calls(profileOf(with), kernel), "the kernel has another name by now");
-        const Profile absent = profileOf(without);
-        QVERIFY(absent.instructions > 1000);
-        QVERIFY(!calls(absent, kernel));
+        QVERIFY2(calls(m_profiles[with], kernel), "the kernel has another name by now");
+        QVERIFY(m_profiles[without].instructions > 1000);
+        QVERIFY(!calls(m_profiles[without], kernel));
     }
 };
 
