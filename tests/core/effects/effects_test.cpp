@@ -79,6 +79,13 @@ class EffectsTest : public QObject {
             "not simulated yet", "1, 2, 0", 1);
         row("gyroscopic, cube", "gyroscopic_term",
             s("cuboid { size 1, 1, 1 mass 1 centre 5, 0, 0 angvel 1, 2, 0 }"), "absent", "");
+        row("gyroscopic, a cylinder of height √3 radius", "gyroscopic_term",
+            s("cylinder { radius 1 height 1.7320508075688772 mass 1 centre 5, 0, 0 axis 0, 1, 0 angvel 1, 2, "
+              "0 }"),
+            "absent", "");
+        row("gyroscopic, the same a billionth higher", "gyroscopic_term",
+            s("cylinder { radius 1 height 1.732050809 mass 1 centre 5, 0, 0 axis 0, 1, 0 angvel 1, 2, 0 }"),
+            "not simulated yet", "1, 2, 0", 1);
         row("collision alone", "collision", one, "absent", "");
         row("collision of two", "collision", two, "on", "sphere");
         row("collision of fixed ones", "collision",

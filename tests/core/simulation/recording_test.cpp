@@ -59,9 +59,9 @@ class RecordingTest : public QObject {
             for (const QString& path : test::shippedScenes())
                 QTest::newRow(qPrintable(path + u' ' + q(row.name)))
                     << q(test::textOfScene(path)) << q(row.name);
-            for (const GeneratorRow& generator : generators())
-                QTest::newRow(qPrintable(q(generator.name) + u' ' + q(row.name)))
-                    << q(generate(generator, GeneratorRequest{})) << q(row.name);
+            // Every other generator's scene is shipped.
+            QTest::newRow(qPrintable(QStringLiteral("pool_breaks ") + q(row.name)))
+                << q(generate(*findGenerator("pool_breaks"), GeneratorRequest{})) << q(row.name);
         }
     }
 
