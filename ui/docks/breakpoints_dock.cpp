@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/breakpoints_dock.h"
 
-#include "ui/widgets/body_title.h"
+#include "ui/widgets/body_box.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/widgets/text_of.h"
@@ -23,8 +23,10 @@ constexpr int formWidth = 300; // [px]
 } // namespace
 
 BreakpointsDock::BreakpointsDock(QWidget* parent)
-    : QDockWidget(tr("Breakpoints"), parent), m_kind(new QComboBox), m_a(new QComboBox), m_b(new QComboBox),
-      m_axis(new QComboBox), m_limitName(new QLabel), m_limit(new QDoubleSpinBox),
+    : QDockWidget(tr("Breakpoints"), parent), m_kind(new QComboBox),
+      m_a(new BodyBox(tr("any body"), BodyBox::Offers::All)),
+      m_b(new BodyBox(tr("any body"), BodyBox::Offers::All)), m_axis(new QComboBox), m_limitName(new QLabel),
+      m_limit(new QDoubleSpinBox),
       m_add(wordButton("breakAdd", tr("Add"), tr("Stop the run when this happens"))),
       m_remove(wordButton("breakRemove", tr("Remove"), tr("Forget the selected breakpoint"))),
       m_back(
@@ -56,7 +58,6 @@ BreakpointsDock::BreakpointsDock(QWidget* parent)
     connect(m_remove, &QToolButton::clicked, this, &BreakpointsDock::remove);
     connect(m_back, &QToolButton::clicked, this, &BreakpointsDock::backWanted);
     connect(m_list, &QListWidget::itemChanged, this, &BreakpointsDock::report);
-    fillBodies();
     showFields();
     m_state->setEmpty(true);
 }
@@ -85,21 +86,10 @@ void BreakpointsDock::layOut() {
 void BreakpointsDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     if (pipeline != m_pipeline) {
         m_pipeline = std::move(pipeline);
-        fillBodies();
+        m_a->showPipeline(m_pipeline);
+        m_b->showPipeline(m_pipeline);
     }
     report();
-}
-
-void BreakpointsDock::fillBodies() {
-    for (QComboBox* box : {m_a, m_b}) {
-        const QString before = box->currentText();
-        box->clear();
-        box->addItem(tr("any body"));
-        if (m_pipeline)
-            for (BodyIndex i = 0; i < m_pipeline->bodies().count(); ++i)
-                box->addItem(bodyTitle(m_pipeline->scene(), i));
-        box->setCurrentIndex(std::max(0, box->findText(before)));
-    }
 }
 
 void BreakpointsDock::showFields() {
@@ -136,8 +126,7 @@ void BreakpointsDock::remove() {
 }
 
 BodyIndex BreakpointsDock::bodyNamed(const QString& name) const {
-    const int index = m_a->findText(name);
-    return index > 0 ? static_cast<BodyIndex>(index - 1) : noBody;
+    return name.isEmpty() ? noBody : m_a->bodyAt(m_a->findText(name));
 }
 
 void BreakpointsDock::report() {

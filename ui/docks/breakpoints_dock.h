@@ -17,6 +17,8 @@ class QToolButton;
 
 namespace carom {
 
+class BodyBox;
+
 class EmptyState;
 
 /// The events at which a run stops: a contact, a depth, a drift of energy, a speed, a plane crossed. Each can
@@ -46,7 +48,6 @@ class BreakpointsDock : public QDockWidget {
     };
 
     void layOut();
-    void fillBodies();
     void showFields();
     void add();
     void remove();
@@ -58,8 +59,8 @@ class BreakpointsDock : public QDockWidget {
     std::vector<Entry> m_entries;   ///< as in the list
     std::vector<std::size_t> m_set; ///< of m_entries, what changed() said last
     QComboBox* m_kind;
-    QComboBox* m_a;
-    QComboBox* m_b;
+    BodyBox* m_a;
+    BodyBox* m_b;
     QComboBox* m_axis;
     QLabel* m_limitName;
     QDoubleSpinBox* m_limit;

@@ -2,7 +2,7 @@
 #include "ui/docks/plots_dock.h"
 
 #include "core/base/csv.h"
-#include "ui/widgets/body_title.h"
+#include "ui/widgets/body_box.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
@@ -27,7 +27,8 @@ constexpr int listWidth = 230;       // [px]
 } // namespace
 
 PlotsDock::PlotsDock(QWidget* parent)
-    : QDockWidget(tr("Plots"), parent), m_bodies(new QComboBox), m_quantities(new QComboBox),
+    : QDockWidget(tr("Plots"), parent),
+      m_bodies(new BodyBox(tr("the whole scene"), BodyBox::Offers::Bounded)), m_quantities(new QComboBox),
       m_list(new QListWidget), m_add(wordButton("plotAdd", tr("Add"), tr("Draw this quantity over time"))),
       m_remove(wordButton("plotRemove", tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
       m_plot(new PlotWidget),
@@ -49,7 +50,7 @@ PlotsDock::PlotsDock(QWidget* parent)
     connect(m_add, &QToolButton::clicked, this, &PlotsDock::addCurve);
     connect(m_remove, &QToolButton::clicked, this, &PlotsDock::removeCurve);
     connect(this, &QDockWidget::visibilityChanged, this, &PlotsDock::extend);
-    fillBodies();
+    fillQuantities();
     redraw();
 }
 
@@ -74,7 +75,7 @@ void PlotsDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     if (pipeline == m_pipeline) return;
     m_pipeline = std::move(pipeline);
     m_reached = 0;
-    fillBodies();
+    m_bodies->showPipeline(m_pipeline);
     restart();
 }
 
@@ -88,20 +89,7 @@ void PlotsDock::extend() {
     if (isVisible()) m_run.extendTo(m_reached);
 }
 
-void PlotsDock::offerBody(BodyIndex body) {
-    const int index = body == noBody ? 0 : m_bodies->findData(body);
-    if (index >= 0) m_bodies->setCurrentIndex(index);
-}
-
-void PlotsDock::fillBodies() {
-    const QString before = m_bodies->currentText();
-    m_bodies->clear();
-    m_bodies->addItem(tr("the whole scene"), noBody);
-    if (m_pipeline)
-        for (const BodyIndex i : m_pipeline->bodies().bounded)
-            m_bodies->addItem(bodyTitle(m_pipeline->scene(), i), i);
-    m_bodies->setCurrentIndex(std::max(0, m_bodies->findText(before)));
-}
+void PlotsDock::offerBody(BodyIndex body) { m_bodies->choose(body); }
 
 void PlotsDock::fillQuantities() {
     const QString before = m_quantities->currentText();
@@ -142,9 +130,9 @@ void PlotsDock::restart() {
     for (Curve& curve : m_curves) {
         curve.figures.clear();
         BodyIndex body = noBody;
-        const int index = m_bodies->findText(curve.body);
+        const int row = curve.ofWhole ? 0 : m_bodies->findText(curve.body);
         if (!curve.ofWhole) // a body the scene no longer has stays in the list and has no figures
-            body = index > 0 ? m_bodies->itemData(index).value<BodyIndex>() : noBody - 1;
+            body = row > 0 ? m_bodies->bodyAt(row) : noBody - 1;
         probes.push_back({curve.quantity, body});
     }
     m_run.start(m_pipeline, std::move(probes));

@@ -18,6 +18,8 @@ class QToolButton;
 
 namespace carom {
 
+class BodyBox;
+
 class EmptyState;
 
 /// Curves over time: any quantity of any body or of the whole, from the start of the run to as far as it has
@@ -53,7 +55,6 @@ class PlotsDock : public QDockWidget {
     };
 
     void layOut();
-    void fillBodies();
     void fillQuantities();
     void addCurve();
     void removeCurve();
@@ -72,7 +73,7 @@ class PlotsDock : public QDockWidget {
     ChartSpec m_chart;
     ProbeRun m_run;
     QTimer m_refresh; ///< a chart of thousands of frames takes 10 ms to draw: a few times a second
-    QComboBox* m_bodies;
+    BodyBox* m_bodies;
     QComboBox* m_quantities;
     QListWidget* m_list;
     QToolButton* m_add;
