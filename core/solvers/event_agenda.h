@@ -18,11 +18,11 @@ struct alignas(64) Agenda {
     static constexpr std::uint32_t wallMark = 0x80000000U;
     /// In `queuePrevious`: no ball but the day this one is the first of.
     static constexpr std::uint32_t dayMark = 0x80000000U;
-    /// `other` up to here is a crossing, 2 axis + (1 upwards); from here on it is a wall.
-    static constexpr std::uint16_t firstWall = 6;
+    /// In `other`: no wall but the next border of the ball's cell.
+    static constexpr std::uint16_t border = 0xffff;
 
     double pairTime = never;  ///< [s], the earliest meeting with another ball it has found
-    double otherTime = never; ///< [s], the earlier of the next wall and the next border of a cell
+    double otherTime = never; ///< [s], the next wall, or a border that must be crossed before
 
     std::uint32_t partner = nobody;   ///< of the meeting
     std::uint32_t partnerChanges = 0; ///< how often that one had changed; if it has since, the meeting is off
@@ -32,13 +32,14 @@ struct alignas(64) Agenda {
     std::uint32_t queuePrevious = nobody; ///< nobody: not in the queue
     std::array<std::int32_t, 3> place{};  ///< the cell, in endless space
     std::uint32_t material = 0;
-    std::uint32_t rest = nobody; ///< what it rests on, if it does not fly free
-    std::uint16_t other = 0;     ///< what otherTime is the time of
-    std::uint8_t level = 0;      ///< of its cell
-    std::uint8_t tied = 0;       ///< 1: it saw another meeting at the time of `pairTime`
+    std::uint32_t rest = nobody;  ///< what it rests on, if it does not fly free
+    std::uint16_t other = border; ///< what otherTime is the time of
+    std::uint8_t level = 0;       ///< of its cell
+    std::uint8_t tied : 1 = 0;    ///< 1: it saw another meeting at the time of `pairTime`
+    std::uint8_t upwards : 3 = 0; ///< a bit an axis: the next border along it is the upper one
 
     double earliest() const { return std::min(pairTime, otherTime); }
-    /// At equal times crossings and walls come before pairs.
+    /// At equal times borders and walls come before pairs.
     bool meetsNext() const { return pairTime < otherTime; }
 };
 static_assert(sizeof(Agenda) == 64);

@@ -17,6 +17,9 @@ constexpr std::int32_t fewestAlongAxis = 3;
 
 constexpr std::size_t mostLevels = 20;
 
+// Of a side: far more than rounding can put a ball beyond a border.
+constexpr double roundingOfPlaces = 1e-3;
+
 std::int32_t cellsAlong(double length, double side) {
     constexpr double most = 1 << 20;
     return static_cast<std::int32_t>(std::clamp(std::ceil(length / side) + 1, double{fewestAlongAxis}, most));
@@ -46,7 +49,8 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
     const double volume = (region.size().array() + 2 * finest).prod();
     double side = std::max(2 * slack * finest, shareOfSpacing * std::cbrt(volume / ballCount));
     if (!(side > 0)) side = 1;
-    m_origin = region.lower - Vec3::Constant(0.5 * side);
+    // A cell more on either side: then no ball within the region is in an outermost cell.
+    m_origin = region.lower - Vec3::Constant(1.5 * side);
 
     m_levels.clear();
     m_count.clear();
@@ -68,7 +72,7 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
     for (Level& level : m_levels) {
         double count = 1;
         for (int axis = 0; axis < 3; ++axis) {
-            level.extent[index(axis)] = cellsAlong(region.size()[axis] + 0.5 * side, level.side);
+            level.extent[index(axis)] = cellsAlong(region.size()[axis] + 2.5 * side, level.side);
             count *= level.extent[index(axis)];
         }
         while (count > mostCells) { // repeat sooner along the longest axis
@@ -78,9 +82,15 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
             longest = std::max(fewestAlongAxis, longest / 2);
             count *= longest;
         }
+        level.tolerance = std::max(0.0, (0.5 - roundingOfPlaces) * level.side - level.largest);
         level.cells = cells;
         level.rows = bytes;
         level.rowBytes = (static_cast<std::size_t>(level.extent[0]) + 2 + 7) / 8;
+        for (std::size_t k = 1; k < 3; ++k) {
+            level.cellStep[k] = level.cellStep[k - 1] * static_cast<std::size_t>(level.extent[k - 1]);
+            level.byteStep[k] =
+                k == 1 ? level.rowBytes : level.rowBytes * static_cast<std::size_t>(level.extent[1]);
+        }
         cells += static_cast<std::size_t>(count);
         bytes += rowOf(level, 0, level.extent[2]) * level.rowBytes;
     }
@@ -91,14 +101,13 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
     m_wallCount = 0;
 }
 
-// Cells are numbered within one repetition, the one that begins at the origin; see surroundingsOf for the
-// others.
+// Cells are numbered within one repetition, the one that begins at the origin; see wallsNear for the others.
 void EventCells::addWall(const Vec3& normal, double offset) {
     constexpr double margin = 0.01; // of a cell: far more than rounding can put a ball beyond its border
     const unsigned bit = 1U << std::min(m_wallCount, wallBits - 1);
     ++m_wallCount;
     for (const Level& level : m_levels) {
-        const double reach = level.largest + margin * level.side;
+        const double reach = level.largest + level.tolerance + margin * level.side;
         // Over a cell, normal·x is least in the corner against the normal.
         const Vec3 corner = m_origin + level.side * (normal.array() < 0).select(Vec3::Ones(), 0).matrix();
         for (std::int32_t z = 0; z < level.extent[2]; ++z)
@@ -131,22 +140,19 @@ inline void EventCells::setBits(const Level& level, std::size_t row, std::int32_
         byte = static_cast<std::uint8_t>(occupied ? byte | mask : byte & ~mask);
     };
     setBit(x + 1);
+    if (static_cast<std::uint32_t>(x - 1) < static_cast<std::uint32_t>(level.extent[0] - 2)) return;
     if (x == 0) setBit(level.extent[0] + 1);
     if (x + 1 == level.extent[0]) setBit(0);
 }
 
-inline void EventCells::link(const Agenda& agenda, std::uint32_t i) {
-    const Level& level = m_levels[agenda.level];
-    const Spot spot = spotOf(level, agenda.place);
+inline void EventCells::link(const Level& level, const Spot& spot, std::uint32_t i) {
     std::uint32_t& first = m_first[spot.slot];
     if (first == nobody) setBits(level, spot.row, spot.x, true);
     m_next[i] = first;
     first = i;
 }
 
-inline void EventCells::unlink(const Agenda& agenda, std::uint32_t i) {
-    const Level& level = m_levels[agenda.level];
-    const Spot spot = spotOf(level, agenda.place);
+inline void EventCells::unlink(const Level& level, const Spot& spot, std::uint32_t i) {
     std::uint32_t* link = &m_first[spot.slot];
     while (*link != i) link = &m_next[*link];
     *link = m_next[i];
@@ -160,13 +166,16 @@ void EventCells::insert(Agendas agendas, std::uint32_t i, const Vec3& position) 
         const double cell = std::floor((position[axis] - m_origin[axis]) / m_levels[agenda.level].side);
         agenda.place[index(axis)] = static_cast<std::int32_t>(std::clamp(cell, -last, last));
     }
-    link(agenda, i);
+    const Level& level = m_levels[agenda.level];
+    link(level, spotOf(level, agenda.place), i);
 }
 
 void EventCells::cross(Agendas agendas, std::uint32_t i, int axis, int direction) {
-    unlink(agendas[i], i);
-    agendas[i].place[index(axis)] += direction;
-    link(agendas[i], i);
+    Place& place = agendas[i].place;
+    const Level& level = m_levels[agendas[i].level];
+    unlink(level, spotOf(level, place), i);
+    place[index(axis)] += direction;
+    link(level, spotOf(level, place), i);
 }
 
 std::size_t EventCells::memoryBytes() const {

@@ -52,23 +52,14 @@ class EventCells {
     /// Moves ball i one cell along an axis, in direction +1 or −1.
     void cross(Agendas agendas, std::uint32_t i, int axis, int direction);
 
-    /// A ball's cell, for who asks when it leaves it and what it may meet there.
-    struct Surroundings {
-        Vec3 lower;             ///< borders [m]
-        double side = 0;        ///< [m]
-        bool isRepeated = true; ///< none of the cells the tables were laid for, but one they stand for too
-        unsigned wallsNear = 0; ///< one bit a wall that can be reached; the last one means all from there on
-    };
     static constexpr unsigned wallBits = 8;
-    Surroundings surroundingsOf(const Agenda& agenda) const {
+    /// One bit a wall that a ball can reach from its cell; the last one means all from there on. All where
+    /// the cell is none that the tables were laid for, but one they stand for too.
+    unsigned wallsNear(const Agenda& agenda) const {
         const Level& level = m_levels[agenda.level];
         const Place& place = agenda.place;
-        Surroundings cell{.lower = m_origin + level.side * Vec3(place[0], place[1], place[2]),
-                          .side = level.side,
-                          .isRepeated = isRepeated(level, place)};
-        cell.wallsNear = cell.isRepeated ? (1U << wallBits) - 1
-                                         : m_walls[slotOf(level, rowOf(level, place[1], place[2]), place[0])];
-        return cell;
+        return isRepeated(level, place) ? (1U << wallBits) - 1
+                                        : m_walls[slotOf(level, rowOf(level, place[1], place[2]), place[0])];
     }
     /// Whether a ball's cell along an axis is so far out that it stays in it for good; only repeated cells
     /// are.
@@ -96,8 +87,23 @@ class EventCells {
         if (m_levels.size() > 1) visitOtherLevels(agendas, agenda, axis, direction, visit);
     }
 
-    double side() const { return m_levels.empty() ? 0 : m_levels.front().side; }
+    /// How far a ball may be from its cell [m]: of two that are in no cells next to each other the surfaces
+    /// are so far apart twice.
+    double tolerance(std::uint8_t level) const { return m_levels[level].tolerance; }
+    /// The lower border of a ball's cell along an axis [m], and how far the upper one is from it.
+    double borderOf(const Agenda& agenda, int axis) const {
+        return m_origin[axis] + m_levels[agenda.level].side * agenda.place[index(axis)];
+    }
+    double sideOf(const Agenda& agenda) const { return m_levels[agenda.level].side; }
     std::size_t memoryBytes() const;
+
+    /// Fetches what looking around ball i will read.
+    void prefetch(const Agenda& agenda) const {
+        const Level& level = m_levels[agenda.level];
+        if (!isInside(level, agenda.place)) return;
+        __builtin_prefetch(
+            &m_first[slotOf(level, rowOf(level, agenda.place[1], agenda.place[2]), agenda.place[0])]);
+    }
 
   private:
     static constexpr std::int32_t farthest = 1 << 29;
@@ -105,10 +111,13 @@ class EventCells {
     struct Level {
         double side = 0;                      ///< [m]
         double largest = 0;                   ///< radius of the balls here [m]
+        double tolerance = 0;                 ///< [m]
         std::array<std::int32_t, 3> extent{}; ///< cells along each axis
         std::size_t cells = 0;                ///< the first in m_first and m_walls
         std::size_t rows = 0;                 ///< the first byte in m_bits
         std::size_t rowBytes = 0;
+        /// From a cell, and from a row's bytes, to the next ones along y and z.
+        std::size_t cellStep[3] = {1, 0, 0}, byteStep[3] = {0, 0, 0};
     };
     using Three = std::array<std::int32_t, 3>;
 
@@ -134,6 +143,11 @@ class EventCells {
         std::memcpy(&bits, m_bits.data() + level.rows + row * level.rowBytes + (x >> 3), sizeof(bits));
         return static_cast<unsigned>(bits) >> (x & 7);
     }
+    static unsigned bitsAt(const std::uint8_t* bytes) {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, bytes, sizeof(bits));
+        return bits;
+    }
     static bool isRepeated(const Level& level, const Place& place) {
         const auto beyond = [&](std::size_t k) {
             return static_cast<unsigned>(static_cast<std::uint32_t>(place[k]) >=
@@ -141,19 +155,32 @@ class EventCells {
         };
         return (beyond(0) | beyond(1) | beyond(2)) != 0;
     }
+    /// Whether no cell around this one is at the other end of the table. All balls between walls are in such
+    /// cells (restart).
+    static bool isInside(const Level& level, const Place& place) {
+        const auto beyond = [&](std::size_t k) {
+            return static_cast<unsigned>(static_cast<std::uint32_t>(place[k] - 1) >=
+                                         static_cast<std::uint32_t>(level.extent[k] - 2));
+        };
+        return (beyond(0) | beyond(1) | beyond(2)) == 0;
+    }
     struct Spot {
         std::size_t row = 0;
         std::int32_t x = 0;
         std::size_t slot = 0;
     };
     static Spot spotOf(const Level& level, const Place& place) {
+        if (!isRepeated(level, place)) {
+            const std::size_t row = rowOf(level, place[1], place[2]);
+            return {row, place[0], slotOf(level, row, place[0])};
+        }
         const std::int32_t x = wrapped(place[0], level.extent[0]);
         const std::size_t row =
             rowOf(level, wrapped(place[1], level.extent[1]), wrapped(place[2], level.extent[2]));
         return {row, x, slotOf(level, row, x)};
     }
-    void link(const Agenda& agenda, std::uint32_t i);
-    void unlink(const Agenda& agenda, std::uint32_t i);
+    void link(const Level& level, const Spot& spot, std::uint32_t i);
+    void unlink(const Level& level, const Spot& spot, std::uint32_t i);
     void setBits(const Level& level, std::size_t row, std::int32_t x, bool occupied);
 
     template<class Visit>
@@ -161,9 +188,36 @@ class EventCells {
         for (std::uint32_t j = m_first[slot]; j != nobody; j = m_next[j]) visit(j);
     }
 
+    // The cells whose bits are set: four bits a row, cell (k, row) at `first` + k + offsets[row].
+    template<std::size_t count, class Visit>
+    void visitBits(std::uint64_t bits, std::size_t first, const std::array<std::size_t, count>& offsets,
+                   const Visit& visit) const {
+        for (; bits != 0; bits &= bits - 1) {
+            const unsigned bit = static_cast<unsigned>(std::countr_zero(bits));
+            visitCell(first + (bit & 3U) + offsets[bit >> 2], visit);
+        }
+    }
+
     // The rows' bits are put together first, so that the loop runs over the few cells that are not empty.
     template<class Visit>
     void visitAround(const Level& level, const Place& place, const Visit& visit) const {
+        if (!isInside(level, place)) return visitAroundWrapped(level, place, visit);
+        const std::size_t row = rowOf(level, place[1] - 1, place[2] - 1);
+        const std::uint8_t* const bytes =
+            m_bits.data() + level.rows + row * level.rowBytes + static_cast<std::size_t>(place[0] >> 3);
+        const int shift = place[0] & 7;
+        std::array<std::size_t, 9> offsets;
+        std::uint64_t occupied = 0;
+        for (unsigned k = 0; k < 9; ++k) {
+            const unsigned bits = bitsAt(bytes + (k % 3) * level.byteStep[1] + (k / 3) * level.byteStep[2]);
+            occupied |= std::uint64_t{bits >> shift & 7U} << (4 * k);
+            offsets[k] = (k % 3) * level.cellStep[1] + (k / 3) * level.cellStep[2];
+        }
+        visitBits(occupied, slotOf(level, row, place[0] - 1), offsets, visit);
+    }
+
+    template<class Visit>
+    void visitAroundWrapped(const Level& level, const Place& place, const Visit& visit) const {
         const std::int32_t x = wrapped(place[0], level.extent[0]);
         const Three xs = around(x, level.extent[0]);
         const Three ys = around(wrapped(place[1], level.extent[1]), level.extent[1]);
@@ -184,6 +238,39 @@ class EventCells {
     template<class Visit>
     void visitSlab(const Level& level, const Place& place, int axis, int direction,
                    const Visit& visit) const {
+        if (!isInside(level, place)) return visitSlabWrapped(level, place, axis, direction, visit);
+        Place from = place; // the first row, and the cell before its bits
+        from[index(axis)] += direction;
+        for (int k = 1; k < 3; ++k)
+            if (k != axis) --from[index(k)];
+        const std::size_t row = rowOf(level, from[1], from[2]);
+        const std::uint8_t* const bytes =
+            m_bits.data() + level.rows + row * level.rowBytes + static_cast<std::size_t>(from[0] >> 3);
+        const int shift = from[0] & 7;
+        std::uint64_t occupied = 0;
+        if (axis == 0) {
+            std::array<std::size_t, 9> offsets;
+            for (unsigned k = 0; k < 9; ++k) {
+                const unsigned bits =
+                    bitsAt(bytes + (k % 3) * level.byteStep[1] + (k / 3) * level.byteStep[2]);
+                occupied |= std::uint64_t{bits >> shift & 2U} << (4 * k);
+                offsets[k] = (k % 3) * level.cellStep[1] + (k / 3) * level.cellStep[2];
+            }
+            visitBits(occupied, slotOf(level, row, from[0] - 1), offsets, visit);
+            return;
+        }
+        const std::size_t other = index(3 - axis);
+        std::array<std::size_t, 3> offsets;
+        for (unsigned k = 0; k < 3; ++k) {
+            occupied |= std::uint64_t{bitsAt(bytes + k * level.byteStep[other]) >> shift & 7U} << (4 * k);
+            offsets[k] = k * level.cellStep[other];
+        }
+        visitBits(occupied, slotOf(level, row, from[0] - 1), offsets, visit);
+    }
+
+    template<class Visit>
+    void visitSlabWrapped(const Level& level, const Place& place, int axis, int direction,
+                          const Visit& visit) const {
         const auto shown = [&](int k) {
             return wrapped(place[index(k)] + (k == axis ? direction : 0), level.extent[index(k)]);
         };

@@ -19,44 +19,78 @@ constexpr double shortest = 1e-6;
 // collapsed. Real gases take about 1.
 constexpr double stalled = 1e-9;
 
+/// Typical times in one call at most: radii that the fastest ball flies.
+constexpr double farthest = 1e12;
+
 /// A ball that bounces within this part of its radius of a wall is put right on it: the rest is rounding.
 constexpr double touching = 1e-9;
 
 } // namespace
 
 Loss EventGas::advanceTo(double time) {
+    if (!(time - m_secondsPast - m_now <= farthest * m_typicalTime)) return fastest();
     const std::uint64_t window = 1000 + 10 * m_stamps.size();
-    std::uint64_t windowEnd = m_counts.events() + window;
+    std::uint64_t windowEnd = m_handled + window;
     double windowStart = -never;
-    const auto before = [this](std::uint32_t i, std::uint32_t j) { return comesBefore(i, j); };
     keepDaysFitting();
     for (;;) {
         const double target = std::min(time - m_secondsPast, m_clockTurn);
-        for (std::uint32_t i = m_queue.earliest(m_agendas, target, before); i != nobody;
-             i = m_queue.earliest(m_agendas, target, before)) {
+        const double limit = std::min(target, m_sliceEnd);
+        for (std::uint32_t i = earliest(limit); i != nobody; i = earliest(limit)) {
             const double happens = m_agendas[i].earliest();
             if (!std::isfinite(m_stamps[i].velocity.squaredNorm())) return {m_bodies[i], "velocity"};
             handle(i);
-            if (m_counts.events() < windowEnd) continue;
+            if (m_handled < windowEnd) continue;
             if (happens - windowStart < stalled * m_typicalTime) return {m_bodies[i], "time between events"};
             windowStart = happens;
-            windowEnd = m_counts.events() + window;
+            windowEnd = m_handled + window;
             m_now = happens;
             keepDaysFitting();
         }
-        m_now = target;
-        if (target < m_clockTurn) return {};
-        setClockBack();
-        windowStart -= m_clockTurn;
+        m_now = limit;
+        if (m_sliceEnd < target) {
+            beginSlice();
+        } else if (target < m_clockTurn) {
+            return {};
+        } else {
+            setClockBack();
+            windowStart -= m_clockTurn;
+        }
     }
+}
+
+Loss EventGas::fastest() const {
+    std::size_t first = 0;
+    const auto speed = [this](std::size_t i) { return m_stamps[i].velocity.cwiseAbs().maxCoeff(); };
+    for (std::size_t i = 0; i < m_stamps.size(); ++i)
+        if (speed(i) > speed(first)) first = i;
+    return m_stamps.empty() ? Loss{} : Loss{m_bodies[first], "velocity"};
+}
+
+std::uint32_t EventGas::earliest(double limit) {
+    return m_queue.earliest(
+        m_agendas, limit, [this](std::uint32_t i, std::uint32_t j) { return comesBefore(i, j); },
+        [this](std::uint32_t i, bool soon) {
+            if (!soon) {
+                __builtin_prefetch(&m_agendas[i]);
+                __builtin_prefetch(&m_stamps[i]);
+                return;
+            }
+            const Agenda& agenda = m_agendas[i];
+            m_cells.prefetch(agenda);
+            if (!agenda.meetsNext()) return;
+            __builtin_prefetch(&m_agendas[agenda.partner]);
+            __builtin_prefetch(&m_stamps[agenda.partner]);
+        });
 }
 
 void EventGas::handle(std::uint32_t i) {
     Agenda& agenda = m_agendas[i];
+    ++m_handled;
     m_queue.remove(m_agendas, i);
     if (!agenda.meetsNext()) {
-        if (agenda.other < Agenda::firstWall) return crossCell(i);
-        return bounce(i, static_cast<std::uint16_t>(agenda.other - Agenda::firstWall), agenda.otherTime);
+        if (agenda.other == Agenda::border) return crossCell(i);
+        return bounce(i, agenda.other, agenda.otherTime);
     }
     if (m_agendas[agenda.partner].changes == agenda.partnerChanges)
         return collide(i, agenda.partner, agenda.pairTime);
@@ -111,8 +145,10 @@ void EventGas::push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double
 }
 
 void EventGas::finishStrike(std::uint32_t i) {
-    if (!isFree(i) && isMobile(i)) settle(i, Rest(m_rests[m_agendas[i].rest]));
-    plan(i);
+    if (!isMobile(i)) return;
+    if (!isFree(i)) settle(i, Rest(m_rests[m_agendas[i].rest]));
+    plan(i, m_stamps[i].time);
+    m_queue.insert(m_agendas, i);
 }
 
 void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
@@ -136,7 +172,8 @@ void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
     else if (!isFree(i))
         settle(i, Rest(m_rests[m_agendas[i].rest]));
     m_agendas[i].last = Agenda::wallMark | index;
-    plan(i);
+    plan(i, time);
+    m_queue.insert(m_agendas, i);
 }
 
 /// The gap that a flight to a wall begins with. A ball that has just bounced there touches it: 0, not what
@@ -154,16 +191,6 @@ void EventGas::note(const BoundedWall& wall, const Stamp& stamp, double impulse)
         m_tally.walls[static_cast<std::size_t>(&wall - m_walls.data())] += impulse;
 }
 
-void EventGas::crossCell(std::uint32_t i) {
-    ++m_counts.crossings;
-    const Agenda& agenda = m_agendas[i];
-    const int axis = agenda.other / 2, direction = agenda.other % 2 == 1 ? 1 : -1;
-    m_cells.cross(m_agendas, i, axis, direction);
-    m_cells.newlyAround(m_agendas, i, axis, direction, [&](std::uint32_t j) { considerPair(i, j); });
-    planOther(i, agenda.otherTime);
-    m_queue.insert(m_agendas, i);
-}
-
 /// Carries the ball's stamp to `time`; whatever was found out about it before is off.
 void EventGas::restamp(std::uint32_t i, double time) {
     Stamp& stamp = m_stamps[i];
@@ -174,11 +201,14 @@ void EventGas::restamp(std::uint32_t i, double time) {
     ++m_agendas[i].changes;
 }
 
-void EventGas::plan(std::uint32_t i) {
-    if (!isMobile(i)) return;
+/// Looks for whatever a ball may do next, after it got a new stamp or was put into a cell at `now`; leaves it
+/// out of the queue.
+void EventGas::plan(std::uint32_t i, double now) {
+    planBorders(i, now);
+    passEarly(i, now);
     planPairs(i);
-    planOther(i, m_stamps[i].time);
-    m_queue.insert(m_agendas, i);
+    planWalls(i);
+    if (m_nextBorders[i] < m_sliceEnd) considerBorder(i);
 }
 
 void EventGas::planPairs(std::uint32_t i) {
@@ -188,18 +218,9 @@ void EventGas::planPairs(std::uint32_t i) {
     m_cells.aroundBall(m_agendas, i, [&](std::uint32_t j) { considerPair(i, j); });
 }
 
-// Two balls that have just collided and that nothing has happened to since fly apart for ever, as long as
-// gravity bends both paths alike; rounding must not make them collide again.
-inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
-    ++m_counts.tested;
+/// What a ball has found.
+void EventGas::noteMeeting(std::uint32_t i, std::uint32_t j, double time) {
     Agenda& agenda = m_agendas[i];
-    const bool free = m_unusedRests.size() == m_rests.size() || (isFree(i) && isFree(j));
-    const Vec3& acceleration = free ? m_gravity : accelerationOf(i);
-    const bool alike = free || acceleration == accelerationOf(j);
-    const double time = alike ? pairTime(m_stamps[i], m_stamps[j], acceleration)
-                              : pairTime(m_stamps[i], acceleration, m_stamps[j], accelerationOf(j));
-    if (!(time <= agenda.pairTime + m_tie) || time == never) return;
-    if (alike && agenda.last == j && m_agendas[j].last == i) return;
     agenda.tied = agenda.pairTime - time <= m_tie ? 1 : 0;
     if (!(time <= agenda.pairTime)) return;
     if (time == agenda.pairTime && !pairBefore(i, j, i, agenda.partner)) return;
@@ -208,43 +229,14 @@ inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
     agenda.partnerChanges = m_agendas[j].changes;
 }
 
-// Borders are seen from `now`, not from the stamp: the stamp may lie cells away, on the other side of one.
-// Crossings need not be the same to the bit, because no motion depends on them. Walls are.
-void EventGas::planOther(std::uint32_t i, double now) {
-    Agenda& agenda = m_agendas[i];
-    const Vec3& acceleration = accelerationOf(i);
-    const EventCells::Surroundings cell = m_cells.surroundingsOf(agenda);
-    const Vec3 above = positionAt(m_stamps[i], acceleration, now) - cell.lower;
-    const Vec3 velocity = velocityAt(m_stamps[i], acceleration, now);
-    // Without an acceleration along an axis the ball leaves by the border its velocity points to. No branch
-    // depends on the velocity: that would be a coin's toss to the processor.
-    std::array<double, 3> times;
-    std::array<unsigned, 3> upwards;
-    for (int axis = 0; axis < 3; ++axis) {
-        constexpr double least = 1e-300; // of a gap [m], so that no speed at all means never
-        const std::size_t k = static_cast<std::size_t>(axis);
-        const double v = velocity[axis], half = 0.5 * cell.side;
-        times[k] = std::max(half + std::copysign(1.0, v) * (half - above[axis]), least) / std::abs(v);
-        upwards[k] = v > 0 ? 1 : 0;
-    }
-    if (!m_weightless || !isFree(i))
-        for (int axis = 0; axis < 3; ++axis) {
-            const double v = velocity[axis], a = acceleration[axis];
-            if (a == 0) continue;
-            const std::size_t k = static_cast<std::size_t>(axis);
-            const double down = timeToPlane(above[axis], v, a);
-            const double up = timeToPlane(cell.side - above[axis], -v, -a);
-            upwards[k] = up < down ? 1 : 0;
-            times[k] = std::min(up, down);
-        }
-    if (cell.isRepeated)
-        for (int axis = 0; axis < 3; ++axis)
-            if (EventCells::isOutermost(agenda, axis)) times[static_cast<std::size_t>(axis)] = never;
-    const std::size_t first = times[1] < times[0] ? 1 : 0;
-    const std::size_t axis = times[2] < times[first] ? 2 : first;
-    agenda.otherTime = now + times[axis];
-    agenda.other = static_cast<std::uint16_t>(2 * axis + upwards[axis]);
-    for (unsigned near = cell.wallsNear; near != 0; near &= near - 1) {
+void EventGas::planWalls(std::uint32_t i) {
+    m_agendas[i].otherTime = never;
+    m_agendas[i].other = Agenda::border;
+    considerWalls(i, m_cells.wallsNear(m_agendas[i]));
+}
+
+void EventGas::considerWalls(std::uint32_t i, unsigned near) {
+    for (; near != 0; near &= near - 1) {
         const unsigned k = static_cast<unsigned>(std::countr_zero(near));
         if (k + 1 < EventCells::wallBits) {
             if (k < m_walls.size()) considerWall(i, k);
@@ -266,11 +258,11 @@ void EventGas::considerWall(std::uint32_t i, std::size_t k) {
                                                  wall.normal.dot(accelerationOf(i)));
     if (time < agenda.otherTime) {
         agenda.otherTime = time;
-        agenda.other = static_cast<std::uint16_t>(Agenda::firstWall + k);
+        agenda.other = number;
     }
 }
 
-// At equal times: crossings, then walls, then pairs, and pairs that do not touch each other by the places of
+// At equal times: borders, then walls, then pairs, and pairs that do not touch each other by the places of
 // their stamps (those that do: event_moments.cpp). Numbers and cells have no say, so neither the order of the
 // text nor the size of the cells changes what happens.
 bool EventGas::comesBefore(std::uint32_t i, std::uint32_t j) const {
@@ -278,8 +270,8 @@ bool EventGas::comesBefore(std::uint32_t i, std::uint32_t j) const {
     const Agenda& b = m_agendas[j];
     if (a.meetsNext() != b.meetsNext()) return b.meetsNext();
     if (a.meetsNext()) return pairBefore(i, a.partner, j, b.partner);
-    const bool crosses = a.other < Agenda::firstWall;
-    if (crosses != (b.other < Agenda::firstWall)) return crosses;
+    const bool crosses = a.other == Agenda::border;
+    if (crosses != (b.other == Agenda::border)) return crosses;
     return i < j;
 }
 
@@ -323,6 +315,7 @@ void EventGas::restOn(std::uint32_t i, std::uint16_t wall) {
         index = m_unusedRests.back();
         m_unusedRests.pop_back();
         m_rests[index] = {};
+        m_allFree = false;
     }
     Rest& rest = m_rests[index];
     if (rest.count < Rest::mostWalls) rest.walls[rest.count++] = wall;
@@ -334,17 +327,26 @@ void EventGas::restOn(std::uint32_t i, std::uint16_t wall) {
 void EventGas::release(std::uint32_t i) {
     m_unusedRests.push_back(m_agendas[i].rest);
     m_agendas[i].rest = nobody;
+    m_allFree = m_unusedRests.size() == m_rests.size();
 }
 
 void EventGas::write(State& state) const {
     for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
         if (!isMobile(i)) continue;
+        const Stamp& stamp = m_stamps[i];
         const Vec3& acceleration = accelerationOf(i);
-        const WithRest<Vec3> place =
-            exactSum(m_stamps[i].position, wayTo(m_stamps[i], acceleration, m_now) + m_placeRests[i]);
-        state.pose[m_bodies[i]].position = place.value;
-        state.positionRest[m_bodies[i]] = place.rest;
-        state.velocity[m_bodies[i]] = velocityAt(m_stamps[i], acceleration, m_now);
+        const double passed = m_now - stamp.time;
+        const BodyIndex body = m_bodies[i];
+        Vec3 &place = state.pose[body].position, &rest = state.positionRest[body];
+        Vec3& velocity = state.velocity[body];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double way =
+                passed * (stamp.velocity[axis] + (0.5 * passed) * acceleration[axis]) + m_placeRests[i][axis];
+            const WithRest<double> sum = exactSum(stamp.position[axis], way);
+            place[axis] = sum.value;
+            rest[axis] = sum.rest;
+            velocity[axis] = stamp.velocity[axis] + passed * acceleration[axis];
+        }
     }
 }
 
@@ -352,8 +354,9 @@ std::size_t EventGas::memoryBytes() const {
     return m_stamps.capacity() * sizeof(Stamp) + m_placeRests.capacity() * sizeof(Vec3) +
            m_agendas.capacity() * sizeof(Agenda) + m_bodies.capacity() * sizeof(BodyIndex) +
            m_materials.capacity() * sizeof(Material) + m_rests.capacity() * sizeof(Rest) +
-           (m_lastLosses.capacity() + m_order.capacity()) * sizeof(double) + m_cells.memoryBytes() +
-           m_queue.memoryBytes();
+           (m_lastLosses.capacity() + m_order.capacity() + m_nextBorders.capacity()) * sizeof(double) +
+           m_borders.capacity() * sizeof(m_borders.front()) + m_passing.capacity() * sizeof(std::uint32_t) +
+           m_cells.memoryBytes() + m_queue.memoryBytes();
 }
 
 } // namespace carom

@@ -11,6 +11,7 @@
 #include "core/solvers/event_rest.h"
 #include "core/solvers/event_times.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,11 +22,20 @@
 //
 //     pair      the earliest meeting with another ball it has found, and how often that other had
 //               changed when it was found: if it has changed since, the meeting is off and is looked for anew
-//     other     the earlier of its next wall and the border of its cell; behind a border nine new cells are
-//               searched
+//     other     its next wall
+//     border    when it leaves its cell; behind a border nine new cells are searched
 //
-// and the queue holds the earlier of the two. Only the ball that searched knows of a pair. That loses
-// nothing: what one of the two dropped, it dropped for something earlier, and looks again then.
+// and the queue holds the earlier of pair and other. Borders, five for every collision, have no order among
+// them and some room: cells are wider than balls, so a ball may be put into its next cell a little before it
+// gets there. So all that will pass a border in the next slice of time do so at once when it begins, one
+// after the other as they lie in memory; only where a slice takes a ball too far is its border an event of
+// its own, in the place of the wall.
+//
+//     time   |-----x---x-----x--|--x------x----x---|---x----      x collisions, bounces
+//            ^ borders up to    ^ borders up to    ^
+//
+// Only the ball that searched knows of a pair. That loses nothing: what one of the two dropped, it dropped
+// for something earlier, and looks again then.
 //
 // B. J. Alder, T. E. Wainwright, "Studies in molecular dynamics I", Journal of Chemical Physics 31 (1959);
 // D. C. Rapaport, "The event scheduling problem in molecular dynamic simulation", Journal of Computational
@@ -58,7 +68,8 @@ class EventGas {
     EventGas(const Bodies& bodies, const State& state, const Vec3& gravity);
 
     /// Lives through everything up to `time` [s] after the start; times must not decrease. Breaks off with
-    /// the ball concerned if time ceases to pass between the events (inelastic collapse).
+    /// the ball concerned if time ceases to pass between the events (inelastic collapse), or if the fastest
+    /// would fly 1e12 radii: there would be no end to the borders that it passes.
     Loss advanceTo(double time);
 
     /// How long it goes by one clock [s]; setting it back rounds times anew.
@@ -98,17 +109,24 @@ class EventGas {
         Vec3 normal = Vec3::UnitY(); ///< from a to b
     };
 
+    /// Of a border.
+    struct Passage {
+        int axis = 0, direction = 0;
+    };
+
     // Setting up, in event_gas_setup.cpp.
     void takeBodies(const Bodies& bodies, const State& state);
     void sortByPlace();
     Aabb regionOfCentres() const;
     void layCells();
     void fillCells();
-    void planAll(double now);
+    void planAll();
     void fillQueue(double eventsPerSecond);
     double pendingRate(double now) const;
     void setClockBack();
 
+    Loss fastest() const;
+    std::uint32_t earliest(double limit);
     void handle(std::uint32_t i);
     void collide(std::uint32_t i, std::uint32_t j, double time);
     double restitutionAt(std::uint32_t i, std::uint32_t j, double time);
@@ -116,12 +134,13 @@ class EventGas {
     void push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double impulse);
     void finishStrike(std::uint32_t i);
     void bounce(std::uint32_t i, std::uint16_t index, double time);
-    void crossCell(std::uint32_t i);
     void restamp(std::uint32_t i, double time);
-    void plan(std::uint32_t i);
+    void plan(std::uint32_t i, double now);
     void planPairs(std::uint32_t i);
     void considerPair(std::uint32_t i, std::uint32_t j);
-    void planOther(std::uint32_t i, double now);
+    void noteMeeting(std::uint32_t i, std::uint32_t j, double time);
+    void planWalls(std::uint32_t i);
+    void considerWalls(std::uint32_t i, unsigned near);
     void considerWall(std::uint32_t i, std::size_t k);
     double gapTo(const BoundedWall& wall, std::uint32_t i) const {
         return carom::gapTo(m_stamps[i], m_placeRests[i], wall.normal, wall.offset);
@@ -130,6 +149,20 @@ class EventGas {
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysFitting();
+
+    // Borders of cells, in event_borders.cpp.
+    void planBorders(std::uint32_t i, double now);
+    void planBorder(std::uint32_t i, int axis, double now);
+    void noteNextBorder(std::uint32_t i);
+    Passage nextPassage(std::uint32_t i) const;
+    bool mayPassEarly(std::uint32_t i, int axis, double now) const;
+    void passBorder(std::uint32_t i, Passage next);
+    void passEarly(std::uint32_t i, double now);
+    void passBorders(std::uint32_t i, double now);
+    void considerBorder(std::uint32_t i);
+    void crossCell(std::uint32_t i);
+    void findPassing();
+    void beginSlice();
 
     // Several collisions at one moment, in event_moments.cpp.
     bool isCrowded(std::uint32_t i, std::uint32_t j, double time);
@@ -143,7 +176,7 @@ class EventGas {
     double inverseMassOf(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass; }
     bool isFree(std::uint32_t i) const { return m_agendas[i].rest == nobody; }
     const Vec3& accelerationOf(std::uint32_t i) const {
-        return isFree(i) ? m_gravity : m_rests[m_agendas[i].rest].acceleration;
+        return m_allFree || isFree(i) ? m_gravity : m_rests[m_agendas[i].rest].acceleration;
     }
     void settle(std::uint32_t i, const Rest& before);
     void restOn(std::uint32_t i, std::uint16_t wall);
@@ -159,14 +192,18 @@ class EventGas {
     std::vector<double> m_lastLosses; ///< when each ball last lost energy to another [s]; none if all bounce
                                       ///< elastically
     std::vector<BoundedWall> m_walls;
-    std::vector<std::uint32_t> m_cluster; ///< scratch of meetAtOnce
-    std::vector<Touch> m_touches;         ///< the same
-    std::vector<Touch> m_group;           ///< those of them that are struck together
-    std::vector<std::uint64_t> m_order;   ///< scratch of sortByPlace
+    std::vector<std::uint32_t> m_cluster;         ///< scratch of meetAtOnce
+    std::vector<Touch> m_touches;                 ///< the same
+    std::vector<Touch> m_group;                   ///< those of them that are struck together
+    std::vector<std::uint64_t> m_order;           ///< scratch of sortByPlace
+    std::vector<std::array<double, 3>> m_borders; ///< when each ball leaves its cell along each axis [s]
+    std::vector<double> m_nextBorders;            ///< the first of these
+    std::vector<std::uint32_t> m_passing;         ///< scratch of beginSlice
     EventCells m_cells;
     EventQueue m_queue;
     Vec3 m_gravity;
     bool m_weightless = false; ///< no gravity
+    bool m_allFree = true;     ///< no ball rests on a wall or is fixed
     double m_typicalTime = 1;  ///< a radius at the scene's typical speed [s]: what counts as short
     double m_tie = 0;          ///< times no further apart are one moment, but for rounding [s]
     double m_clockTurn = 1;    ///< the clock is set back whenever so much time has passed [s]
@@ -175,10 +212,29 @@ class EventGas {
     EventCounts m_counts;
     ImpulseTally m_tally;
     Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
-    std::uint64_t m_countsAtTurn = 0;    ///< events when the clock was last set back
-    double m_daysPerSecond = 1;          ///< of the queue
-    std::uint64_t m_countsAtFilling = 0; ///< events when the queue was last filled,
-    double m_timeOfFilling = 0;          ///< and when that was
+    double m_slice = 1;                   ///< of time, see above [s]
+    double m_sliceEnd = 0;                ///< borders up to then are passed, or in the queue
+    std::size_t m_queuedBorders = 0;      ///< in this slice
+    std::uint64_t m_handled = 0;          ///< events of the queue
+    std::uint64_t m_handledAtTurn = 0;    ///< when the clock was last set back
+    double m_daysPerSecond = 1;           ///< of the queue
+    std::uint64_t m_handledAtFilling = 0; ///< when the queue was last filled,
+    double m_timeOfFilling = 0;           ///< and when that was
 };
+
+// Two balls that have just collided and that nothing has happened to since fly apart for ever, as long as
+// gravity bends both paths alike; rounding must not make them collide again.
+[[gnu::always_inline]] inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
+    ++m_counts.tested;
+    const Agenda& agenda = m_agendas[i];
+    const Stamp &a = m_stamps[i], &b = m_stamps[j];
+    const bool alike = m_allFree || accelerationOf(i) == accelerationOf(j);
+    const double time = m_allFree && m_weightless ? pairTime(a, b)
+                        : alike                   ? pairTime(a, b, accelerationOf(i))
+                                                  : pairTime(a, accelerationOf(i), b, accelerationOf(j));
+    if (!(time <= agenda.pairTime + m_tie) || time == never) return;
+    if (alike && agenda.last == j && m_agendas[j].last == i) return;
+    noteMeeting(i, j, time);
+}
 
 } // namespace carom

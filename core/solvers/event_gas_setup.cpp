@@ -20,6 +20,8 @@ namespace {
 constexpr int clockBits = 8;
 /// Times are rounded to this part of a turn, a few times over.
 constexpr double tieRounding = 4e-15;
+/// Of the typical time; later slices are fitted to what happens.
+constexpr double firstSlice = 0.4;
 
 } // namespace
 
@@ -28,7 +30,7 @@ EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity
     takeBodies(bodies, state);
     sortByPlace();
     layCells();
-    planAll(0);
+    planAll();
     fillQueue(pendingRate(0));
 }
 
@@ -44,6 +46,9 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
     m_bodies.reserve(count);
     m_agendas.resize(count);
     m_order.resize(count);
+    m_borders.assign(count, {never, never, never});
+    m_nextBorders.assign(count, never);
+    m_passing.reserve(count);
     std::map<std::pair<double, double>, std::uint32_t> materials;
     double radii = 0, fastest = 0;
     bool dissipates = false;
@@ -62,6 +67,7 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
         if (!mobile) {
             agenda.rest = static_cast<std::uint32_t>(m_rests.size());
             m_rests.emplace_back();
+            m_allFree = false;
         }
         dissipates = dissipates || material.elastic < 1;
         radii += radius;
@@ -70,9 +76,11 @@ void EventGas::takeBodies(const Bodies& bodies, const State& state) {
     if (dissipates) m_lastLosses.assign(count, -never);
     const double radius = count == 0 ? 1 : radii / static_cast<double>(count);
     const double speed = std::max(fastest, std::sqrt(m_gravity.norm() * radius));
-    if (speed > 0) m_typicalTime = radius / speed;
+    constexpr double shortest = 1e-290; // so that rates are finite; no call is as short (advanceTo)
+    if (speed > 0) m_typicalTime = std::max(radius / speed, shortest);
     m_clockTurn = std::ldexp(1.0, std::ilogb(m_typicalTime) + clockBits);
     m_tie = tieRounding * m_clockTurn;
+    m_slice = firstSlice * m_typicalTime;
 }
 
 // Balls that are near each other should be near each other in memory: order by Morton's curve. The upper half
@@ -145,12 +153,11 @@ void EventGas::fillCells() {
         m_cells.insert(m_agendas, i, positionAt(m_stamps[i], accelerationOf(i), m_now));
 }
 
-void EventGas::planAll(double now) {
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
-        if (!isMobile(i)) continue;
-        planPairs(i);
-        planOther(i, now);
-    }
+void EventGas::planAll() {
+    m_sliceEnd = m_now + m_slice;
+    m_queuedBorders = 0;
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
+        if (isMobile(i)) plan(i, m_now);
 }
 
 /// How many events a second to expect: the median of the waiting times, which a burst does not disturb.
@@ -170,7 +177,7 @@ void EventGas::fillQueue(double eventsPerSecond) {
     constexpr double most = 1e9; // days a turn of the clock: more would cost more to pass than their events
     m_daysPerSecond = std::clamp(eventsPerSecond, 1 / m_clockTurn, most / m_clockTurn);
     m_queue.restart(m_agendas, m_daysPerSecond, m_now);
-    m_countsAtFilling = m_counts.events();
+    m_handledAtFilling = m_handled;
     m_timeOfFilling = m_now;
     for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
         if (isMobile(i)) m_queue.insert(m_agendas, i);
@@ -182,15 +189,15 @@ void EventGas::fillQueue(double eventsPerSecond) {
 void EventGas::keepDaysFitting() {
     constexpr double mostEventsADay = 4, mostDaysAnEvent = 16;
     const double passed = m_now - m_timeOfFilling, days = m_daysPerSecond * passed;
-    const double events = static_cast<double>(m_counts.events() - m_countsAtFilling);
+    const double events = static_cast<double>(m_handled - m_handledAtFilling);
     const double balls = static_cast<double>(m_stamps.size()); // filling passes over all of them
     if (events > mostEventsADay * (days + 1) || days > mostDaysAnEvent * (events + balls))
         fillQueue(events / std::max(passed, 1e-300));
 }
 
 void EventGas::setClockBack() {
-    const double events = static_cast<double>(m_counts.events() - m_countsAtTurn);
-    m_countsAtTurn = m_counts.events();
+    const double events = static_cast<double>(m_handled - m_handledAtTurn);
+    m_handledAtTurn = m_handled;
     m_secondsPast += m_clockTurn;
     m_now -= m_clockTurn;
     for (Stamp& stamp : m_stamps) stamp.time -= m_clockTurn;
@@ -200,7 +207,7 @@ void EventGas::setClockBack() {
         layCells();
     else
         fillCells();
-    planAll(m_now);
+    planAll();
     fillQueue(events / m_clockTurn);
 }
 

@@ -37,8 +37,9 @@ constexpr double singular = 1e-10;
 // others wait in the queue.
 bool EventGas::isCrowded(std::uint32_t i, std::uint32_t j, double time) {
     if ((m_agendas[i].tied | m_agendas[j].tied) != 0) return true;
-    const auto before = [this](std::uint32_t a, std::uint32_t b) { return comesBefore(a, b); };
-    return m_queue.earliest(m_agendas, time + m_tie, before) != nobody;
+    if (!m_queue.mayHaveMore(time + m_tie)) return false;
+    m_queue.remove(m_agendas, j); // it may know of the same meeting
+    return earliest(time + m_tie) != nobody;
 }
 
 // All pairs that touch, from i and j on over mobile balls.

@@ -3,6 +3,7 @@
 
 #include "core/solvers/event_agenda.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -60,31 +61,47 @@ class EventQueue {
     }
 
     /// The body with the earliest event not after `limit`, or nobody. Of equal times the one wins that
-    /// `before(i, j)` says; a strict order.
-    template<class Before>
-    std::uint32_t earliest(Agendas agendas, double limit, const Before& before) {
+    /// `before(i, j)` says; a strict order. Who is first some days later is shown to
+    /// `foresee(i, soon)`: first when that is still far, then when it is soon.
+    template<class Before, class Foresee>
+    std::uint32_t earliest(Agendas agendas, double limit, const Before& before, const Foresee& foresee) {
         if (m_count == 0) return nobody;
         const double lastDay = limit * m_daysPerSecond;
         for (;;) {
             std::uint32_t best = m_days[static_cast<std::uint32_t>(m_today) & m_mask];
             if (best != nobody) {
-                double bestTime = agendas[best].earliest();
+                double bestTime = agendas[best].earliest(), second = never;
                 for (std::uint32_t i = agendas[best].queueNext; i != nobody; i = agendas[i].queueNext) {
                     const double time = agendas[i].earliest();
-                    if (time > bestTime || (time == bestTime && !before(i, best))) continue;
+                    if (time > bestTime || (time == bestTime && !before(i, best))) {
+                        second = std::min(second, time);
+                        continue;
+                    }
+                    second = bestTime;
                     best = i;
                     bestTime = time;
                 }
+                m_second = second;
                 return bestTime <= limit ? best : nobody;
             }
             if (static_cast<double>(m_today) >= lastDay) return nobody;
             if (++m_today >= m_sorted) sortBeyond(agendas);
+            for (const std::int64_t days : ahead) {
+                const std::uint32_t later = m_days[static_cast<std::uint32_t>(m_today + days) & m_mask];
+                if (later != nobody) foresee(later, days == ahead.back());
+            }
         }
+    }
+    /// Just after earliest(): whether it may not have been the only event up to `limit`, a moment later.
+    bool mayHaveMore(double limit) const {
+        return m_second <= limit || limit * m_daysPerSecond >= static_cast<double>(m_today + 1);
     }
 
     std::size_t memoryBytes() const { return m_days.capacity() * sizeof(std::uint32_t); }
 
   private:
+    static constexpr std::array<std::int64_t, 2> ahead = {4, 2};
+
     void sortBeyond(Agendas agendas);
 
     std::vector<std::uint32_t> m_days; ///< first body of each day; the last list is `beyond`
@@ -95,6 +112,7 @@ class EventQueue {
     std::int64_t m_today = 0;
     std::int64_t m_sorted = 0; ///< the day on which `beyond` is to be looked through again
     double m_yearEnd = 0;      ///< the first day whose events wait beyond
+    double m_second = never;   ///< the time of the second earliest event of today when it was looked at last
 };
 
 } // namespace carom

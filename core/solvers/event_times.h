@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 // When things meet, in closed form. Each function is a pure function of the stamps it is given, never of the
@@ -26,6 +28,14 @@ struct alignas(64) Stamp {
     double radius = 0;            ///< [m]
 };
 static_assert(sizeof(Stamp) == 64);
+
+/// Two neighbouring numbers of a stamp in one register: (x, y), (z, time), (vx, vy), (vz, radius).
+using HalfStamp = double __attribute__((vector_size(16)));
+inline HalfStamp halfOf(const Stamp& stamp, std::size_t k) {
+    HalfStamp half;
+    std::memcpy(&half, reinterpret_cast<const char*>(&stamp) + k * sizeof(half), sizeof(half));
+    return half;
+}
 
 /// From the place of the stamp on [m].
 inline Vec3 wayTo(const Stamp& stamp, const Vec3& acceleration, double time) {
@@ -79,22 +89,36 @@ inline double speedAtPlane(double s, double w, double a) {
 ///     t = c / (sqrt(b² − U² c) − b)      if b < 0 and the root exists
 ///
 /// If they overlap by rounding and approach, it is now. Returns the time itself, not the time until then.
-inline double pairTime(const Stamp& a, const Stamp& b, const Vec3& g) {
+template<bool falling>
+inline double pairTimeUnder(const Stamp& a, const Stamp& b, const Vec3& g) {
     const double later = std::max(a.time, b.time);
     const double da = later - a.time;
     const double db = later - b.time;
-    const Vec3 U = (b.velocity - a.velocity) + (db - da) * g;
-    const Vec3 D =
-        (b.position - a.position) + (db * b.velocity - da * a.velocity) + (0.5 * (db * db - da * da)) * g;
-    const double approach = D.dot(U);
+    const HalfStamp xyA = halfOf(a, 0), zA = halfOf(a, 1), xyB = halfOf(b, 0), zB = halfOf(b, 1);
+    const HalfStamp vxyA = halfOf(a, 2), vzA = halfOf(a, 3), vxyB = halfOf(b, 2), vzB = halfOf(b, 3);
+    HalfStamp Uxy = vxyB - vxyA, Uz = vzB - vzA; // the second number of z is none of the vector's
+    HalfStamp Dxy = (xyB - xyA) + (db * vxyB - da * vxyA), Dz = (zB - zA) + (db * vzB - da * vzA);
+    if constexpr (falling) {
+        const HalfStamp gxy = {g.x(), g.y()}, gz = {g.z(), 0};
+        const double lag = db - da, fall = 0.5 * (db * db - da * da);
+        Uxy += lag * gxy;
+        Uz += lag * gz;
+        Dxy += fall * gxy;
+        Dz += fall * gz;
+    }
+    const auto dot = [](const HalfStamp& xy, const HalfStamp& z) { return (xy[0] + xy[1]) + z[0]; };
+    const double approach = dot(Dxy * Uxy, Dz * Uz);
     const double R = a.radius + b.radius;
-    const double c = D.squaredNorm() - R * R;
-    const double discriminant = approach * approach - U.squaredNorm() * c;
+    const double c = dot(Dxy * Dxy, Dz * Dz) - R * R;
+    const double discriminant = approach * approach - dot(Uxy * Uxy, Uz * Uz) * c;
     // Both at once: each alone is a coin's toss to the processor's prediction, and most pairs fail one.
     if (static_cast<unsigned>(approach < 0) & static_cast<unsigned>(discriminant >= 0))
         return c <= 0 ? later : later + c / (std::sqrt(discriminant) - approach);
     return never;
 }
+inline double pairTime(const Stamp& a, const Stamp& b, const Vec3& g) { return pairTimeUnder<true>(a, b, g); }
+/// Without gravity: the same to the bit.
+inline double pairTime(const Stamp& a, const Stamp& b) { return pairTimeUnder<false>(a, b, Vec3::Zero()); }
 
 /// The same for two balls with accelerations of their own (one rests on a wall or is fixed): |D + U t + A
 /// t²/2| = R is a quartic, whose first falling root is isolated between the extrema of its derivatives.

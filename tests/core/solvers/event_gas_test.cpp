@@ -204,6 +204,21 @@ class EventGasTest : public QObject {
         }
     }
 
+    // Such a ball passed a border of its cell at every instant, and the call had no end.
+    void aBallTooFastForAnyCellIsTold() {
+        for (const double speed : {1.5e308, 1e155, 1e20}) {
+            const Body slow = sphere(0.5, 1, Vec3(0, 5, 0)),
+                       fast = sphere(0.5, 1, Vec3(3, 5, 0), speed * Vec3::UnitY());
+            const Scene scene = test::sceneOf({wall(Vec3(0, 1, 0), 0), slow, fast}, down);
+            const Bodies bodies = bodiesOf(scene);
+            EventGas gas(bodies, initialStateOf(scene), down);
+            const Loss loss = gas.advanceTo(1.0 / 60);
+            QVERIFY(loss);
+            QCOMPARE(loss.body, BodyIndex{2});
+            QCOMPARE(loss.quantity, std::string_view("velocity"));
+        }
+    }
+
     void theTalliesOfImpulsesAddUp() {
         const Body left = sphere(0.5, 2, Vec3(1, 1, 1), Vec3(3, 0, 0));
         const Body right = sphere(0.5, 2, Vec3(4, 1, 1));
