@@ -29,7 +29,8 @@ constexpr double touching = 1e-12;
 // these is reported as an impact: early by less than its gap, but never missed.
 constexpr int maxSteps = 20000;
 constexpr int maxNarrowings = 200;
-// Touching shapes that part are followed by steps of this part of the size.
+// Shapes that part, and are no further apart than this part of the size, are followed by steps of it: steps
+// that are proofs would be thousands, each hardly longer than the gap.
 constexpr double partingStep = 1e-6;
 
 double spinRadius(const Shape& shape) {
@@ -156,6 +157,8 @@ std::optional<Impact> advance(const Flight& flight, double duration) {
             const std::optional<double> safe = flight.safeStep(time, contact);
             if (!safe) return std::nullopt;
             ahead = *safe;
+            if (contact.distance <= partingStep * flight.size() && !flight.isApproaching(time, contact))
+                ahead = std::max(ahead, partingStep * flight.size() / flight.fastest(duration));
             // A regular approach, twice in a row: look where it leads.
             const double rate = step > 0 ? (lastDistance - contact.distance) / (time - lastTime) : 0;
             const double meeting = time + 1.01 * contact.distance / rate;
