@@ -26,6 +26,8 @@ constexpr int smallGroupSteps = 60;
 /// The tolerance by sweeps, and how many at most.
 constexpr double sweepTolerance = 1e-3;
 constexpr int groupSweeps = 10;
+/// Entries of W this small relative to the others are rounding.
+constexpr double responseRounding = 1e-13;
 /// A gain of energy below this part of what the impact turns over is rounding.
 constexpr double energyRounding = 1e-9;
 /// Impacts in sequence before the rest is solved at once: enough for a light ball between two that are 10,000
@@ -52,6 +54,27 @@ double couplingOf(const ContactProblem& problem, const ContactRow& i, const Cont
     add(i.b, i.jacobianB, k.a, k.jacobianA);
     add(i.b, i.jacobianB, k.b, k.jacobianB);
     return sum;
+}
+
+/// W of one contact with itself: its velocity under a unit impulse along each axis of its frame.
+Mat3 responseOf(const ContactProblem& problem, const ContactRow& row) {
+    Mat3 response = Mat3::Zero();
+    const auto add = [&](int index, const Mat36& jacobian) {
+        if (index == immobile) return;
+        const ContactBody& body = problem.bodies[static_cast<std::size_t>(index)];
+        for (Eigen::Index k = 0; k < 3; ++k)
+            response.col(k) += jacobian * inverseMassTimes(body, jacobian.row(k).transpose());
+    };
+    add(row.a, row.jacobianA);
+    add(row.b, row.jacobianB);
+    return response;
+}
+
+/// Whether pushes along the normal and across it do not mix, and all directions across are alike: spheres.
+bool isIsotropic(const Mat3& response) {
+    const double mixed = std::max({std::abs(response(0, 1)), std::abs(response(0, 2)),
+                                   std::abs(response(1, 2)), std::abs(response(1, 1) - response(2, 2))});
+    return mixed <= responseRounding * response(1, 1);
 }
 
 void applyNormal(ContactProblem& problem, const ContactRow& row, double impulse) {
@@ -140,7 +163,34 @@ void ImpactSolver::gatherAll(std::span<const ImpactRow> rows) {
 }
 
 void ImpactSolver::solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows) {
-    if (!solveDirectly(problem, rows)) solveByNewton(problem, rows);
+    if (!solveDirectly(problem, rows) && !solveLone(problem, rows)) solveByNewton(problem, rows);
+}
+
+// One contact with friction: u' = (−e uₙ, 0) if the impulse for that is within the cone; else on its edge
+// against the slip, which keeps its direction where the response has none.
+bool ImpactSolver::solveLone(ContactProblem& problem, std::span<const ImpactRow> rows) {
+    if (m_group.size() != 1) return false;
+    const std::size_t index = m_group.front();
+    const ContactRow& row = problem.rows[index];
+    if (row.rolling > 0 || !(m_closing[index] > 0)) return false;
+    const Mat3 response = responseOf(problem, row);
+    Vec3 change = -relativeVelocity(problem, row);
+    change.x() = (1 + rows[index].restitution) * m_closing[index];
+    Vec3 impulse;
+    if (isIsotropic(response)) {
+        impulse << change.x() / response(0, 0), change.tail<2>() / response(1, 1);
+        impulse = projectOnCone(row, impulse, Vec2::Zero()).impulse;
+    } else {
+        const Eigen::LDLT<Mat3> factors(response);
+        if (!(factors.rcond() > singular)) return false;
+        impulse = factors.solve(change);
+        if (!(impulse.tail<2>().norm() <= row.friction * impulse.x())) return false;
+    }
+    takeGroup(problem);
+    m_groupProblem.rows.front().impulse = impulse;
+    velocitiesFromImpulses(m_groupProblem);
+    applyGroup(problem);
+    return true;
 }
 
 bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows) {
@@ -181,6 +231,22 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
 }
 
 void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const ImpactRow> rows) {
+    takeGroup(problem);
+    double fastest = 0;
+    for (std::size_t k = 0; k < m_group.size(); ++k) {
+        const std::size_t i = m_group[k];
+        m_groupProblem.rows[k].bound = -rows[i].restitution * std::max(0.0, m_closing[i]);
+        fastest = std::max(fastest, m_closing[i]);
+    }
+    const bool small = m_group.size() <= mostExact;
+    const int steps = small ? std::max(smallGroupSteps, m_newtonSteps) : m_newtonSteps;
+    if (!m_newton.solve(m_groupProblem, groupTolerance * fastest, steps).solved)
+        m_gaussSeidel.solve(m_groupProblem, sweepTolerance * fastest, groupSweeps);
+    applyGroup(problem);
+}
+
+// The group as a problem by itself, without impulses.
+void ImpactSolver::takeGroup(const ContactProblem& problem) {
     m_groupProblem.clear();
     m_local.assign(problem.bodies.size(), immobile);
     const auto localOf = [&](int body) {
@@ -193,21 +259,18 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
         }
         return local;
     };
-    double fastest = 0;
     for (const std::size_t i : m_group) {
         ContactRow row = problem.rows[i];
         row.a = localOf(row.a);
         row.b = localOf(row.b);
-        row.bound = -rows[i].restitution * std::max(0.0, m_closing[i]);
         row.impulse.setZero();
         row.rollingImpulse.setZero();
-        fastest = std::max(fastest, m_closing[i]);
         m_groupProblem.rows.push_back(row);
     }
-    const bool small = m_group.size() <= mostExact;
-    const int steps = small ? std::max(smallGroupSteps, m_newtonSteps) : m_newtonSteps;
-    if (!m_newton.solve(m_groupProblem, groupTolerance * fastest, steps).solved)
-        m_gaussSeidel.solve(m_groupProblem, sweepTolerance * fastest, groupSweeps);
+}
+
+// Takes over the velocities of the group.
+void ImpactSolver::applyGroup(ContactProblem& problem) {
     const double part = lossyPart(m_groupProblem);
     for (std::size_t body = 0; body < m_local.size(); ++body) {
         if (m_local[body] == immobile) continue;

@@ -19,9 +19,10 @@
 //
 //     W p = −(1+e) u,   W = J M⁻¹ Jᵀ
 //
-// solved in both orders of elimination and averaged, so that a mirror image gives mirrored bits; with
-// friction, or where W is singular or a pull would result, by the Newton solver with u' + e u >= 0 for u >=
-// 0. Perfectly plastic contacts (e = 0) are all solved together: one after the other would never end in a
+// solved in both orders of elimination and averaged, so that a mirror image gives mirrored bits. One contact
+// with friction that sticks, or slips between spheres, where a push along the normal turns nobody, has a
+// closed form, too. What is left, and where W is singular or a pull would result, is left to the Newton
+// solver with u' + e u >= 0 for u >= 0. Perfectly plastic contacts (e = 0) are all solved together: one after the other would never end in a
 // stack. Simultaneous: all contacts at once.
 
 namespace carom {
@@ -50,7 +51,10 @@ class ImpactSolver {
     void gatherAll(std::span<const ImpactRow> rows);
     void solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows);
     bool solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows);
+    bool solveLone(ContactProblem& problem, std::span<const ImpactRow> rows);
     void solveByNewton(ContactProblem& problem, std::span<const ImpactRow> rows);
+    void takeGroup(const ContactProblem& problem);
+    void applyGroup(ContactProblem& problem);
 
     std::vector<double> m_closing; // −uₙ by row [m/s]
     std::vector<std::size_t> m_group;
