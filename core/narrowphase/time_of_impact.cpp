@@ -24,14 +24,16 @@ namespace carom {
 namespace {
 
 // The gap, relative to the size, at which shapes touch.
-constexpr double touching = 1e-12;
+constexpr double leastTouching = 1e-12;
 // Steps of the search. A graze to 1e-9 of the size takes some thousands; one that is still undecided after
 // these is reported as an impact: early by less than its gap, but never missed.
 constexpr int maxSteps = 20000;
 constexpr int maxNarrowings = 200;
-// Shapes that part, and are no further apart than this part of the size, are followed by steps of it: steps
-// that are proofs would be thousands, each hardly longer than the gap.
-constexpr double partingStep = 1e-6;
+// Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps of
+// that part of it: steps that are proofs would be thousands, each hardly longer than the gap. While shapes
+// touch each is twice as long as the one before, up to the longest; one that ends in an overlap is taken back
+// and halved.
+constexpr double partingStep = 1e-6, longestPartingStep = 1e-3;
 
 double spinRadius(const Shape& shape) {
     return isWall(shape) || kindOf(shape) == ShapeKind::Sphere ? 0 : boundingRadiusOf(shape);
@@ -119,8 +121,7 @@ struct Bracket {
     double overlapping, depthWeight;
 };
 // False position in the Illinois form: the end that stays loses half its weight, so neither end is stuck.
-Impact narrow(const Flight& flight, Bracket bracket) {
-    const double close = touching * flight.size();
+Impact narrow(const Flight& flight, Bracket bracket, double close) {
     Impact apart = {bracket.apart, flight.at(bracket.apart)};
     for (int i = 0; i < maxNarrowings; ++i) {
         const double share = bracket.gapWeight / (bracket.gapWeight + bracket.depthWeight);
@@ -142,8 +143,10 @@ Impact narrow(const Flight& flight, Bracket bracket) {
     return apart;
 }
 
-std::optional<Impact> advance(const Flight& flight, double duration) {
-    const double close = touching * flight.size();
+std::optional<Impact> advance(const Flight& flight, double duration, double close) {
+    const double unit = flight.size() / flight.fastest(duration); // infinite if nothing moves
+    double parting = partingStep, longest = longestPartingStep;
+    bool touched = false; // at lastTime, parting
     double time = 0;
     double lastTime = 0;
     double lastDistance = 0;
@@ -151,21 +154,31 @@ std::optional<Impact> advance(const Flight& flight, double duration) {
     for (int step = 0; step < maxSteps; ++step) {
         double ahead = 0;
         if (contact.distance <= close) {
-            if (flight.isApproaching(time, contact)) return Impact{time, contact};
-            ahead = partingStep * flight.size() / flight.fastest(duration); // infinite if nothing moves
+            if (flight.isApproaching(time, contact)) {
+                const double gone = (time - lastTime) / unit;
+                if (!touched || gone <= partingStep) return Impact{time, contact};
+                parting = longest = 0.5 * gone;
+                time = lastTime + parting * unit;
+                contact = flight.at(time);
+                continue;
+            }
+            touched = true;
+            ahead = parting * unit;
+            parting = std::min(2 * parting, longest);
         } else {
+            touched = false;
             const std::optional<double> safe = flight.safeStep(time, contact);
             if (!safe) return std::nullopt;
             ahead = *safe;
             if (contact.distance <= partingStep * flight.size() && !flight.isApproaching(time, contact))
-                ahead = std::max(ahead, partingStep * flight.size() / flight.fastest(duration));
+                ahead = std::max(ahead, partingStep * unit);
             // A regular approach, twice in a row: look where it leads.
             const double rate = step > 0 ? (lastDistance - contact.distance) / (time - lastTime) : 0;
             const double meeting = time + 1.01 * contact.distance / rate;
             if (step % 2 == 1 && rate > 0 && meeting <= duration && flight.staysLocal(time, meeting)) {
                 const Proximity there = flight.at(meeting);
                 if (there.distance <= 0)
-                    return narrow(flight, {time, contact.distance, meeting, -there.distance});
+                    return narrow(flight, {time, contact.distance, meeting, -there.distance}, close);
             }
         }
         if (!(time + ahead <= duration)) return std::nullopt;
@@ -230,7 +243,8 @@ Pose poseAfter(const MovingShape& moving, double time) {
     return pose;
 }
 
-std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration) {
+std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration,
+                                   double touching) {
     const ShapeKind kindA = kindOf(*a.start.shape);
     const ShapeKind kindB = kindOf(*b.start.shape);
     if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) return std::nullopt;
@@ -239,7 +253,7 @@ std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     if (kindA == ShapeKind::Wall && kindB == ShapeKind::Sphere) return sphereWall(b, a, duration, flight);
     if (kindA == ShapeKind::Sphere && kindB == ShapeKind::Sphere && a.acceleration == b.acceleration)
         return sphereSphere(a, b, duration);
-    return advance(flight, duration);
+    return advance(flight, duration, std::max(touching, leastTouching * flight.size()));
 }
 
 bool couldPassThrough(const MovingShape& moving, double duration) {
