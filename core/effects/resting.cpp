@@ -3,26 +3,55 @@
 #include "core/effects/scene_facts.h"
 
 // Bodies that have come to rest need not be simulated until something meets them. That saves time and changes
-// no motion, so a scene never asks for it in words. This version simulates everything all the time.
+// no motion, so a scene never asks for it in words. What loses no energy never comes to rest.
 
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities&) {
+/// What makes energy less: the first that the scene declares, and in what words.
+struct Loser {
+    const DeclarationSource* source = nullptr;
+    std::string_view parameter;
+    std::string reason;
+};
+
+Loser firstLoser(const Scene& scene) {
+    for (const Body& body : scene.bodies)
+        if (body.elastic < 1)
+            return {&body.source, "elastic",
+                    "impacts of " + scene.nameOf(indexOf(scene, body)) + " lose energy"};
+    const auto byPair = [&](bool (*has)(const Body&), std::string_view parameter) -> Loser {
+        const MeetingPair pair = firstPairWith(scene, has);
+        if (!pair) return {};
+        return {&pair.first->source, parameter,
+                scene.nameOf(indexOf(scene, *pair.first)) + " slows down what it touches"};
+    };
+    const Loser rubs = byPair([](const Body& body) { return body.friction > 0; }, "friction");
+    if (rubs.source != nullptr) return rubs;
+    for (const Body& body : scene.bodies)
+        if (body.rolling > 0)
+            return {&body.source, "rolling",
+                    scene.nameOf(indexOf(scene, body)) + " slows down what rolls on it"};
+    for (const Spring& spring : scene.springs)
+        if (spring.damping > 0) return {&spring.source, "damping", "a spring is damped"};
+    return {};
+}
+
+EffectDecision decide(const Scene& scene, const Abilities& method) {
     EffectDecision decision{.effect = "resting"};
     if (!anyCanMeet(scene)) {
         decision.reason = "no two bodies can meet, so nothing can come to rest on anything";
         return decision;
     }
-    for (const Body& body : scene.bodies) {
-        if (body.elastic >= 1) continue;
-        decision.status = EffectStatus::NotSimulatedYet;
-        decision.source = placeOf(scene, body.source, "elastic");
-        decision.reason = "impacts of " + scene.nameOf(indexOf(scene, body)) +
-                          " lose energy, so bodies can come to rest; they are simulated at full cost";
+    const Loser loser = firstLoser(scene);
+    if (loser.source == nullptr) {
+        decision.reason = "every impact is elastic and nothing rubs: nothing can come to rest";
         return decision;
     }
-    decision.reason = "every impact is elastic: nothing loses energy, and nothing can come to rest";
+    decision.source = placeOf(scene, *loser.source, loser.parameter);
+    decision.reason = loser.reason + ", so bodies can come to rest";
+    decision.status = method.resting ? EffectStatus::On : EffectStatus::NotSimulatedYet;
+    if (!method.resting) decision.reason += "; they are simulated at full cost";
     return decision;
 }
 

@@ -34,7 +34,10 @@ struct RunSettings {
     std::optional<double> duration; ///< [s]
 
     double substep() const { return step / substeps; } ///< [s]
-    SolverSettings solver() const { return {tolerance, iterations, simultaneousImpacts}; }
+    /// `resting`: whether anything in the scene can come to rest.
+    SolverSettings solver(bool resting) const {
+        return {tolerance, iterations, simultaneousImpacts, resting};
+    }
 };
 
 /// What `preset` sets where nothing else does.

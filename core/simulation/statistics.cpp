@@ -12,7 +12,7 @@ std::string_view statisticsColumns() {
                            "max_penetration,events,axes_tried,axes_spared";
         for (std::size_t i = 0; i < ledgerAccounts; ++i)
             text.append(",energy_by_").append(nameOf(static_cast<LedgerAccount>(i)));
-        return text + ",energy_unexplained,momentum_unexplained,residual";
+        return text + ",energy_unexplained,momentum_unexplained,residual,resting";
     }();
     return columns;
 }
@@ -35,6 +35,7 @@ std::string statisticsRow(const FrameStatistics& frame) {
     add(frame.unexplained.energy);
     add(frame.unexplained.momentum.norm());
     add(frame.residual);
+    row.append(",").append(std::to_string(frame.resting));
     return row;
 }
 

@@ -29,6 +29,8 @@ struct FrameStatistics {
     std::uint64_t axesTried = 0;  ///< pairs tried along the direction that parted them last, summed likewise
     std::uint64_t axesSpared = 0; ///< of these, the full tests that were not needed
 
+    std::uint64_t resting = 0; ///< bodies at rest that the last substep left alone
+
     double kinetic = 0;           ///< [J]
     double potential = 0;         ///< [J] of gravity and springs; height measured from the world's origin
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies

@@ -19,6 +19,7 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.events += report.events;
     frame.axesTried += report.axesTried;
     frame.axesSpared += report.axesSpared;
+    frame.resting = report.resting;
     frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
     frame.residual = std::max(frame.residual, report.residual);
     frame.coneViolation = std::max(frame.coneViolation, report.coneViolation);

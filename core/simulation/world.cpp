@@ -23,7 +23,9 @@ void World::reset() {
     m_statistics = {};
     account(*m_pipeline, m_state, m_statistics);
     m_broadphase = m_broadphaseRow->create();
-    m_solver = m_pipeline->settings().method->create(m_pipeline->bodies(), m_pipeline->settings().solver());
+    const RunSettings& settings = m_pipeline->settings();
+    m_solver =
+        settings.method->create(m_pipeline->bodies(), settings.solver(m_pipeline->simulates("resting")));
 }
 
 void World::useBroadphase(const BroadphaseRow& row) {

@@ -51,12 +51,14 @@ void prepareRow(const ContactProblem& problem, ContactRow& row) {
     if (row.a != immobile) {
         const ContactBody& body = problem.bodies[static_cast<std::size_t>(row.a)];
         row.jacobianA = -pointJacobian(row.frame, row.armA);
+        if (row.ballA) row.jacobianA.block<1, 3>(0, 3).setZero();
         along += inverseMassAlong(body, row.jacobianA);
         across += inverseInertiaAcross(body, row.frame);
     }
     if (row.b != immobile) {
         const ContactBody& body = problem.bodies[static_cast<std::size_t>(row.b)];
         row.jacobianB = pointJacobian(row.frame, row.armB);
+        if (row.ballB) row.jacobianB.block<1, 3>(0, 3).setZero();
         along += inverseMassAlong(body, row.jacobianB);
         across += inverseInertiaAcross(body, row.frame);
     }

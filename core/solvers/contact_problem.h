@@ -53,6 +53,7 @@ struct ContactRow {
     Mat3 frame = Mat3::Identity();                 ///< rows n, t1, t2; n from A to B
     Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from the bodies' centres to the point [m], world
     Mat36 jacobianA = Mat36::Zero(), jacobianB = Mat36::Zero();
+    bool ballA = false, ballB = false;  ///< a normal impulse passes through the centre and never turns it
     double bound = 0;                   ///< b [m/s]
     double friction = 0;                ///< μ
     double rolling = 0;                 ///< ϱ [m]

@@ -68,6 +68,11 @@ inline constexpr double atRest = 1, nearlyResting = 10;
 inline constexpr double grainsResting = 0.1;
 inline constexpr int smallPileSweeps = 100;
 
+/// An island all of whose bodies are slower than the tolerance is at rest. What is left of the contact
+/// problem within the tolerance adds up along a tower: an island not faster than so many times the tolerance
+/// is solved again to a finer one.
+inline constexpr double nearlyStill = 100, finerTolerance = 0.01;
+
 /// Contact tolerance below which a run counts as accurate: stops are located too, and every island is solved
 /// by Newton's method.
 inline constexpr double accurateTolerance = 1e-8;

@@ -8,10 +8,10 @@
 #include "core/solvers/islands.h"
 #include "core/solvers/local_solver.h"
 #include "core/solvers/neighbours.h"
+#include "core/solvers/resting.h"
 #include "core/solvers/solver.h"
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
@@ -19,7 +19,8 @@
 // it from impact to impact (flights.h). The other bodies move in substeps: they are sorted into islands, and
 // each island is moved by itself (island_motion.h: parting, impacts, contact forces, location of events).
 // Contact forces are remembered from one substep to the next (dynamics/contact_memory.h): at rest they
-// already are the solution, nothing is solved and nothing moves. Bodies that can touch nothing, and what
+// already are the solution, nothing is solved and nothing moves; islands at rest are left alone altogether
+// (resting.h). Bodies that can touch nothing, and what
 // springs join them to, move as the integrator has it.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
@@ -32,21 +33,31 @@ namespace {
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
-        : m_settings(settings), m_neighbours(bodies), m_flights(bodies) {
+        : m_settings(settings), m_neighbours(bodies), m_flights(bodies), m_resting(bodies.count()) {
         for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
     }
 
     SolverReport advance(const SolverInput& input) override;
-    ContactSet contacts() const override { return m_contacts; }
+    ContactSet contacts() const override { return merged(m_contacts, m_resting.contacts()); }
     std::unique_ptr<const SolverMemory> memory() const override;
     void recall(const SolverMemory& memory) override;
 
   private:
+    /// What outlasts a substep besides the state.
+    struct Persistent {
+        ContactSet contacts; // of what moves
+        Resting resting;
+    };
     void beginFlights(const SolverInput& input);
     FlightInput flightInput(const SolverInput& input);
     void findMembers(const SolverInput& input);
     template<class OnPair>
     void eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const;
+    void wakeMoved(const SolverInput& input);
+    bool wakeTouched(const SolverInput& input);
+    void rouseWoken();
+    void followMembers(const SolverInput& input);
+    void coverMembers(const SolverInput& input);
     void findCandidates(const SolverInput& input);
     bool shareReach(const Bodies& bodies, const State& state);
     void collideCandidates(const SolverInput& input);
@@ -61,15 +72,18 @@ class Contacts final : public Solver {
     SolverSettings m_settings;
     Neighbours m_neighbours;
     Flights m_flights;
+    Resting m_resting;
     int m_takeOff = 0, m_span = 1; // the flights' first substep in the frame, and how many they last
     std::vector<double> m_reach;   // by body: how far it can come, sped up by what may hit it [m]
     std::vector<BodyPair> m_candidates;
-    std::vector<BodyIndex> m_members; // mobile bodies that do not fly
-    std::vector<BodyIndex> m_free;    // members that touch nothing
-    std::vector<BodyPair> m_links;    // the ends of springs
-    ContactSet m_contacts;            // from the last substep
-    ContactSet m_found, m_kept;
-    std::vector<std::uint32_t> m_order;
+    std::vector<BodyPair> m_upward, m_downward; // of these, from a member to a larger index, and to a smaller
+    std::vector<double> m_gaps;                 // of the members' pairs, in their order [m]
+    std::vector<BodyIndex> m_members;           // mobile bodies that neither fly nor rest
+    std::vector<BodyIndex> m_woken;
+    std::vector<BodyIndex> m_free; // members that touch nothing
+    std::vector<BodyPair> m_links; // the ends of springs
+    ContactSet m_contacts;         // from the last substep
+    ContactSet m_found, m_kept;    // at the start and at the end of the substep, pair by pair
     SpringNetwork::Scratch m_swingRoom;
     Islands m_islands;
     IslandMotion m_motion;
@@ -86,7 +100,8 @@ SolverReport Contacts::advance(const SolverInput& input) {
 
     collideCandidates(input);
     report.narrowphase = watch.lap();
-    report.contacts = m_found.pairs.size() + m_flights.impacts();
+    report.resting = m_resting.bodies().size();
+    report.contacts = m_found.pairs.size() + m_resting.contacts().pairs.size() + m_flights.impacts();
 
     m_islands.find(input.bodies, m_members, m_found.pairs, m_links);
     moveIslands(input, report);
@@ -99,13 +114,16 @@ SolverReport Contacts::advance(const SolverInput& input) {
 }
 
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
-    const std::size_t bytes =
-        m_contacts.pairs.size() * sizeof(ContactPair) + m_contacts.points.size() * sizeof(ContactConstraint);
-    return std::make_unique<Remembered<ContactSet>>(m_contacts, bytes);
+    std::size_t bytes = m_resting.bodies().size() * sizeof(BodyIndex);
+    for (const ContactSet* set : {&m_contacts, &m_resting.contacts()})
+        bytes += set->pairs.size() * sizeof(ContactPair) + set->points.size() * sizeof(ContactConstraint);
+    return std::make_unique<Remembered<Persistent>>(Persistent{m_contacts, m_resting}, bytes);
 }
 
 void Contacts::recall(const SolverMemory& memory) {
-    m_contacts = dynamic_cast<const Remembered<ContactSet>&>(memory).value();
+    const Persistent& persistent = dynamic_cast<const Remembered<Persistent>&>(memory).value();
+    m_contacts = persistent.contacts;
+    m_resting = persistent.resting;
 }
 
 // Flights are of several substeps, if possible the whole frame, where the integrator's steps make no
@@ -134,26 +152,24 @@ FlightInput Contacts::flightInput(const SolverInput& input) {
             .now = part * input.substep,
             .until = (part + 1) * input.substep,
             .end = parts * input.substep,
-            .resting = 10 * m_settings.tolerance * input.gravity.norm() * input.substep,
+            .restingSpeed = 10 * m_settings.tolerance * input.gravity.norm() * input.substep,
             .neighbours = m_neighbours,
+            .resting = m_resting,
             .ledger = input.ledger};
 }
 
-// The mobile bodies that do not fly, and that the neighbours cover all.
+// The mobile bodies that neither fly nor rest, and that the neighbours cover all.
 void Contacts::findMembers(const SolverInput& input) {
     const Bodies& bodies = input.bodies;
     const State& state = input.state;
     if (input.part == 0 || input.part == m_takeOff + m_span) beginFlights(input);
     const FlightInput flight = flightInput(input);
-    const auto follow = [&] {
-        if (!m_neighbours.follow(bodies, state, m_members, input.gravity, input.substep))
-            m_neighbours.search(bodies, state, input.broadphase);
-    };
+    wakeMoved(input);
     if (flight.now == 0)
         m_neighbours.update(bodies, state, input.gravity,
                             flight.end + (Neighbours::reachFactor - 1) * input.substep, input.broadphase);
     else
-        follow();
+        followMembers(input);
     if (m_settings.simultaneous) {
         m_members.assign(bodies.mobileBodies.begin(), bodies.mobileBodies.end());
     } else {
@@ -161,30 +177,77 @@ void Contacts::findMembers(const SolverInput& input) {
         m_flights.bring(flight);
         m_members.assign(m_flights.grounded().begin(), m_flights.grounded().end());
     }
-    follow();
-    while (!shareReach(bodies, state)) m_neighbours.search(bodies, state, input.broadphase);
+    std::erase_if(m_members, [&](BodyIndex i) { return m_resting.rests(i); });
+    coverMembers(input);
+    while (wakeTouched(input)) coverMembers(input);
+    m_resting.exchange(bodies, m_contacts);
 }
 
-// The neighbours of members, but for what flies.
+void Contacts::followMembers(const SolverInput& input) {
+    if (!m_neighbours.follow(input.bodies, input.state, m_members, input.gravity, input.substep))
+        m_neighbours.search(input.bodies, input.state, input.broadphase);
+}
+
+void Contacts::coverMembers(const SolverInput& input) {
+    followMembers(input);
+    while (!shareReach(input.bodies, input.state))
+        m_neighbours.search(input.bodies, input.state, input.broadphase);
+}
+
+// Those at rest that somebody gave a velocity.
+void Contacts::wakeMoved(const SolverInput& input) {
+    m_woken.clear();
+    for (const BodyIndex i : m_resting.bodies())
+        if (m_resting.rests(i) && Neighbours::surfaceSpeed(input.bodies, input.state, i) > 0)
+            m_resting.wake(i, m_woken);
+    rouseWoken();
+}
+
+void Contacts::rouseWoken() {
+    if (m_settings.simultaneous) return; // nobody flies
+    for (const BodyIndex i : m_woken) m_flights.rouse(i);
+}
+
+// Those at rest that a member may touch within the substep become members. False if there are none.
+bool Contacts::wakeTouched(const SolverInput& input) {
+    if (m_resting.bodies().empty()) return false;
+    m_woken.clear();
+    for (const BodyIndex i : m_members)
+        for (const BodyIndex k : m_neighbours.around(i))
+            if (m_resting.rests(k) && // not yet woken by another
+                boundingGap(input.bodies, input.state, {std::min(i, k), std::max(i, k)}) <= m_reach[i])
+                m_resting.wake(k, m_woken);
+    if (m_woken.empty()) return false;
+    rouseWoken();
+    m_members.insert(m_members.end(), m_woken.begin(), m_woken.end());
+    std::sort(m_members.begin(), m_members.end());
+    return true;
+}
+
+// The neighbours of members, but for what flies or rests.
 template<class OnPair>
 void Contacts::eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const {
     for (const BodyIndex i : m_members)
         for (const BodyIndex k : m_neighbours.around(i)) {
             const bool isMember = bodies.mobile[k] != 0;
-            if (isMember && (k < i || flies(k))) continue;
-            onPair(BodyPair{std::min(i, k), std::max(i, k)});
+            if (isMember && (k < i || flies(k) || m_resting.rests(k))) continue;
+            onPair(i, BodyPair{std::min(i, k), std::max(i, k)});
         }
 }
 
 // Pairs within reach of bodies that do not fly, ascending.
 void Contacts::findCandidates(const SolverInput& input) {
-    m_candidates.clear();
-    eachPairOfMembers(input.bodies, [&](BodyPair pair) {
-        if (boundingGap(input.bodies, input.state, pair) <= marginOf(input.bodies, pair))
-            m_candidates.push_back(pair);
+    m_upward.clear();
+    m_downward.clear();
+    auto gap = m_gaps.begin();
+    eachPairOfMembers(input.bodies, [&](BodyIndex from, BodyPair pair) {
+        if (!(*gap++ <= marginOf(input.bodies, pair))) return;
+        (from == pair.a ? m_upward : m_downward).push_back(pair);
     });
-    if (!std::is_sorted(m_candidates.begin(), m_candidates.end()))
-        std::sort(m_candidates.begin(), m_candidates.end());
+    // Members and their others ascend: so do all but the few pairs with something immobile of smaller index.
+    std::sort(m_downward.begin(), m_downward.end());
+    m_candidates.resize(m_upward.size() + m_downward.size());
+    std::merge(m_upward.begin(), m_upward.end(), m_downward.begin(), m_downward.end(), m_candidates.begin());
 }
 
 // A body about to be hit may leave as fast as what hits it comes: neighbours share their reach. False if that
@@ -198,10 +261,12 @@ bool Contacts::shareReach(const Bodies& bodies, const State& state) {
     };
     for (const BodyIndex i : m_members) covered = m_neighbours.covers(i, room(i)) && covered;
     if (!covered) return false;
-    eachPairOfMembers(bodies, [&](BodyPair pair) {
+    m_gaps.clear();
+    eachPairOfMembers(bodies, [&](BodyIndex, BodyPair pair) {
+        m_gaps.push_back(boundingGap(bodies, state, pair));
         if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) return;
         const double reachA = m_neighbours.reach(pair.a), reachB = m_neighbours.reach(pair.b);
-        if (!(boundingGap(bodies, state, pair) <= reachA + reachB)) return;
+        if (!(m_gaps.back() <= reachA + reachB)) return;
         const BodyIndex slower = reachA < reachB ? pair.a : pair.b;
         const double reach = std::max(reachA, reachB);
         if (!(m_reach[slower] < reach)) return;
@@ -234,6 +299,7 @@ void Contacts::collideCandidates(const SolverInput& input) {
 
 void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
     m_kept.clear();
+    m_kept.pairs.resize(m_found.pairs.size());
     m_free.clear();
     m_motion.report = {};
     Ledger ledger; // of one island
@@ -258,24 +324,20 @@ void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
                 bookSwing(input.bodies, island.bodies, before, {input.gravity, input.gravity, input.substep},
                           input.state, ledger);
         } else {
-            m_motion.advance(motion, island, m_found, m_kept);
+            const bool rests = m_motion.advance(motion, island, m_found, m_kept);
+            if (rests && m_settings.resting) m_resting.lay(island.bodies);
         }
         if ((report.loss = m_motion.report.loss)) return;
         if (input.ledger != nullptr) input.ledger->add(ledger);
     }
-    report.maxPenetration = m_motion.report.maxPenetration;
+    report.maxPenetration = std::max(m_motion.report.maxPenetration, m_resting.deepest());
     report.residual = m_motion.report.residual;
 
-    // Back into ascending order, as the next substep looks them up.
-    m_order.resize(m_kept.pairs.size());
-    for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = i;
-    std::sort(m_order.begin(), m_order.end(), [&](std::uint32_t i, std::uint32_t k) {
-        return m_kept.pairs[i].bodies() < m_kept.pairs[k].bodies();
-    });
-    m_contacts.clear();
-    for (const std::uint32_t i : m_order)
-        m_contacts.append(m_kept.pairs[i], m_kept.pointsOf(m_kept.pairs[i]));
-    report.coneViolation = coneViolationOf(m_contacts);
+    std::erase_if(m_kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
+    std::swap(m_contacts, m_kept);
+    report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_resting.contacts()));
+    if (input.ledger != nullptr) m_resting.book(input.bodies, input.gravity, input.substep, *input.ledger);
+    m_resting.exchange(input.bodies, m_contacts);
 }
 
 void Contacts::fly(const SolverInput& input) {
@@ -328,6 +390,7 @@ constinit const SolverRow contactsRow = {
                   .rollingResistance = true,
                   .springs = true,
                   .locatesImpacts = true,
+                  .resting = true,
                   .gyroscopicTerm = true},
 };
 

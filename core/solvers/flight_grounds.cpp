@@ -27,7 +27,8 @@ bool mayMeet(double c, double b, double u2, double h) {
 template<class OnWall>
 void Flights::eachFreshWall(const FlightInput& input, const OnWall& onWall) const {
     if (m_allFresh) {
-        for (const WallPair pair : m_wallPairs) onWall(pair.ball, pair.wall);
+        for (const WallPair pair : m_wallPairs)
+            if (!input.resting.rests(pair.ball)) onWall(pair.ball, pair.wall);
         return;
     }
     for (const BodyIndex ball : m_fresh)
@@ -38,12 +39,13 @@ void Flights::eachFreshWall(const FlightInput& input, const OnWall& onWall) cons
 template<class OnPair>
 void Flights::eachFreshPair(const FlightInput& input, const OnPair& onPair) const {
     if (m_allFresh) {
-        for (const BodyPair pair : m_ballPairs) onPair(pair.a, pair.b);
+        for (const BodyPair pair : m_ballPairs)
+            if (!input.resting.rests(pair.a) && !input.resting.rests(pair.b)) onPair(pair.a, pair.b);
         return;
     }
     for (const BodyIndex ball : m_fresh)
         for (const BodyIndex other : input.neighbours.around(ball)) {
-            if (m_simple[other] == 0 || (other < ball && isFresh(input, other))) continue;
+            if (!isSimple(input, other) || (other < ball && isFresh(input, other))) continue;
             onPair(std::min(ball, other), std::max(ball, other));
         }
 }
@@ -144,7 +146,7 @@ bool Flights::mayStrike(const FlightInput& input, BodyIndex ball, BodyIndex body
 
 void Flights::groundNearSeeds(const FlightInput& input) {
     const auto groundAround = [&](BodyIndex seed) {
-        const Vec3 place = m_simple[seed] != 0 ? placeAt(seed, input.now) : input.state.pose[seed].position;
+        const Vec3 place = isSimple(input, seed) ? placeAt(seed, input.now) : input.state.pose[seed].position;
         const double radius = input.bodies.boundingRadius[seed], reach = reachOf(input, seed);
         for (const BodyIndex i : input.neighbours.around(seed)) {
             if (m_simple[i] == 0 || !flies(i)) continue;
@@ -156,6 +158,8 @@ void Flights::groundNearSeeds(const FlightInput& input) {
     };
     const std::size_t count = m_landed.size(); // what is grounded for being near is no seed
     for (const BodyIndex seed : m_never) groundAround(seed);
+    for (const BodyIndex seed : input.resting.bodies())
+        if (m_simple[seed] != 0) groundAround(seed);
     for (std::size_t k = 0; k < count; ++k) groundAround(m_landed[k]);
     // But what lies on the grounded does not fly, however many lie on each other.
     for (std::size_t before = m_landed.size() + 1; before != m_landed.size();) {
@@ -170,7 +174,7 @@ void Flights::groundNearSeeds(const FlightInput& input) {
 // How far a body's surface may come in the substep [m]: as Neighbours::reach has it, for those that fly, too.
 double Flights::reachOf(const FlightInput& input, BodyIndex body) const {
     const double h = input.substep, fall = 0.5 * input.gravity.norm() * h * h;
-    if (m_simple[body] != 0) return Neighbours::reachFactor * (speedAt(body, input.now).norm() * h + fall);
+    if (isSimple(input, body)) return Neighbours::reachFactor * (speedAt(body, input.now).norm() * h + fall);
     if (input.bodies.mobile[body] == 0) return 0;
     return Neighbours::reachFactor * (Neighbours::surfaceSpeed(input.bodies, input.state, body) * h + fall);
 }

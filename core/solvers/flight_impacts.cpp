@@ -25,7 +25,7 @@ Flights::Law Flights::lawOf(const FlightInput& input, BodyIndex a, BodyIndex b) 
     const double scale = input.gravity.norm() * input.substep;
     return {.restitution = restitution,
             .friction = pairFriction(bodies.friction[a], bodies.friction[b]),
-            .leastImpact = std::max(leastImpactPart(restitution) * scale, input.resting),
+            .leastImpact = std::max(leastImpactPart(restitution) * scale, input.restingSpeed),
             .rolls = std::max(bodies.rolling[a], bodies.rolling[b]) > 0};
 }
 
@@ -66,7 +66,7 @@ void Flights::foreseePlatform(const FlightInput& input, BodyIndex ball, BodyInde
 
 void Flights::foreseeAround(const FlightInput& input, BodyIndex body) {
     for (const BodyIndex other : input.neighbours.around(body)) {
-        if (m_simple[other] != 0) {
+        if (isSimple(input, other)) {
             foresee(input, std::min(body, other), std::max(body, other));
         } else if (isWallBody(other)) {
             if (m_support[body] != m_wallAt[other] + 1) foreseeWall(input, body, m_walls[m_wallAt[other]]);
@@ -146,7 +146,7 @@ bool Flights::closesOnOthers(const FlightInput& input, BodyIndex body, BodyIndex
             if (wall.normal.dot(position) - wall.offset - ball.radius <= touching &&
                 -wall.normal.dot(velocity) > lawOf(input, body, i).leastImpact)
                 return true;
-        } else if (m_simple[i] != 0) {
+        } else if (isSimple(input, i)) {
             const Stamp& other = m_stamps[i];
             const Vec3 between = positionAt(other, accelerationOf(i), time) - position;
             const double reach = ball.radius + other.radius + touching;
@@ -273,7 +273,7 @@ void Flights::keepSupport(const FlightInput& input, BodyIndex ball) {
     Stamp& stamp = m_stamps[ball];
     const double speed = wall.normal.dot(stamp.velocity);
     const Law law = lawOf(input, ball, wall.body);
-    if (speed > input.resting || (speed < -law.leastImpact && law.restitution > 0)) {
+    if (speed > input.restingSpeed || (speed < -law.leastImpact && law.restitution > 0)) {
         m_support[ball] = 0;
         if (speed < 0) stamp.velocity -= (1 + law.restitution) * speed * wall.normal;
     } else {

@@ -82,7 +82,7 @@ void Flights::begin(const FlightInput& input) {
     m_allFresh = true;
     m_planned = input.now;
     for (const BodyIndex i : input.bodies.mobileBodies) {
-        m_grounded[i] = m_simple[i] == 0;
+        m_grounded[i] = isSimple(input, i) ? 0 : 1;
         m_support[i] = 0;
         setStamp(input.state, i, 0, input.bodies.boundingRadius[i]);
     }
@@ -95,15 +95,31 @@ void Flights::proceed(const FlightInput& input) {
     if (m_planned == input.now)
         undo(input);
     else
-        m_fresh.assign(m_landed.begin(), m_landed.end());
+        welcome(input);
     m_planned = input.now;
     m_allFresh = false;
     for (const std::uint32_t log : m_touched) m_logs[log].saved = none;
     m_touched.clear();
     m_saved.clear();
-    for (const BodyIndex ball : m_landed) m_grounded[ball] = 0;
+    for (const BodyIndex ball : m_landed) m_grounded[ball] = input.resting.rests(ball) ? 1 : 0;
     m_landed.clear();
     for (const BodyIndex ball : m_fresh) freshen(input, ball);
+}
+
+// Fresh are those that were grounded, but for what was laid to rest: whoever was to meet it meets nobody.
+void Flights::welcome(const FlightInput& input) {
+    m_fresh.clear();
+    for (const BodyIndex ball : m_landed)
+        if (input.resting.rests(ball))
+            ++m_version[ball];
+        else
+            m_fresh.push_back(ball);
+}
+
+void Flights::rouse(BodyIndex body) {
+    if (m_simple[body] == 0) return;
+    m_grounded[body] = 1;
+    m_landed.push_back(body);
 }
 
 // Everybody is back where the substep began. Those that are not fresh are to be foreseen anew.

@@ -8,6 +8,7 @@
 #include "core/solvers/event_times.h"
 #include "core/solvers/neighbours.h"
 #include "core/solvers/platforms.h"
+#include "core/solvers/resting.h"
 
 #include <algorithm>
 #include <span>
@@ -23,7 +24,7 @@
 // other or with friction, overlap, hang on springs, are no spheres, meet several others at one instant, or
 // meet others more than `mostImpacts` times in the substep. What comes near the grounded does not fly either:
 //
-//     seeds    those grounded at the start, and the spheres within reach of them
+//     seeds    those grounded at the start or at rest (resting.h), and the spheres within reach of them
 //     groups   a sphere that would meet a grounded one, and all that it has met in this substep
 //
 // but for the light balls about a platform (platforms.h), which fly and strike it as they would a wall.
@@ -44,8 +45,9 @@ struct FlightInput {
     Vec3 gravity;                       ///< [m/s²]
     double substep = 0;                 ///< [s]
     double now = 0, until = 0, end = 0; ///< this substep, and the frame's end [s]
-    double resting = 0;                 ///< closing speeds up to this are rest, whatever the gravity [m/s]
+    double restingSpeed = 0;            ///< closing speeds up to this are rest, whatever the gravity [m/s]
     Neighbours& neighbours;
+    const Resting& resting;
     Ledger* ledger = nullptr;
 };
 
@@ -64,6 +66,8 @@ class Flights {
     bool plan(const FlightInput& input);
     /// Brings the State of the grounded to the start of the substep.
     void bring(const FlightInput& input);
+    /// Of a body at rest that was woken: it does not fly in this substep, but may in the next.
+    void rouse(BodyIndex body);
     /// Gives the platforms what struck them in the substep.
     void kickPlatforms(const FlightInput& input) const;
     /// At the end of the frame: who met nobody, to be moved on by the caller.
@@ -129,6 +133,7 @@ class Flights {
 
     void begin(const FlightInput& input);
     void proceed(const FlightInput& input);
+    void welcome(const FlightInput& input);
     void undo(const FlightInput& input);
     void freshen(const FlightInput& input, BodyIndex ball);
     void sortPairs(const Neighbours& neighbours);
@@ -165,6 +170,10 @@ class Flights {
     void setSpin(BodyIndex body, const Vec3& spin);
 
     bool isWallBody(BodyIndex body) const { return m_wallAt[body] != none; }
+    /// A ball that is at rest is left alone: for those that fly it is as any body that never flies.
+    bool isSimple(const FlightInput& input, BodyIndex body) const {
+        return m_simple[body] != 0 && !input.resting.rests(body);
+    }
     bool isFresh(const FlightInput& input, BodyIndex ball) const {
         return m_allFresh || (m_log[ball] != none && m_logs[m_log[ball]].begin == input.now);
     }

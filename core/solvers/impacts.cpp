@@ -240,7 +240,8 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
     }
     const bool small = m_group.size() <= mostExact;
     const int steps = small ? std::max(smallGroupSteps, m_newtonSteps) : m_newtonSteps;
-    if (!m_newton.solve(m_groupProblem, groupTolerance * fastest, steps).solved)
+    const NewtonReport report = m_newton.solve(m_groupProblem, groupTolerance * fastest, steps);
+    if (!report.solved && report.residual > sweepTolerance * fastest)
         m_gaussSeidel.solve(m_groupProblem, sweepTolerance * fastest, groupSweeps);
     applyGroup(problem);
 }

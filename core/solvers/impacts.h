@@ -22,8 +22,8 @@
 // solved in both orders of elimination and averaged, so that a mirror image gives mirrored bits. One contact
 // with friction that sticks, or slips between spheres, where a push along the normal turns nobody, has a
 // closed form, too. What is left, and where W is singular or a pull would result, is left to the Newton
-// solver with u' + e u >= 0 for u >= 0. Perfectly plastic contacts (e = 0) are all solved together: one after the other would never end in a
-// stack. Simultaneous: all contacts at once.
+// solver with u' + e u >= 0 for u >= 0. Perfectly plastic contacts (e = 0) are all solved together: one after
+// the other would never end in a stack. Simultaneous: all contacts at once.
 
 namespace carom {
 

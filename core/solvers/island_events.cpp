@@ -94,7 +94,7 @@ double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pa
     constexpr double never = std::numeric_limits<double>::infinity();
     const MovingShape a = movingShape(input, pair.a, duration);
     const MovingShape b = movingShape(input, pair.b, duration);
-    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first);
+    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first, touchingWithin(pair));
     if (!impact) return never;
     // The flight is not quite the path where a body's spin precesses.
     double t = impact->time;
@@ -121,7 +121,7 @@ double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pai
                                 double duration) const {
     for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) {
         if (m_waits[i] == 0) continue;
-        const ContactRow row = rowOf(pair, m_contacts.points[i]);
+        const ContactRow row = rowOf(input.bodies, pair, m_contacts.points[i]);
         const double u1 = relativeVelocity(m_problem, row).x();
         double u0 = 0;
         if (row.a != immobile) u0 += row.jacobianA.row(0).dot(m_start[at(row.a)].velocity);

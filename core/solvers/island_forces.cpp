@@ -12,6 +12,8 @@ namespace {
 
 /// Forces are remembered from parts of at least this part of the substep.
 constexpr double shortestMemory = 0.1;
+/// A residual up to so many times the tolerance is near enough to go on with: the next substep begins there.
+constexpr double nearlySolved = 1000;
 /// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
 constexpr int rescueSweeps = 200;
 
@@ -23,7 +25,7 @@ constexpr double coneEdge = 1e-6;
 // Velocities after `duration` under gravity and the forces of contacts that touch.
 void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
     beginPart(input, duration);
-    chooseRows(duration, locating);
+    chooseRows(input, duration, locating);
     if (m_springs.empty())
         solve(input);
     else
@@ -68,7 +70,7 @@ double IslandMotion::gentleClosing(const ContactPair& pair) const {
 
 // Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
 // left to firstImpact while locating.
-void IslandMotion::chooseRows(double duration, bool locating) {
+void IslandMotion::chooseRows(const MotionInput& input, double duration, bool locating) {
     m_problem.rows.clear();
     m_rowPoint.clear();
     m_stuck.clear();
@@ -77,7 +79,7 @@ void IslandMotion::chooseRows(double duration, bool locating) {
         ContactConstraint& point = m_contacts.points[i];
         const ContactPair& pair = m_contacts.pairs[m_pairOf[i]];
         const double open = point.separation - touchingWithin(pair);
-        ContactRow row = rowOf(pair, point);
+        ContactRow row = rowOf(input.bodies, pair, point);
         if (open > 0 && locating) {
             const double closing = -relativeVelocity(m_problem, row).x();
             if (closing > gentleClosing(pair) || m_scale == 0) {
@@ -98,6 +100,22 @@ void IslandMotion::chooseRows(double duration, bool locating) {
     }
 }
 
+// A second attempt without remembered impulses, if that leads further than the first.
+NewtonReport IslandMotion::solveCold(const NewtonReport& warm) {
+    std::swap(m_warmRows, m_problem.rows);
+    m_problem.rows = m_warmRows;
+    for (ContactRow& row : m_problem.rows) {
+        row.impulse.setZero();
+        row.rollingImpulse.setZero();
+    }
+    const NewtonReport cold = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
+    report.factorisations += cold.factorisations;
+    if (cold.solved || cold.residual < warm.residual) return cold;
+    std::swap(m_warmRows, m_problem.rows);
+    velocitiesFromImpulses(m_problem);
+    return warm;
+}
+
 void IslandMotion::solve(const MotionInput& input) {
     if (m_problem.rows.empty() && m_problem.springs.empty()) {
         velocitiesFromImpulses(m_problem);
@@ -105,20 +123,12 @@ void IslandMotion::solve(const MotionInput& input) {
     }
     NewtonReport solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
     report.factorisations += solved.factorisations;
+    const auto isGood = [&] { return solved.solved || solved.residual <= nearlySolved * m_tolerance; };
+    if (!isGood() && m_newtonSteps > mostStepsResting) solved = solveCold(solved);
     double residual = solved.residual;
-    const bool worthMore = m_newtonSteps > mostStepsResting;
-    if (!solved.solved && worthMore) {
-        for (ContactRow& row : m_problem.rows) {
-            row.impulse.setZero();
-            row.rollingImpulse.setZero();
-        }
-        solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
-        report.factorisations += solved.factorisations;
-        residual = solved.residual;
-    }
-    if (!solved.solved && m_problem.springs.empty()) {
+    if (!isGood() && m_problem.springs.empty()) {
         m_failed = m_newtonSteps > 0;
-        const int sweeps = worthMore ? rescueSweeps : input.settings.iterations;
+        const int sweeps = m_newtonSteps > mostStepsResting ? rescueSweeps : input.settings.iterations;
         residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweeps);
     }
     report.residual = std::max(report.residual, residual);

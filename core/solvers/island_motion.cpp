@@ -12,13 +12,26 @@
 #include <cmath>
 
 namespace carom {
-void IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found,
+namespace {
+
+bool areStill(const State& state, std::span<const BodyIndex> bodies) {
+    return std::all_of(bodies.begin(), bodies.end(), [&](BodyIndex i) {
+        return state.velocity[i] == Vec3::Zero() && state.angularVelocity[i] == Vec3::Zero();
+    });
+}
+
+} // namespace
+
+bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found,
                            ContactSet& kept) {
     load(input, island, found);
-    if (bounce(input, island) || movePile(input, island)) {
-        keep(kept);
-        return;
-    }
+    const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
+    if (!bounce(input, island) && !movePile(input, island)) move(input, island);
+    keep(island, kept);
+    return wereStill && !m_parted && areStill(input.state, island.bodies);
+}
+
+void IslandMotion::move(const MotionInput& input, const Island& island) {
     const bool accurate = input.settings.tolerance < accurateTolerance;
     const int points = static_cast<int>(m_contacts.points.size());
     const bool locates = m_isSmall || (accurate && points <= mostLocatedAccurate);
@@ -41,6 +54,10 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
                 ++events;
             }
         }
+        if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
+            m_tolerance *= finerTolerance;
+            smooth(input, duration, locating);
+        }
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) bookForces(input, duration);
         if (duration == left) {
@@ -49,9 +66,9 @@ void IslandMotion::advance(const MotionInput& input, const Island& island, const
         }
         commit(input, island, duration);
         left = duration < left ? left - duration : 0;
-        if (left > 0) recollide(input);
+        if (left > 0 || accurate) recollide(input);
     }
-    keep(kept);
+    if (accurate && !report.loss) part(input, island); // no overlap is ever shown
 }
 
 void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
@@ -65,8 +82,9 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     m_isSmall = m_contacts.points.size() <= std::size_t{mostLocatedPoints};
     if (m_isSmall) makeRoomToTurn();
     m_scale = input.gravity.norm() * input.substep;
+    m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
     m_newtonSteps = newtonSteps(input, island);
-    m_failed = false;
+    m_failed = m_parted = false;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             report.maxPenetration = std::max(report.maxPenetration, -point.separation);
@@ -120,6 +138,7 @@ bool IslandMotion::movePile(const MotionInput& input, const Island& island) {
     }
     report.residual = std::max(report.residual, residual);
     report.impacts += static_cast<int>(m_pile.impacts());
+    m_parted = m_pile.parted();
     countPatience();
     return true;
 }
@@ -166,10 +185,13 @@ void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
         m_pairOf.insert(m_pairOf.end(), m_contacts.pairs[pair].count, pair);
 }
 
-ContactRow IslandMotion::rowOf(const ContactPair& pair, const ContactConstraint& point) const {
+ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
+                               const ContactConstraint& point) const {
     ContactRow row;
     row.a = localOf(pair.a);
     row.b = localOf(pair.b);
+    row.ballA = std::holds_alternative<Sphere>(bodies.shape[pair.a]);
+    row.ballB = std::holds_alternative<Sphere>(bodies.shape[pair.b]);
     row.frame = point.frame;
     row.armA = point.armA;
     row.armB = point.armB;
@@ -187,6 +209,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             overlapping = overlapping || point.separation < -touchingWithin(pair);
     if (!overlapping) return;
+    m_parted = true;
     loadBodies(input, island);
     m_parting.clear();
     m_parting.bodies = m_problem.bodies;
@@ -195,7 +218,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
     for (const ContactPair& pair : m_contacts.pairs) {
         narrowest = std::min(narrowest, touchingWithin(pair));
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
-            ContactRow row = rowOf(pair, point);
+            ContactRow row = rowOf(input.bodies, pair, point);
             row.friction = row.rolling = 0;
             row.bound = std::max(point.separation, -mostParting * pair.size);
             m_parting.rows.push_back(row);
@@ -229,7 +252,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
         const double e = pair.restitution;
         const double threshold = std::max(leastImpactPart(e) * m_scale, rounding);
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
-            ContactRow row = rowOf(pair, point);
+            ContactRow row = rowOf(input.bodies, pair, point);
             const double closing = -relativeVelocity(m_problem, row).x();
             const bool touching = point.separation <= touchingWithin(pair) ||
                                   (!locating && closing * duration > point.separation);
@@ -251,15 +274,20 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     }
 }
 
-// A body within the tolerance of rest is at rest: the forces balance as well as they are known.
-void IslandMotion::settle(const MotionInput& input) {
-    if (m_problem.rows.empty() || !m_problem.springs.empty() || m_scale == 0) return;
-    const double still = std::max(input.settings.tolerance * m_scale, 1e-14 * m_scale);
+// Whether no body was or is faster than so many times the tolerance.
+bool IslandMotion::isWithin(double factor) const {
+    if (m_problem.rows.empty() || !m_problem.springs.empty() || m_scale == 0) return false;
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         const ContactBody& body = m_problem.bodies[i];
-        const double was = fastestPart(m_start[i].velocity, body.gyration);
-        if (fastestPart(body) > still || was > still) return;
+        if (fastestPart(body) > factor * m_still) return false;
+        if (fastestPart(m_start[i].velocity, body.gyration) > factor * m_still) return false;
     }
+    return true;
+}
+
+// A body within the tolerance of rest is at rest: the forces balance as well as they are known.
+void IslandMotion::settle(const MotionInput& input) {
+    if (!isWithin(1)) return;
     if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         m_problem.bodies[i].velocity.setZero();
@@ -291,9 +319,9 @@ void IslandMotion::commit(const MotionInput& input, const Island& island, double
     if (input.ledger != nullptr) bookTurning(input, island);
 }
 
-void IslandMotion::keep(ContactSet& kept) const {
-    for (const ContactPair& pair : m_contacts.pairs)
-        if (pair.count > 0) kept.append(pair, m_contacts.pointsOf(pair));
+void IslandMotion::keep(const Island& island, ContactSet& kept) const {
+    for (std::size_t i = 0; i < m_contacts.pairs.size(); ++i)
+        kept.put(island.pairs[i], m_contacts.pairs[i], m_contacts.pointsOf(m_contacts.pairs[i]));
 }
 
 } // namespace carom

@@ -58,8 +58,9 @@ inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 class IslandMotion {
   public:
     /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep;
-    /// those at its end, with their forces, are appended to `kept`.
-    void advance(const MotionInput& input, const Island& island, const ContactSet& found, ContactSet& kept);
+    /// those at its end, with their forces, are put into their places in `kept`. True if the island has not
+    /// moved: nothing had a velocity before or after, and nothing overlapped.
+    bool advance(const MotionInput& input, const Island& island, const ContactSet& found, ContactSet& kept);
 
     MotionReport report; ///< added up by advance
 
@@ -90,6 +91,7 @@ class IslandMotion {
     int newtonSteps(const MotionInput& input, const Island& island) const;
     void countPatience();
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
+    void move(const MotionInput& input, const Island& island);
     bool bounce(const MotionInput& input, const Island& island);
     bool movePile(const MotionInput& input, const Island& island);
     void recollide(const MotionInput& input);
@@ -99,8 +101,9 @@ class IslandMotion {
     void smooth(const MotionInput& input, double duration, bool locating);
     void beginPart(const MotionInput& input, double duration);
     Vec3 endMomentum(std::size_t body) const;
-    void chooseRows(double duration, bool locating);
+    void chooseRows(const MotionInput& input, double duration, bool locating);
     void solve(const MotionInput& input);
+    NewtonReport solveCold(const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
     void makeRoomToTurn();
     void turnContacts(const MotionInput& input, double duration);
@@ -123,8 +126,9 @@ class IslandMotion {
     double findStopTime(const MotionInput& input, const Braked& braked, double duration);
     Loss findLoss(const Island& island) const;
     void commit(const MotionInput& input, const Island& island, double duration);
+    bool isWithin(double factor) const;
     void settle(const MotionInput& input);
-    void keep(ContactSet& kept) const;
+    void keep(const Island& island, ContactSet& kept) const;
 
     void bookForces(const MotionInput& input, double duration);
     void swapPushes();
@@ -146,14 +150,16 @@ class IslandMotion {
     Pose poseAt(const MotionInput& input, BodyIndex body, double t, double duration) const;
     Vec3 velocityAt(BodyIndex body, const Vec3& arm, double t, double duration) const;
 
-    ContactRow rowOf(const ContactPair& pair, const ContactConstraint& point) const;
+    ContactRow rowOf(const Bodies& bodies, const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
     int m_newtonSteps = 0;                // factorisations for one solve; 0: by sweeps
     bool m_isSmall = false;               // few contacts: worth every care
+    bool m_parted = false;                // in this substep
     bool m_failed = false;                // Newton's method, in this substep
     double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;               // of velocities [m/s]
+    double m_still = 0;                   // what is no faster is at rest [m/s]
     std::vector<int> m_local;             // by body of the scene: its index in m_problem, or immobile
     std::span<const BodyIndex> m_members; // of the scene, by body of m_problem
     ContactSet m_contacts, m_before;
@@ -177,6 +183,7 @@ class IslandMotion {
     std::vector<std::uint32_t> m_pairOf; // by point, the pair of m_contacts
     std::vector<Vec6> m_mean;            // by body of m_problem, the mean velocity; for the ledger only
     std::vector<ImpactRow> m_impactRows;
+    std::vector<ContactRow> m_warmRows; // of m_problem, after a first attempt
     NewtonSolver m_newton;
     SpringSolver m_springSolver;
     GaussSeidelSolver m_gaussSeidel;

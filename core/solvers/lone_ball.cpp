@@ -44,7 +44,7 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     body.freeVelocity = body.velocity;
     if (impulse > 0 && (pair.friction > 0 || pair.rolling > 0)) {
         // Momentum gives the whole normal impulse of the bounces; friction has μ times that to stop the slip.
-        ContactRow row = rowOf(pair, point);
+        ContactRow row = rowOf(input.bodies, pair, point);
         const double arm = input.bodies.boundingRadius[ball];
         const double mass = 1 / (1 / body.mass + arm * arm * body.inverseInertia(0, 0));
         row.impulse << impulse, -mass * relativeVelocity(m_problem, row).tail<2>();

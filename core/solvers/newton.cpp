@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace carom {
 namespace {
@@ -84,7 +85,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, int 
     bool first = true;
     for (int round = 0; round < mostRounds; ++round) {
         if (report.factorisations >= mostFactorisations) {
-            velocitiesFromImpulses(problem);
+            takeBest(problem, report);
             return report;
         }
         int steps = 0;
@@ -412,6 +413,23 @@ double NewtonSolver::updateMultipliers(const ContactProblem& problem) {
         state.rollL = state.p.rolling;
     }
     return largest;
+}
+
+// The multipliers come from inner problems that were solved, so they are of use even if there are none
+// better.
+void NewtonSolver::takeBest(ContactProblem& problem, NewtonReport& report) {
+    m_first.clear();
+    for (const ContactRow& row : problem.rows) m_first.emplace_back(row.impulse, row.rollingImpulse);
+    takeImpulses(problem);
+    velocitiesFromImpulses(problem);
+    const double residual = residualOf(problem);
+    if (residual < report.residual) {
+        report.residual = residual;
+        return;
+    }
+    for (std::size_t i = 0; i < m_first.size(); ++i)
+        std::tie(problem.rows[i].impulse, problem.rows[i].rollingImpulse) = m_first[i];
+    velocitiesFromImpulses(problem);
 }
 
 void NewtonSolver::takeImpulses(ContactProblem& problem) {

@@ -5,6 +5,8 @@
 #include "core/solvers/contact_problem.h"
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 // A proximal Newton method for the contact problem: an augmented Lagrangian outside (M. Hestenes, 1969;
 // R. T. Rockafellar, "Augmented Lagrangians and applications of the proximal point algorithm in convex
@@ -43,7 +45,8 @@ struct NewtonReport {
 class NewtonSolver {
   public:
     /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf. If it is not
-    /// reached within `mostFactorisations` the problem's impulses stay what they were.
+    /// reached within `mostFactorisations` the impulses are the best that were found, those of the start if
+    /// none were better.
     NewtonReport solve(ContactProblem& problem, double tolerance,
                        int mostFactorisations = std::numeric_limits<int>::max());
 
@@ -81,6 +84,7 @@ class NewtonSolver {
     double lineSearch(const ContactProblem& problem);
     double updateMultipliers(const ContactProblem& problem);
     void takeImpulses(ContactProblem& problem);
+    void takeBest(ContactProblem& problem, NewtonReport& report);
 
     double m_kappa = 1;
     std::vector<RowState> m_rows;
@@ -89,7 +93,8 @@ class NewtonSolver {
     double m_perMass = 1;         // one over the unit of mass that H is written in [1/kg]
     std::vector<double> m_length; // by body, the unit of length that its pivots are chosen in [m]
     std::vector<BlockEdge> m_edges;
-    std::vector<double> m_carried; // by each body, the sum of impulses [N s]
+    std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
+    std::vector<double> m_carried;              // by each body, the sum of impulses [N s]
     std::vector<Vec6> m_gradient, m_step, m_saved;
     BlockMatrix m_matrix;
 };

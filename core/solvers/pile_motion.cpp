@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 namespace {
@@ -17,6 +18,16 @@ constexpr double softest = 0.5;
 /// leaves the next one takes.
 constexpr int partingSweeps = 4;
 constexpr double unseen = 1e-4;
+/// Sweeps end where they change speeds by no more than this part of |g| h, but there are so many: the forces
+/// are those that the next substep begins with, and its sweeps go on. In a settling pile more of them make
+/// neither the overlap less nor the time until it rests.
+constexpr double handedOn = 0.01;
+constexpr int fewestSweeps = 4;
+/// Layers that contacts are ordered by. Finer ones would order what is beside each other.
+constexpr std::size_t layers = 256;
+/// A pile is at rest if nothing is faster than so many times the tolerance: what sweeps leave in a long chain
+/// is more than their last change.
+constexpr double stillness = 10;
 
 } // namespace
 
@@ -33,22 +44,29 @@ double PileMotion::advance(const PileInput& input, std::span<const BodyIndex> me
     load(input, members, contacts);
     part(input, members, contacts);
     start(input, contacts);
+    const double enough = std::max(input.tolerance, handedOn * input.gravity.norm() * input.substep);
     double change = 0;
-    for (int sweep = 0; sweep < input.sweeps; ++sweep) {
+    for (int number = 0; number < input.sweeps; ++number) {
         change = 0;
-        const auto treat = [&](Row& row) {
+        sweep(number, [&](std::size_t i) {
+            Row& row = m_rows[i];
             change = std::max(change, row.friction > 0 ? relax(row) : relaxSmooth(row));
-        };
-        // Alternating directions favour neither end of a chain.
-        if (sweep % 2 == 0)
-            for (std::size_t i = 0; i < m_rows.size(); ++i) treat(m_rows[i]);
-        else
-            for (std::size_t i = m_rows.size(); i-- > 0;) treat(m_rows[i]);
-        if (change <= input.tolerance) break;
+        });
+        if (change <= enough && number + 1 >= fewestSweeps) break;
     }
+    if (change <= input.tolerance) settle(stillness * input.tolerance);
     move(input, members);
     store(input, contacts);
     return change;
+}
+
+// Down and up in turn.
+template<class Treat>
+void PileMotion::sweep(int number, const Treat& treat) {
+    if (number % 2 == 0)
+        for (std::size_t i = 0; i < m_rows.size(); ++i) treat(i);
+    else
+        for (std::size_t i = m_rows.size(); i-- > 0;) treat(i);
 }
 
 void PileMotion::load(const PileInput& input, std::span<const BodyIndex> members,
@@ -63,10 +81,11 @@ void PileMotion::load(const PileInput& input, std::span<const BodyIndex> members
     }
     m_rows.resize(contacts.points.size());
     m_gap.resize(m_rows.size());
+    orderRows(input, contacts);
     for (const ContactPair& pair : contacts.pairs)
         for (std::uint32_t k = pair.first; k < pair.first + pair.count; ++k) {
             const ContactConstraint& point = contacts.points[k];
-            Row& row = m_rows[k];
+            Row& row = m_rows[m_place[k]];
             row.a = bodies.mobile[pair.a] != 0 ? m_local[pair.a] : 0;
             row.b = bodies.mobile[pair.b] != 0 ? m_local[pair.b] : 0;
             row.normal = point.frame.row(0).transpose();
@@ -77,10 +96,34 @@ void PileMotion::load(const PileInput& input, std::span<const BodyIndex> members
             const Body& b = m_bodies[row.b];
             const double masses = a.inverseMass + b.inverseMass;
             row.massNormal = 1 / masses;
+            row.perMass = masses;
             row.massAcross = 1 / (masses + row.armA * row.armA * a.inverseInertia +
                                   row.armB * row.armB * b.inverseInertia);
-            m_gap[k] = point.separation;
+            m_gap[m_place[k]] = point.separation;
         }
+}
+
+// Weight is handed on from above: swept in that order, it is known below within one sweep, and what the
+// ground bears above within the next.
+void PileMotion::orderRows(const PileInput& input, const ContactSet& contacts) {
+    m_place.resize(contacts.points.size());
+    m_depth.resize(m_place.size());
+    double top = std::numeric_limits<double>::infinity(), bottom = -top;
+    for (const ContactPair& pair : contacts.pairs)
+        for (std::uint32_t k = pair.first; k < pair.first + pair.count; ++k) {
+            const ContactConstraint& point = contacts.points[k];
+            const bool ofA = input.bodies.mobile[pair.a] != 0;
+            const Vec3& centre = input.state.pose[ofA ? pair.a : pair.b].position;
+            m_depth[k] = input.gravity.dot(centre + (ofA ? point.armA : point.armB));
+            top = std::min(top, m_depth[k]);
+            bottom = std::max(bottom, m_depth[k]);
+        }
+    const double scale = bottom > top ? (static_cast<double>(layers) - 1) / (bottom - top) : 0;
+    const auto layerOf = [&](std::size_t k) { return static_cast<std::size_t>(scale * (m_depth[k] - top)); };
+    m_first.assign(layers + 1, 0);
+    for (std::size_t k = 0; k < m_place.size(); ++k) ++m_first[layerOf(k) + 1];
+    for (std::size_t layer = 0; layer < layers; ++layer) m_first[layer + 1] += m_first[layer];
+    for (std::size_t k = 0; k < m_place.size(); ++k) m_place[k] = m_first[layerOf(k)]++;
 }
 
 // The least displacement, in the sense of kinetic energy, that opens the gaps, as far as the sweeps get.
@@ -88,7 +131,8 @@ void PileMotion::part(const PileInput& input, std::span<const BodyIndex> members
     bool overlapping = false;
     for (const ContactPair& pair : contacts.pairs)
         for (std::uint32_t k = pair.first; k < pair.first + pair.count; ++k)
-            overlapping = overlapping || m_gap[k] < -unseen * pair.size;
+            overlapping = overlapping || contacts.points[k].separation < -unseen * pair.size;
+    m_parted = overlapping;
     if (!overlapping) return;
     m_shift.assign(m_bodies.size(), Vec3::Zero());
     m_parting.assign(m_rows.size(), 0.0);
@@ -104,17 +148,13 @@ void PileMotion::part(const PileInput& input, std::span<const BodyIndex> members
         a -= (change * m_bodies[row.a].inverseMass) * row.normal;
         b += (change * m_bodies[row.b].inverseMass) * row.normal;
     };
-    for (int sweep = 0; sweep < partingSweeps; ++sweep)
-        if (sweep % 2 == 0)
-            for (std::size_t k = 0; k < m_rows.size(); ++k) relaxGap(k);
-        else
-            for (std::size_t k = m_rows.size(); k-- > 0;) relaxGap(k);
+    for (int number = 0; number < partingSweeps; ++number) sweep(number, relaxGap);
     for (const BodyIndex i : members) input.state.pose[i].position += m_shift[m_local[i]];
     for (std::size_t k = 0; k < m_rows.size(); ++k) {
         const Row& row = m_rows[k];
         m_gap[k] += row.normal.dot(m_shift[row.b] - m_shift[row.a]);
-        contacts.points[k].separation = m_gap[k];
     }
+    for (std::size_t k = 0; k < m_rows.size(); ++k) contacts.points[k].separation = m_gap[m_place[k]];
 }
 
 // Bounds, and velocities under gravity and the forces of the last substep.
@@ -133,14 +173,14 @@ void PileMotion::start(const PileInput& input, const ContactSet& contacts) {
     for (const ContactPair& pair : contacts.pairs) {
         const double least = std::max(leastImpactPart(pair.restitution) * scale, 10 * input.tolerance);
         for (std::uint32_t k = pair.first; k < pair.first + pair.count; ++k) {
-            Row& row = m_rows[k];
+            Row& row = m_rows[m_place[k]];
             const ContactConstraint& point = contacts.points[k];
             const double closing = -row.normal.dot(m_before[row.b] - m_before[row.a]);
-            const double open = std::max(0.0, m_gap[k] - touchingWithin(pair));
+            const double open = std::max(0.0, point.separation - touchingWithin(pair));
             row.bound = open / h;
             if (closing > least && closing >= row.bound) {
                 row.bound = -pair.restitution * closing;
-                m_hard[k] = 1;
+                m_hard[m_place[k]] = 1;
                 m_wasStruck[row.a] = m_wasStruck[row.b] = 1;
                 ++m_struck;
             }
@@ -177,7 +217,7 @@ double PileMotion::relax(Row& row) {
     b.velocity += b.inverseMass * impulse;
     a.spin -= (a.inverseInertia * row.armA) * twist;
     b.spin -= (b.inverseInertia * row.armB) * twist;
-    return std::max(std::abs(pushed), change.cwiseAbs().maxCoeff()) / row.massNormal;
+    return std::max(std::abs(pushed), change.cwiseAbs().maxCoeff()) * row.perMass;
 }
 
 double PileMotion::relaxSmooth(Row& row) {
@@ -189,7 +229,25 @@ double PileMotion::relaxSmooth(Row& row) {
     row.push = push;
     a.velocity -= (a.inverseMass * pushed) * row.normal;
     b.velocity += (b.inverseMass * pushed) * row.normal;
-    return std::abs(pushed) / row.massNormal;
+    return std::abs(pushed) * row.perMass;
+}
+
+// Speeds of the rim count as speeds.
+void PileMotion::settle(double still) {
+    const auto isStill = [&](const Vec3& velocity, const Vec3& spin, const Body& body) {
+        return velocity.norm() <= still &&
+               spin.norm() * std::sqrt(body.inverseMass) <= still * std::sqrt(body.inverseInertia);
+    };
+    for (std::size_t i = 1; i < m_bodies.size(); ++i)
+        if (!isStill(m_bodies[i].velocity, m_bodies[i].spin, m_bodies[i]) ||
+            !isStill(m_before[i], m_spinBefore[i], m_bodies[i]))
+            return;
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        m_bodies[i].velocity.setZero();
+        m_bodies[i].spin.setZero();
+        m_before[i].setZero();
+        m_spinBefore[i].setZero();
+    }
 }
 
 void PileMotion::move(const PileInput& input, std::span<const BodyIndex> members) {
@@ -212,9 +270,9 @@ void PileMotion::move(const PileInput& input, std::span<const BodyIndex> members
 // An impact says nothing about the force of the next substep.
 void PileMotion::store(const PileInput& input, ContactSet& contacts) const {
     for (std::size_t k = 0; k < m_rows.size(); ++k) {
-        const Row& row = m_rows[k];
+        const Row& row = m_rows[m_place[k]];
         ContactConstraint& point = contacts.points[k];
-        const double rate = m_hard[k] != 0 ? 0 : 1 / input.substep;
+        const double rate = m_hard[m_place[k]] != 0 ? 0 : 1 / input.substep;
         point.force << rate * row.push, rate * (point.frame.bottomRows<2>() * row.across);
     }
 }

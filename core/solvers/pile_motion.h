@@ -16,7 +16,9 @@
 //     part      displacements that open the overlaps; velocities do not know of them
 //     impacts   contacts that touch and close hard part with e times their closing speed
 //     sweeps    v = v₀ + g h + M⁻¹ Jᵀ p, contact after contact made right, forces of the last substep to
-//     start move      x += h (v₀ + v)/2, and h v for what an impact has struck, whose v₀ ended with it
+//               start; from the top down and back up, as weight is handed on
+//     settle    what moves within the tolerance is at rest, if all does
+//     move      x += h (v₀ + v)/2, and h v for what an impact has struck, whose v₀ ended with it
 //
 // Many short substeps with few sweeps each, warm started, do better than few with many (M. Macklin et al.,
 // "Small steps in physics simulation", 2019). The error that is left shows as overlap, which `part` takes
@@ -30,7 +32,7 @@ struct PileInput {
     const Bodies& bodies;
     Vec3 gravity;         ///< [m/s²]
     double substep = 0;   ///< [s]
-    double tolerance = 0; ///< sweeps end when none changes a speed by more [m/s]
+    double tolerance = 0; ///< a residual up to this is none [m/s]
     int sweeps = 0;       ///< at most
     State& state;
 };
@@ -45,6 +47,8 @@ class PileMotion {
     double advance(const PileInput& input, std::span<const BodyIndex> members, ContactSet& contacts);
 
     std::size_t impacts() const { return m_struck; }
+    /// Whether overlaps were parted.
+    bool parted() const { return m_parted; }
 
   private:
     struct Body {
@@ -60,14 +64,19 @@ class PileMotion {
         double bound = 0;                      // n·u >= −bound [m/s]
         double friction = 0;                   // μ
         double massNormal = 0, massAcross = 0; // [kg]
+        double perMass = 0;                    // 1/massNormal [1/kg]
         double push = 0;                       // impulse along the normal [N s]
         Vec3 across = Vec3::Zero();            // impulse across it [N s]
     };
     void load(const PileInput& input, std::span<const BodyIndex> members, const ContactSet& contacts);
+    void orderRows(const PileInput& input, const ContactSet& contacts);
     void part(const PileInput& input, std::span<const BodyIndex> members, ContactSet& contacts);
     void start(const PileInput& input, const ContactSet& contacts);
     double relax(Row& row);
     double relaxSmooth(Row& row);
+    template<class Treat>
+    void sweep(int number, const Treat& treat);
+    void settle(double still);
     void move(const PileInput& input, std::span<const BodyIndex> members);
     void store(const PileInput& input, ContactSet& contacts) const;
 
@@ -77,10 +86,14 @@ class PileMotion {
     std::vector<Vec3> m_spinBefore;
     std::vector<std::uint8_t> m_wasStruck; // by body of m_bodies
     std::vector<Vec3> m_shift;             // of parting, by body of m_bodies [m]
-    std::vector<Row> m_rows;               // one a point
+    std::vector<Row> m_rows;               // one a point, from the top down
+    std::vector<std::uint32_t> m_place;    // by point: its row
+    std::vector<double> m_depth;           // by point: how far down it is, times |g|
+    std::vector<std::uint32_t> m_first;    // by layer: the next free row
     std::vector<std::uint8_t> m_hard;      // by row: it closes hard
     std::vector<double> m_gap, m_parting;  // by row [m], [kg m]
     std::size_t m_struck = 0;
+    bool m_parted = false;
 };
 
 } // namespace carom

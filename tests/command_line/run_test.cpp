@@ -22,7 +22,7 @@ const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase
                                  "events,axes_tried,axes_spared,energy_by_gravity,energy_by_restitution,"
                                  "energy_by_contact,energy_by_friction,energy_by_rolling,energy_by_spring,"
                                  "energy_by_rotation,energy_by_parting,energy_by_rest,energy_unexplained,"
-                                 "momentum_unexplained,residual";
+                                 "momentum_unexplained,residual,resting";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
 const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125 }\n"

@@ -123,6 +123,15 @@ class EffectsTest : public QObject {
         row("resting, elastic", "resting", two, "absent", "");
         row("resting, inelastic", "resting", one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0.5 }"),
             "not simulated yet", "0.5", 0);
+        const QString other = s("sphere { radius 1 mass 1 centre 3, 5, 0 ");
+        row("resting, rough", "resting",
+            s("sphere { radius 1 mass 1 centre 0, 5, 0 friction 0.25 }") + other + s("friction 1e-300 }"),
+            "not simulated yet", "0.25", 0);
+        row("resting, rolling", "resting", one + other + s("rolling 0.01 }"), "not simulated yet", "0.01", 0);
+        row("resting, damped", "resting",
+            s("sphere a { radius 1 mass 1 centre 0, 5, 0 } sphere b { radius 1 mass 1 centre 9, 5, 0 }\n"
+              "spring { from a to b stiffness 3 damping 0.125 }"),
+            "not simulated yet", "0.125", 0);
     }
     void decisionsCiteTheTextThatCallsForThem() {
         QFETCH(QString, effect);
@@ -140,6 +149,14 @@ class EffectsTest : public QObject {
         QCOMPARE(int(decision.unmet.size()), warnings);
         QVERIFY(warnings == 0 || !findEffect(effect.toStdString())->unmetMessage.empty());
         for (const SourceRange place : decision.unmet) QVERIFY(place.length > 0);
+    }
+
+    void restingIsSimulatedByMethodsThatLeaveAloneWhatRests() {
+        const Analysis analysis = analyse("sphere { radius 1 mass 1 centre 0, 5, 0 elastic 0.5 }\n"
+                                          "wall { normal 0, 1, 0 toOrig 0 }");
+        const EffectRow& resting = *findEffect("resting");
+        QCOMPARE(q(nameOf(resting.decide(analysis.scene, {.resting = true}).status)), QString("on"));
+        QCOMPARE(q(nameOf(resting.decide(analysis.scene, {}).status)), QString("not simulated yet"));
     }
 
     void aReasonNamesTheBodyByItsLabel() {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/ledger.h"
+
+#include <span>
+#include <vector>
+
+// Bodies that have come to rest are left alone until something may touch them.
+//
+// An island is laid to rest after a substep that began and ended with all its velocities zero and moved
+// nothing: its forces balance, and the substeps to come would find the same. (What is slower than the
+// tolerance of the contact problem has been stopped before, IslandMotion::settle.) So no timer is needed, and
+// no speed or time below which things are frozen. An island is woken whole, with the forces it was laid down
+// with:
+//
+//     reach      a body that moves may touch one of it within the substep
+//     velocity   somebody gave one of it a velocity: a ball that struck it in flight, an edit
+//
+// Until then a substep does not look at it: its pairs are not searched, collided or solved for.
+
+namespace carom {
+
+class Resting {
+  public:
+    explicit Resting(std::size_t bodies) : m_next(bodies, noBody) {}
+
+    bool rests(BodyIndex body) const { return m_next[body] != noBody; }
+    /// All that rest, ascending; as of the last exchange.
+    std::span<const BodyIndex> bodies() const { return m_bodies; }
+    /// Among those that rest and with what is immobile.
+    const ContactSet& contacts() const { return m_contacts; }
+    double deepest() const { return m_deepest; } ///< overlap of these contacts [m]
+
+    /// Lays an island to rest. exchange() must follow before the next substep.
+    void lay(std::span<const BodyIndex> island);
+    /// Wakes the island of a body that rests and appends it to `woken`. exchange() must follow.
+    void wake(BodyIndex body, std::vector<BodyIndex>& woken);
+    /// Takes over the contacts of those that rest by now, and gives back the contacts of those that were
+    /// woken. Pairs ascend in both sets.
+    void exchange(const Bodies& bodies, ContactSet& moving);
+
+    /// Books that the forces of what rests bear its weight over `duration` [s].
+    void book(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const;
+
+  private:
+    std::vector<BodyIndex> m_next; // by body: the next one of its island, in a ring; noBody: it does not rest
+    std::vector<BodyIndex> m_bodies, m_laid; // m_laid: since the last exchange
+    ContactSet m_contacts, m_rests, m_moves;
+    double m_deepest = 0;
+    bool m_changed = false;
+};
+
+/// The pairs of two sets that have none in common, ascending.
+ContactSet merged(const ContactSet& one, const ContactSet& other);
+
+} // namespace carom

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/contact_scenes.h"
+
+#include "core/dynamics/energy.h"
+
+#include <QTest>
+
+// What has come to rest is left alone, and woken by whatever may touch it.
+
+namespace carom {
+namespace {
+
+using namespace test;
+
+constexpr double edge = 1; // [m]
+
+Body box(double x, double height) {
+    return rough(cuboid(Vec3(edge, edge, edge), 1, Vec3(x, height, 0)), 0.5);
+}
+
+/// Ten boxes on each other at x, and a floor.
+Scene towerAt(double x) {
+    Scene scene = sceneOf({floorOf(0.5)}, downwards());
+    for (int i = 0; i < 10; ++i) scene.bodies.push_back(box(x, (i + 0.5) * edge));
+    return scene;
+}
+
+} // namespace
+
+class RestingTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void bodiesAtRestAreLeftAloneAndKeepTheirForces() {
+        World world = worldOf(towerAt(0), contacts("default"));
+        run(world, 30);
+        QCOMPARE(world.statistics().resting, 10U);
+        const std::vector<Pose> before = world.state().pose;
+        const std::vector<ContactForce> forces = world.contactForces();
+        run(world, 600);
+        QCOMPARE(world.statistics().resting, 10U);
+        QCOMPARE(world.statistics().contacts, 4U * 10U); // pairs, in each of four substeps
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY(world.state().pose[i].position == before[i].position);
+        double weight = 0;
+        for (const ContactForce& force : world.contactForces()) weight = std::max(weight, force.force.y());
+        QCOMPARE(world.contactForces().size(), forces.size());
+        QVERIFY(weight > 0);
+    }
+
+    void aBallThatHitsATowerAtRestWakesItAndGivesItItsMomentum() {
+        Scene scene = towerAt(0);
+        const double speed = 10, mass = 0.5;
+        scene.bodies.push_back(moving(rough(sphere(0.3, mass, Vec3(-8, 7, 0)), 0.5), Vec3(speed, 0, 0)));
+        scene.bodies.back().elastic = 0;
+        World world = worldOf(scene, contacts("default"));
+        bool rested = false, woke = false;
+        double fastest = 0;
+        for (int frame = 0; frame < 70; ++frame) {
+            world.step();
+            rested = rested || world.statistics().resting == 10;
+            woke = woke || (rested && world.statistics().resting == 0);
+            for (BodyIndex i = 1; i <= 10; ++i) fastest = std::max(fastest, world.state().velocity[i].norm());
+        }
+        QVERIFY(rested);
+        QVERIFY(woke);
+        QVERIFY(fastest > 0.5);
+        QVERIFY(world.health().finite);
+    }
+
+    // What never comes near changes nothing, not even by being there.
+    void aTowerIsNotWokenByWhatPassesIt() {
+        Scene scene = towerAt(0);
+        scene.bodies.push_back(
+            moving(rough(sphere(0.3, 1, Vec3(-5, 0.3, 2)), 0.5), Vec3(3, 0, 0), Vec3(0, 0, -3 / 0.3)));
+        World world = worldOf(scene, contacts("default"));
+        run(world, 30);
+        for (int frame = 0; frame < 240; ++frame) {
+            world.step();
+            QCOMPARE(world.statistics().resting, 10U);
+        }
+        QVERIFY(world.state().pose.back().position.x() > 5);
+    }
+
+    // A box that slides into one at rest: before they touch it is left alone, and after that both move on as
+    // one would expect of equal masses and a plastic impact.
+    void aSlidingBoxPushesOneAtRest() {
+        Scene scene = sceneOf({floorOf(0)}, downwards());
+        scene.bodies.push_back(rough(box(0, 0.5 * edge), 0.2));
+        scene.bodies.push_back(moving(rough(box(-2, 0.5 * edge), 0.2), Vec3(1, 0, 0)));
+        World world = worldOf(scene, contacts("default"));
+        bool rested = false;
+        for (int frame = 0; frame < 50; ++frame) {
+            world.step();
+            rested = rested || world.statistics().resting == 1;
+        }
+        QVERIFY(rested);
+        run(world, 70);
+        QCOMPARE(world.statistics().resting, 0U);
+        QVERIFY(std::abs(world.state().velocity[1].x() - 0.5) < 1e-9);
+        QVERIFY(std::abs(world.state().velocity[2].x() - 0.5) < 1e-9);
+    }
+
+    // Balls fall on a box at rest and lie still on it: balls fly before and are woken and laid down with it.
+    void whatFallsOnSomethingAtRestWakesIt() {
+        Scene scene = sceneOf({floorOf(0.5)}, downwards());
+        scene.bodies.push_back(rough(cuboid(Vec3(4, 1, 4), 10, Vec3(0, 0.5, 0)), 0.5));
+        for (int i = 0; i < 9; ++i)
+            scene.bodies.push_back(
+                rough(sphere(0.2, 1, Vec3(i % 3 - 1, 2 + 0.1 * i, i / 3 - 1)), 0.5, 0.3, 0.01));
+        World world = worldOf(scene, contacts("default"));
+        std::uint64_t most = 0;
+        bool boxWoke = false;
+        for (int frame = 0; frame < 300; ++frame) {
+            const std::uint64_t before = world.statistics().resting;
+            world.step();
+            boxWoke = boxWoke || world.statistics().resting < before;
+            most = std::max(most, world.statistics().resting);
+        }
+        QVERIFY(boxWoke);
+        QCOMPARE(most, 10U);
+        QCOMPARE(world.statistics().resting, 10U);
+        for (BodyIndex i = 2; i < scene.bodies.size(); ++i)
+            QVERIFY(std::abs(world.state().pose[i].position.y() - 1.2) < 1e-6);
+    }
+
+    void nothingRestsWhereNothingLosesEnergy() {
+        Scene scene = sceneOf({floorOf(0, 1)}, downwards());
+        scene.bodies.push_back(rough(box(0, 0.5 * edge), 0, 1));
+        World world = worldOf(scene, contacts("default"));
+        run(world, 60);
+        QVERIFY(!world.pipeline().simulates("resting"));
+        QCOMPARE(world.statistics().resting, 0U);
+    }
+
+    void aWorldRestoredAtRestGoesOnToTheBit() {
+        Scene scene = towerAt(0);
+        scene.bodies.push_back(moving(rough(sphere(0.3, 0.5, Vec3(-12, 7, 0)), 0.5), Vec3(10, 0, 0)));
+        World world = worldOf(scene, contacts("default"));
+        run(world, 40);
+        QCOMPARE(world.statistics().resting, 10U);
+        const Checkpoint checkpoint = world.checkpoint();
+        run(world, 60);
+        World other = worldOf(scene, contacts("default"));
+        other.restore(checkpoint);
+        run(other, 60);
+        QCOMPARE(other.stateHash(), world.stateHash());
+        QCOMPARE(other.statistics().resting, world.statistics().resting);
+    }
+
+    void theLedgerOfWhatRestsBalances() {
+        World world = worldOf(towerAt(0), contacts("default"));
+        world.keepLedger(true);
+        run(world, 60);
+        QCOMPARE(world.statistics().resting, 10U);
+        const Ledger& ledger = world.statistics().ledger;
+        const double weight = 10 * gravity * world.pipeline().settings().step;
+        QVERIFY(std::abs(ledger[LedgerAccount::Gravity].momentum.y() + weight) < 1e-12 * weight);
+        QCOMPARE(world.statistics().unexplained.momentum.norm(), 0.0);
+        QCOMPARE(world.statistics().unexplained.energy, 0.0);
+    }
+};
+
+} // namespace carom
+
+QTEST_GUILESS_MAIN(carom::RestingTest)
+#include "resting_test.moc"
