@@ -4,6 +4,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -32,6 +33,28 @@ class Workers {
         m_arena.execute([&] {
             oneapi::tbb::parallel_for(Range(0, count, grain),
                                       [&](const Range& part) { work(part.begin(), part.end()); });
+        });
+    }
+
+    /// Calls work(thread, i) for every i in [0, count) once; calls at the same time have different threads,
+    /// all below threads(). For elements that take long and unequally so: a thread takes the next when it is
+    /// done.
+    template<class Work>
+    void forEach(std::size_t count, const Work& work) {
+        if (m_threads == 1 || count < 2) {
+            for (std::size_t i = 0; i < count; ++i) work(std::size_t{0}, i);
+            return;
+        }
+        using Range = oneapi::tbb::blocked_range<std::size_t>;
+        m_arena.execute([&] {
+            oneapi::tbb::parallel_for(
+                Range(0, count, 1),
+                [&](const Range& part) {
+                    const int thread = oneapi::tbb::this_task_arena::current_thread_index();
+                    for (std::size_t i = part.begin(); i < part.end(); ++i)
+                        work(static_cast<std::size_t>(thread), i);
+                },
+                oneapi::tbb::simple_partitioner{});
         });
     }
 

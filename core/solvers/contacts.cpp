@@ -2,9 +2,10 @@
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
+#include "core/solvers/candidates.h"
 #include "core/solvers/elastic_gas.h"
 #include "core/solvers/flights.h"
-#include "core/solvers/island_motion.h"
+#include "core/solvers/island_crew.h"
 #include "core/solvers/islands.h"
 #include "core/solvers/local_solver.h"
 #include "core/solvers/neighbours.h"
@@ -33,7 +34,8 @@ namespace {
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
-        : m_settings(settings), m_neighbours(bodies), m_flights(bodies), m_resting(bodies.count()) {
+        : m_settings(settings), m_neighbours(bodies), m_flights(bodies), m_resting(bodies.count()),
+          m_candidates(bodies.count()) {
         for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
     }
 
@@ -51,42 +53,30 @@ class Contacts final : public Solver {
     void beginFlights(const SolverInput& input);
     FlightInput flightInput(const SolverInput& input);
     void findMembers(const SolverInput& input);
-    template<class OnPair>
-    void eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const;
     void wakeMoved(const SolverInput& input);
     bool wakeTouched(const SolverInput& input);
     void rouseWoken();
     void followMembers(const SolverInput& input);
     void coverMembers(const SolverInput& input);
-    void findCandidates(const SolverInput& input);
-    bool shareReach(const Bodies& bodies, const State& state);
-    void collideCandidates(const SolverInput& input);
+    void collideCandidates(const SolverInput& input, std::span<const BodyPair> candidates);
     void moveIslands(const SolverInput& input, SolverReport& report);
     void fly(const SolverInput& input);
     void coast(const SolverInput& input, std::span<const BodyIndex> bodies, const Vec3& acceleration,
                double duration);
-    /// Impacts that are all solved for at once have no order to be lived through in.
-    bool flies(BodyIndex body) const { return !m_settings.simultaneous && m_flights.flies(body); }
-    double marginOf(const Bodies& bodies, BodyPair pair) const;
 
     SolverSettings m_settings;
     Neighbours m_neighbours;
     Flights m_flights;
     Resting m_resting;
-    int m_takeOff = 0, m_span = 1; // the flights' first substep in the frame, and how many they last
-    std::vector<double> m_reach;   // by body: how far it can come, sped up by what may hit it [m]
-    std::vector<BodyPair> m_candidates;
-    std::vector<BodyPair> m_upward, m_downward; // of these, from a member to a larger index, and to a smaller
-    std::vector<double> m_gaps;                 // of the members' pairs, in their order [m]
-    std::vector<BodyIndex> m_members;           // mobile bodies that neither fly nor rest
+    Candidates m_candidates;
+    int m_takeOff = 0, m_span = 1;    // the flights' first substep in the frame, and how many they last
+    std::vector<BodyIndex> m_members; // mobile bodies that neither fly nor rest
     std::vector<BodyIndex> m_woken;
-    std::vector<BodyIndex> m_free; // members that touch nothing
     std::vector<BodyPair> m_links; // the ends of springs
     ContactSet m_contacts;         // from the last substep
     ContactSet m_found, m_kept;    // at the start and at the end of the substep, pair by pair
-    SpringNetwork::Scratch m_swingRoom;
     Islands m_islands;
-    IslandMotion m_motion;
+    IslandCrew m_crew;
 };
 
 SolverReport Contacts::advance(const SolverInput& input) {
@@ -94,11 +84,11 @@ SolverReport Contacts::advance(const SolverInput& input) {
     Stopwatch watch;
     const std::uint64_t searches = m_neighbours.searches();
     findMembers(input);
-    findCandidates(input);
+    const std::span<const BodyPair> candidates = m_candidates.find(input.bodies);
     report.searched = m_neighbours.searches() != searches;
     report.broadphase = watch.lap();
 
-    collideCandidates(input);
+    collideCandidates(input, candidates);
     report.narrowphase = watch.lap();
     report.resting = m_resting.bodies().size();
     report.contacts = m_found.pairs.size() + m_resting.contacts().pairs.size() + m_flights.impacts();
@@ -190,7 +180,7 @@ void Contacts::followMembers(const SolverInput& input) {
 
 void Contacts::coverMembers(const SolverInput& input) {
     followMembers(input);
-    while (!shareReach(input.bodies, input.state))
+    while (!m_candidates.look(input.bodies, input.state, m_members, m_neighbours))
         m_neighbours.search(input.bodies, input.state, input.broadphase);
 }
 
@@ -215,7 +205,8 @@ bool Contacts::wakeTouched(const SolverInput& input) {
     for (const BodyIndex i : m_members)
         for (const BodyIndex k : m_neighbours.around(i))
             if (m_resting.rests(k) && // not yet woken by another
-                boundingGap(input.bodies, input.state, {std::min(i, k), std::max(i, k)}) <= m_reach[i])
+                boundingGap(input.bodies, input.state, {std::min(i, k), std::max(i, k)}) <=
+                    m_candidates.reach(i))
                 m_resting.wake(k, m_woken);
     if (m_woken.empty()) return false;
     rouseWoken();
@@ -224,124 +215,36 @@ bool Contacts::wakeTouched(const SolverInput& input) {
     return true;
 }
 
-// The neighbours of members, but for what flies or rests.
-template<class OnPair>
-void Contacts::eachPairOfMembers(const Bodies& bodies, const OnPair& onPair) const {
-    for (const BodyIndex i : m_members)
-        for (const BodyIndex k : m_neighbours.around(i)) {
-            const bool isMember = bodies.mobile[k] != 0;
-            if (isMember && (k < i || flies(k) || m_resting.rests(k))) continue;
-            onPair(i, BodyPair{std::min(i, k), std::max(i, k)});
-        }
-}
-
-// Pairs within reach of bodies that do not fly, ascending.
-void Contacts::findCandidates(const SolverInput& input) {
-    m_upward.clear();
-    m_downward.clear();
-    auto gap = m_gaps.begin();
-    eachPairOfMembers(input.bodies, [&](BodyIndex from, BodyPair pair) {
-        if (!(*gap++ <= marginOf(input.bodies, pair))) return;
-        (from == pair.a ? m_upward : m_downward).push_back(pair);
-    });
-    // Members and their others ascend: so do all but the few pairs with something immobile of smaller index.
-    std::sort(m_downward.begin(), m_downward.end());
-    m_candidates.resize(m_upward.size() + m_downward.size());
-    std::merge(m_upward.begin(), m_upward.end(), m_downward.begin(), m_downward.end(), m_candidates.begin());
-}
-
-// A body about to be hit may leave as fast as what hits it comes: neighbours share their reach. False if that
-// takes them beyond what was searched.
-bool Contacts::shareReach(const Bodies& bodies, const State& state) {
-    m_reach.resize(bodies.count(), 0);
-    for (const BodyIndex i : m_members) m_reach[i] = m_neighbours.reach(i);
-    bool covered = true;
-    const auto room = [&](BodyIndex i) {
-        return m_reach[i] + Neighbours::leastMargin * bodies.boundingRadius[i];
-    };
-    for (const BodyIndex i : m_members) covered = m_neighbours.covers(i, room(i)) && covered;
-    if (!covered) return false;
-    m_gaps.clear();
-    eachPairOfMembers(bodies, [&](BodyIndex, BodyPair pair) {
-        m_gaps.push_back(boundingGap(bodies, state, pair));
-        if (bodies.mobile[pair.a] == 0 || bodies.mobile[pair.b] == 0) return;
-        const double reachA = m_neighbours.reach(pair.a), reachB = m_neighbours.reach(pair.b);
-        if (!(m_gaps.back() <= reachA + reachB)) return;
-        const BodyIndex slower = reachA < reachB ? pair.a : pair.b;
-        const double reach = std::max(reachA, reachB);
-        if (!(m_reach[slower] < reach)) return;
-        m_reach[slower] = reach;
-        covered = m_neighbours.covers(slower, room(slower)) && covered;
-    });
-    return covered;
-}
-
-double Contacts::marginOf(const Bodies& bodies, BodyPair pair) const {
-    double size = std::max(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
-    if (!isWall(bodies.shape[pair.a]) && !isWall(bodies.shape[pair.b]))
-        size = std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
-    return std::max(Neighbours::leastMargin * size, m_reach[pair.a] + m_reach[pair.b]);
-}
-
-void Contacts::collideCandidates(const SolverInput& input) {
+void Contacts::collideCandidates(const SolverInput& input, std::span<const BodyPair> candidates) {
     m_found.clear();
     std::size_t old = 0;
-    for (const BodyPair pair : m_candidates) {
+    for (const BodyPair pair : candidates) {
         while (old < m_contacts.pairs.size() && m_contacts.pairs[old].bodies() < pair) ++old;
         std::span<const ContactConstraint> memory;
         if (old < m_contacts.pairs.size() && m_contacts.pairs[old].bodies() == pair)
             memory = m_contacts.pointsOf(m_contacts.pairs[old]);
-        ContactPair contact = pairOf(input.bodies, pair, marginOf(input.bodies, pair));
+        ContactPair contact = pairOf(input.bodies, pair, m_candidates.marginOf(input.bodies, pair));
         if (!memory.empty()) contact.patience = m_contacts.pairs[old].patience;
         collideInto(input.bodies, input.state, contact, memory, m_found);
     }
 }
 
 void Contacts::moveIslands(const SolverInput& input, SolverReport& report) {
-    m_kept.clear();
-    m_kept.pairs.resize(m_found.pairs.size());
-    m_free.clear();
-    m_motion.report = {};
-    Ledger ledger; // of one island
-    const MotionInput motion{.bodies = input.bodies,
-                             .settings = m_settings,
-                             .gravity = input.gravity,
-                             .substep = input.substep,
-                             .state = input.state,
-                             .ledger = input.ledger != nullptr ? &ledger : nullptr};
-    for (std::size_t i = 0; i < m_islands.count(); ++i) {
-        const Island island = m_islands[i];
-        if (input.ledger != nullptr) ledger = {};
-        if (island.pairs.empty() && island.links.empty()) {
-            m_free.push_back(island.bodies.front());
-        } else if (island.pairs.empty() && input.motion.swing != nullptr) {
-            SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, m_swingRoom};
-            const Invariants before = motion.ledger != nullptr ? invariantsOf(input.bodies, island.bodies,
-                                                                              input.state, input.gravity)
-                                                               : Invariants{};
-            input.motion.swing(network, input.substep, input.state);
-            if (motion.ledger != nullptr)
-                bookSwing(input.bodies, island.bodies, before, {input.gravity, input.gravity, input.substep},
-                          input.state, ledger);
-        } else {
-            const bool rests = m_motion.advance(motion, island, m_found, m_kept);
-            if (rests && m_settings.resting) m_resting.lay(island.bodies);
-        }
-        if ((report.loss = m_motion.report.loss)) return;
-        if (input.ledger != nullptr) input.ledger->add(ledger);
-    }
-    report.maxPenetration = std::max(m_motion.report.maxPenetration, m_resting.deepest());
-    report.residual = m_motion.report.residual;
-
-    std::erase_if(m_kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
+    m_crew.move(input, m_settings, m_islands, m_found, m_kept);
+    const MotionReport& motion = m_crew.report();
+    if ((report.loss = motion.loss)) return;
+    report.maxPenetration = std::max(motion.maxPenetration, m_resting.deepest());
+    report.residual = motion.residual;
     std::swap(m_contacts, m_kept);
     report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_resting.contacts()));
     if (input.ledger != nullptr) m_resting.book(input.bodies, input.gravity, input.substep, *input.ledger);
+    if (!m_settings.resting) return;
+    for (const std::uint32_t island : m_crew.still()) m_resting.lay(m_islands[island].bodies);
     m_resting.exchange(input.bodies, m_contacts);
 }
 
 void Contacts::fly(const SolverInput& input) {
-    coast(input, m_free, input.gravity, input.substep);
+    coast(input, m_crew.lone(), input.gravity, input.substep);
     if (m_settings.simultaneous) return;
     const FlightInput flight = flightInput(input);
     m_flights.kickPlatforms(flight);

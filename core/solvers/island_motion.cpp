@@ -22,12 +22,10 @@ bool areStill(const State& state, std::span<const BodyIndex> bodies) {
 
 } // namespace
 
-bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found,
-                           ContactSet& kept) {
+bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
     load(input, island, found);
     const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
     if (!bounce(input, island) && !movePile(input, island)) move(input, island);
-    keep(island, kept);
     return wereStill && !m_parted && areStill(input.state, island.bodies);
 }
 
@@ -317,11 +315,6 @@ void IslandMotion::commit(const MotionInput& input, const Island& island, double
         rotateBetween(input.bodies, body, m_start[i].angularMomentum, endMomentum(i), duration, input.state);
     }
     if (input.ledger != nullptr) bookTurning(input, island);
-}
-
-void IslandMotion::keep(const Island& island, ContactSet& kept) const {
-    for (std::size_t i = 0; i < m_contacts.pairs.size(); ++i)
-        kept.put(island.pairs[i], m_contacts.pairs[i], m_contacts.pointsOf(m_contacts.pairs[i]));
 }
 
 } // namespace carom

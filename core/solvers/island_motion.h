@@ -57,10 +57,12 @@ inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class IslandMotion {
   public:
-    /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep;
-    /// those at its end, with their forces, are put into their places in `kept`. True if the island has not
-    /// moved: nothing had a velocity before or after, and nothing overlapped.
-    bool advance(const MotionInput& input, const Island& island, const ContactSet& found, ContactSet& kept);
+    /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep. True
+    /// if the island has not moved: nothing had a velocity before or after, and nothing overlapped.
+    bool advance(const MotionInput& input, const Island& island, const ContactSet& found);
+    /// Those at the end, with their forces: pair by pair those of the island; a pair may have lost its
+    /// points.
+    const ContactSet& contacts() const { return m_contacts; }
 
     MotionReport report; ///< added up by advance
 
@@ -128,7 +130,6 @@ class IslandMotion {
     void commit(const MotionInput& input, const Island& island, double duration);
     bool isWithin(double factor) const;
     void settle(const MotionInput& input);
-    void keep(const Island& island, ContactSet& kept) const;
 
     void bookForces(const MotionInput& input, double duration);
     void swapPushes();

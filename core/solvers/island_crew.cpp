@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/island_crew.h"
+
+#include "core/dynamics/energy.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+/// Contacts and bodies that are worth waking a thread for: some tens of microseconds.
+constexpr std::size_t batchWeight = 32;
+
+/// Springs alone hold this island together: the integrator moves it.
+bool isNetwork(const SolverInput& input, const Island& island) {
+    return island.pairs.empty() && input.motion.swing != nullptr;
+}
+
+} // namespace
+
+struct IslandCrew::Task {
+    const SolverInput& input;
+    const SolverSettings& settings;
+    const Islands& islands;
+    const ContactSet& found;
+};
+
+void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
+                      const ContactSet& found, ContactSet& kept) {
+    share(islands);
+    m_hands.resize(static_cast<std::size_t>(input.workers.threads()));
+    for (Hand& hand : m_hands) {
+        hand.motion.report = {};
+        hand.kept.clear();
+        hand.places.clear();
+    }
+    kept.clear();
+    kept.pairs.resize(found.pairs.size());
+    const Task task{input, settings, islands, found};
+    input.workers.forEach(m_batch.size() - 1, [&](std::size_t thread, std::size_t batch) {
+        for (std::uint32_t work = m_batch[batch]; work < m_batch[batch + 1]; ++work)
+            moveOne(task, work, m_hands[thread], kept);
+    });
+    collect(input, kept);
+}
+
+// Small islands go together.
+void IslandCrew::share(const Islands& islands) {
+    m_lone.clear();
+    m_work.clear();
+    m_batch.assign(1, 0);
+    std::size_t weight = 0;
+    for (std::uint32_t i = 0; i < islands.count(); ++i) {
+        const Island island = islands[i];
+        if (island.pairs.empty() && island.links.empty()) {
+            m_lone.push_back(island.bodies.front());
+            continue;
+        }
+        m_work.push_back(i);
+        weight += island.pairs.size() + island.bodies.size();
+        if (weight < batchWeight) continue;
+        m_batch.push_back(static_cast<std::uint32_t>(m_work.size()));
+        weight = 0;
+    }
+    if (m_batch.back() < m_work.size()) m_batch.push_back(static_cast<std::uint32_t>(m_work.size()));
+    m_outcomes.resize(m_work.size());
+}
+
+void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand, ContactSet& kept) {
+    const SolverInput& input = task.input;
+    const Island island = task.islands[m_work[work]];
+    Outcome& outcome = m_outcomes[work];
+    outcome = {};
+    Ledger* ledger = input.ledger != nullptr ? &outcome.ledger : nullptr;
+    if (isNetwork(input, island)) {
+        SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, hand.room};
+        const Invariants before = ledger != nullptr
+                                      ? invariantsOf(input.bodies, island.bodies, input.state, input.gravity)
+                                      : Invariants{};
+        input.motion.swing(network, input.substep, input.state);
+        if (ledger != nullptr)
+            bookSwing(input.bodies, island.bodies, before, {input.gravity, input.gravity, input.substep},
+                      input.state, *ledger);
+        return;
+    }
+    const MotionInput motion{.bodies = input.bodies,
+                             .settings = task.settings,
+                             .gravity = input.gravity,
+                             .substep = input.substep,
+                             .state = input.state,
+                             .ledger = ledger};
+    outcome.isStill = hand.motion.advance(motion, island, task.found);
+    outcome.loss = hand.motion.report.loss;
+    hand.motion.report.loss = {};
+    const ContactSet& left = hand.motion.contacts();
+    for (std::size_t i = 0; i < left.pairs.size(); ++i) {
+        const ContactPair& pair = left.pairs[i];
+        if (m_hands.size() == 1) {
+            kept.put(island.pairs[i], pair, left.pointsOf(pair));
+        } else if (pair.count > 0) {
+            hand.kept.append(pair, left.pointsOf(pair));
+            hand.places.push_back(island.pairs[i]);
+        }
+    }
+}
+
+void IslandCrew::collect(const SolverInput& input, ContactSet& kept) {
+    m_report = {};
+    for (const Hand& hand : m_hands) {
+        const MotionReport& part = hand.motion.report;
+        m_report.residual = std::max(m_report.residual, part.residual);
+        m_report.maxPenetration = std::max(m_report.maxPenetration, part.maxPenetration);
+        m_report.impacts += part.impacts;
+        m_report.factorisations += part.factorisations;
+        for (std::size_t i = 0; i < hand.places.size(); ++i)
+            kept.put(hand.places[i], hand.kept.pairs[i], hand.kept.pointsOf(hand.kept.pairs[i]));
+    }
+    std::erase_if(kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
+    m_still.clear();
+    for (std::size_t work = 0; work < m_work.size(); ++work) {
+        const Outcome& outcome = m_outcomes[work];
+        if (outcome.isStill) m_still.push_back(m_work[work]);
+        if (!m_report.loss) m_report.loss = outcome.loss;
+        if (input.ledger != nullptr) input.ledger->add(outcome.ledger);
+    }
+}
+
+} // namespace carom
