@@ -29,8 +29,8 @@ constexpr double leastTouching = 1e-12;
 // these is reported as an impact: early by less than its gap, but never missed.
 constexpr int maxSteps = 20000;
 constexpr int maxNarrowings = 200;
-// Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps of
-// that part of it: steps that are proofs would be thousands, each hardly longer than the gap. While shapes
+// Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps
+// of that part of it: steps that are proofs would be thousands, each hardly longer than the gap. While shapes
 // touch each is twice as long as the one before, up to the longest; one that ends in an overlap is taken back
 // and halved.
 constexpr double partingStep = 1e-6, longestPartingStep = 1e-3;
