@@ -62,6 +62,8 @@ struct ContactSet {
         pairs.clear();
         points.clear();
     }
+    /// Makes room for so many pairs and points, and some more.
+    void makeRoom(std::size_t pairCount, std::size_t pointCount);
     /// Appends a pair of another set with its points.
     void append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints);
     /// Puts a pair of another set with its points in the place of pair `index`.

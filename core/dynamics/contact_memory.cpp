@@ -63,6 +63,11 @@ double coneViolationOf(const ContactSet& set) {
     return worst;
 }
 
+void ContactSet::makeRoom(std::size_t pairCount, std::size_t pointCount) {
+    if (pairs.capacity() < pairCount) pairs.reserve(pairCount + pairCount / 2);
+    if (points.capacity() < pointCount) points.reserve(pointCount + pointCount / 2);
+}
+
 void ContactSet::append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints) {
     pairs.emplace_back();
     put(pairs.size() - 1, pair, itsPoints);

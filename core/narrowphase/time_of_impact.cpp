@@ -24,7 +24,7 @@ namespace carom {
 namespace {
 
 // The gap, relative to the size, at which shapes touch.
-constexpr double leastTouching = 1e-12;
+constexpr double touching = 1e-12;
 // Steps of the search. A graze to 1e-9 of the size takes some thousands; one that is still undecided after
 // these is reported as an impact: early by less than its gap, but never missed.
 constexpr int maxSteps = 20000;
@@ -121,7 +121,8 @@ struct Bracket {
     double overlapping, depthWeight;
 };
 // False position in the Illinois form: the end that stays loses half its weight, so neither end is stuck.
-Impact narrow(const Flight& flight, Bracket bracket, double close) {
+Impact narrow(const Flight& flight, Bracket bracket) {
+    const double close = touching * flight.size();
     Impact apart = {bracket.apart, flight.at(bracket.apart)};
     for (int i = 0; i < maxNarrowings; ++i) {
         const double share = bracket.gapWeight / (bracket.gapWeight + bracket.depthWeight);
@@ -143,7 +144,8 @@ Impact narrow(const Flight& flight, Bracket bracket, double close) {
     return apart;
 }
 
-std::optional<Impact> advance(const Flight& flight, double duration, double close) {
+std::optional<Impact> advance(const Flight& flight, double duration) {
+    const double close = touching * flight.size();
     const double unit = flight.size() / flight.fastest(duration); // infinite if nothing moves
     double parting = partingStep, longest = longestPartingStep;
     bool touched = false; // at lastTime, parting
@@ -178,7 +180,7 @@ std::optional<Impact> advance(const Flight& flight, double duration, double clos
             if (step % 2 == 1 && rate > 0 && meeting <= duration && flight.staysLocal(time, meeting)) {
                 const Proximity there = flight.at(meeting);
                 if (there.distance <= 0)
-                    return narrow(flight, {time, contact.distance, meeting, -there.distance}, close);
+                    return narrow(flight, {time, contact.distance, meeting, -there.distance});
             }
         }
         if (!(time + ahead <= duration)) return std::nullopt;
@@ -243,8 +245,7 @@ Pose poseAfter(const MovingShape& moving, double time) {
     return pose;
 }
 
-std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration,
-                                   double touching) {
+std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration) {
     const ShapeKind kindA = kindOf(*a.start.shape);
     const ShapeKind kindB = kindOf(*b.start.shape);
     if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) return std::nullopt;
@@ -253,7 +254,7 @@ std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     if (kindA == ShapeKind::Wall && kindB == ShapeKind::Sphere) return sphereWall(b, a, duration, flight);
     if (kindA == ShapeKind::Sphere && kindB == ShapeKind::Sphere && a.acceleration == b.acceleration)
         return sphereSphere(a, b, duration);
-    return advance(flight, duration, std::max(touching, leastTouching * flight.size()));
+    return advance(flight, duration);
 }
 
 bool couldPassThrough(const MovingShape& moving, double duration) {

@@ -30,9 +30,8 @@ struct Impact {
 ///
 /// Sphere with sphere and sphere with wall: closed forms, to rounding. The others: conservative advancement,
 /// to 1e-12 of the size for the gap at the time found; touching on the way out of an overlap it may find an
-/// impact up to that gap early. Where gaps up to `touching` [m] are none, they count as touching there.
-std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration,
-                                   double touching = 0);
+/// impact up to that gap early.
+std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration);
 
 /// Whether, in `duration` [s], the body could move by more than half its thickness, so that a test of its
 /// poses at both ends could miss what lies between.

@@ -94,7 +94,7 @@ double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pa
     constexpr double never = std::numeric_limits<double>::infinity();
     const MovingShape a = movingShape(input, pair.a, duration);
     const MovingShape b = movingShape(input, pair.b, duration);
-    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first, touchingWithin(pair));
+    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first);
     if (!impact) return never;
     // The flight is not quite the path where a body's spin precesses.
     double t = impact->time;

@@ -124,7 +124,9 @@ void IslandMotion::solve(const MotionInput& input) {
     NewtonReport solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
     report.factorisations += solved.factorisations;
     const auto isGood = [&] { return solved.solved || solved.residual <= nearlySolved * m_tolerance; };
-    if (!isGood() && m_newtonSteps > mostStepsResting) solved = solveCold(solved);
+    const bool accurate = input.settings.tolerance < accurateTolerance;
+    if (!solved.solved && (accurate || !isGood()) && m_newtonSteps > mostStepsResting)
+        solved = solveCold(solved);
     double residual = solved.residual;
     if (!isGood() && m_problem.springs.empty()) {
         m_failed = m_newtonSteps > 0;

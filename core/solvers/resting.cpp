@@ -36,6 +36,10 @@ void Resting::wake(BodyIndex body, std::vector<BodyIndex>& woken) {
 }
 
 void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
+    // Room for all in each, so that it is there when the first or the last come to rest.
+    const std::size_t pairs = m_contacts.pairs.size() + moving.pairs.size();
+    const std::size_t points = m_contacts.points.size() + moving.points.size();
+    for (ContactSet* set : {&m_contacts, &m_rests, &m_moves}) set->makeRoom(pairs, points);
     if (!m_changed) return;
     m_changed = false;
     m_bodies.insert(m_bodies.end(), m_laid.begin(), m_laid.end());

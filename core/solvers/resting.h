@@ -25,7 +25,10 @@ namespace carom {
 
 class Resting {
   public:
-    explicit Resting(std::size_t bodies) : m_next(bodies, noBody) {}
+    explicit Resting(std::size_t bodies) : m_next(bodies, noBody) {
+        m_bodies.reserve(bodies);
+        m_laid.reserve(bodies);
+    }
 
     bool rests(BodyIndex body) const { return m_next[body] != noBody; }
     /// All that rest, ascending; as of the last exchange.

@@ -83,8 +83,11 @@ QByteArray sceneWith(const char* extra, const char* floor = "", const QByteArray
     return text;
 }
 
-const char* const boxes = "cuboid a { size 1, 1, 1  mass 1  centre 9, 0.5, 0  elastic 0 }\n"
-                          "cuboid b { size 1, 1, 1  mass 1  centre 9, 1.5, 0  elastic 0 }\n";
+/// Two boxes, one on the other, that slide on the floor or rest on it.
+const char* const boxes = "cuboid a { size 1, 1, 1  mass 1  centre 9, 0.5, 0  vel 1, 0, 0  elastic 0 }\n"
+                          "cuboid b { size 1, 1, 1  mass 1  centre 9, 1.5, 0  vel 1, 0, 0  elastic 0 }\n";
+const char* const boxesAtRest = "cuboid a { size 1, 1, 1  mass 1  centre 9, 0.5, 0  elastic 0 }\n"
+                                "cuboid b { size 1, 1, 1  mass 1  centre 9, 1.5, 0  elastic 0 }\n";
 
 /// A ball that rolls on a floor with friction.
 QByteArray resisted(const char* arm) {
@@ -106,7 +109,8 @@ QList<Row> rowsOfZeros() {
         rows.push_back({name, "", with, without});
     };
     add("friction 0", sceneWith("friction 0"));
-    add("friction 0 of boxes, too", sceneWith("friction 0", "friction 0", boxes), sceneWith("", "", boxes));
+    add("friction 0 of boxes, too", sceneWith("friction 0", "friction 0", boxesAtRest),
+        sceneWith("", "", boxesAtRest));
     add("friction of the floor alone", sceneWith("", "friction 0.5"));
     add("friction of what is fixed",
         sceneWith("", "friction 0.5", "wall { normal 1, 0, 0  toOrig 99  friction 1 }\n"),
@@ -150,6 +154,10 @@ QList<Row> rowsOfKernels() {
     add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
     add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
     add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes));
+    add("contact forces of what rests", "carom::NewtonSolver::solve(", sceneWith("", "", boxes),
+        sceneWith("", "", boxesAtRest));
+    add("contacts of what rests", "carom::collideCuboidCuboid(", sceneWith("", "", boxes),
+        sceneWith("", "", boxesAtRest));
     add("collision", "carom::collideInto(", sceneWith("", "", boxes),
         "sphere { radius 1  mass 1  centre 0, 9, 0 }\n");
     return rows;
