@@ -106,7 +106,7 @@ class AllocationTest : public QObject {
         const GeneratorRow* scene = findGenerator(QTest::currentDataTag());
         QVERIFY(scene != nullptr);
         World world(build(generate(*scene, request)).pipeline);
-        test::run(world, 240);
+        test::run(world, 420);
         const long before = allocations;
         test::run(world, 60);
         QCOMPARE(allocations - before, 0);
