@@ -66,9 +66,12 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         left = duration < left ? left - duration : 0;
         if (left > 0 || accurate) recollide(input);
     }
-    // No overlap is ever shown. Parting is linear in the displacement: what turns far overlaps a little
-    // again.
-    for (int round = 0; accurate && !report.loss && round < mostPartings; ++round) part(input, island);
+    // No overlap is shown. Parting is linear in the displacement: what turns far overlaps a little again.
+    // Deep overlaps are left to the substeps to come, or bodies would part faster than they may.
+    for (int round = 0; accurate && !report.loss && round < mostPartings; ++round) {
+        m_overlap = std::max(m_overlap, relativeOverlap());
+        if (m_overlap <= 0.5 * mostParting) part(input, island);
+    }
 }
 
 void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
@@ -85,6 +88,7 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
     m_newtonSteps = newtonSteps(input, island);
     m_failed = m_parted = false;
+    m_overlap = 0;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             report.maxPenetration = std::max(report.maxPenetration, -point.separation);
@@ -201,9 +205,19 @@ ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
     return row;
 }
 
+// The deepest overlap, relative to the smaller body.
+double IslandMotion::relativeOverlap() const {
+    double deepest = 0;
+    for (const ContactPair& pair : m_contacts.pairs)
+        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
+            deepest = std::max(deepest, -point.separation / pair.size);
+    return deepest;
+}
+
 // Parts bodies that overlap by the least displacement, in the sense of kinetic energy, that opens the gaps:
 // the contact problem with lengths for velocities.
 void IslandMotion::part(const MotionInput& input, const Island& island) {
+    m_overlap = std::max(m_overlap, relativeOverlap());
     bool overlapping = false;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))

@@ -98,6 +98,7 @@ class IslandMotion {
     bool movePile(const MotionInput& input, const Island& island);
     void recollide(const MotionInput& input);
     void loadBodies(const MotionInput& input, const Island& island);
+    double relativeOverlap() const;
     void part(const MotionInput& input, const Island& island);
     void impacts(const MotionInput& input, double duration, bool locating);
     void smooth(const MotionInput& input, double duration, bool locating);
@@ -156,6 +157,7 @@ class IslandMotion {
 
     int m_newtonSteps = 0;                // factorisations for one solve; 0: by sweeps
     bool m_isSmall = false;               // few contacts: worth every care
+    double m_overlap = 0;                 // the deepest in this substep, relative to the smaller body
     bool m_parted = false;                // in this substep
     bool m_failed = false;                // Newton's method, in this substep
     double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
