@@ -2,6 +2,7 @@
 #include "core/solvers/contact_problem.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 namespace {
@@ -12,6 +13,9 @@ Vec6 inverseMassTimes(const ContactBody& body, const Vec6& impulse) {
     change.tail<3>().noalias() = body.inverseInertia * impulse.tail<3>();
     return change;
 }
+
+/// The power of two at or below x > 0.
+double powerOfTwoBelow(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
 // The rows of a point's velocity: d·(v + ω×r) = d·v + (r×d)·ω.
 Mat36 pointJacobian(const Mat3& frame, const Vec3& arm) {
@@ -100,6 +104,23 @@ Projected projectOnCone(const ContactRow& row, const Vec3& z, const Vec2& rollin
     if (rollingRadius > 0)
         p.rolling = rollingSize > rollingRadius ? Vec2(rollingZ * (rollingRadius / rollingSize)) : rollingZ;
     return p;
+}
+
+void chooseUnits(const ContactProblem& problem, ProblemUnits& units) {
+    units.length.clear();
+    double heaviest = 0;
+    for (const ContactBody& body : problem.bodies) {
+        heaviest = std::max(heaviest, body.mass);
+        units.length.push_back(powerOfTwoBelow(body.gyration));
+    }
+    units.perMass = 1 / powerOfTwoBelow(heaviest);
+}
+
+Mat6 massMatrix(const ContactBody& body, double perMass) {
+    Mat6 mass = Mat6::Zero();
+    mass.topLeftCorner<3, 3>().diagonal().setConstant(perMass * body.mass);
+    mass.bottomRightCorner<3, 3>() = perMass * body.inertia;
+    return mass;
 }
 
 void velocitiesFromImpulses(ContactProblem& problem) {

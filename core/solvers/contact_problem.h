@@ -30,6 +30,9 @@ using Vec2 = Eigen::Vector2d;
 
 inline constexpr int immobile = -1;
 
+/// An index of a body that is not immobile.
+inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
 /// One mobile body of the island.
 struct ContactBody {
     Vec6 velocity = Vec6::Zero();     ///< v: linear [m/s], angular [rad/s]
@@ -108,6 +111,16 @@ struct Projected {
     Vec2 rolling = Vec2::Zero();
 };
 Projected projectOnCone(const ContactRow& row, const Vec3& z, const Vec2& rollingZ);
+
+/// A unit of mass for a problem and one of length for each of its bodies, powers of two all: in them the
+/// numbers of its matrix are about 1, and the same problem in other units gives the same bits.
+struct ProblemUnits {
+    double perMass = 1;         ///< [1/kg]
+    std::vector<double> length; ///< by body [m]
+};
+void chooseUnits(const ContactProblem& problem, ProblemUnits& units);
+/// Mass and inertia of a body as a matrix, times `perMass`.
+Mat6 massMatrix(const ContactBody& body, double perMass);
 
 /// v := v̂ + M⁻¹ Jᵀ p, so that momentum is exact to rounding.
 void velocitiesFromImpulses(ContactProblem& problem);

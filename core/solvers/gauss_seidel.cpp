@@ -6,8 +6,6 @@
 namespace carom {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // W's part of one body: how fast the point moves, in the frame, under impulses along the frame's axes.
 Mat3 compliance(const Mat3& frame, const Vec3& arm, double inverseMass, const Mat3& inverseInertia) {
     Mat3 torques; // columns: r × d

@@ -53,8 +53,6 @@ struct MotionReport {
 /// The inertia of a body as it lies in the world.
 void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body);
 
-inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 class IslandMotion {
   public:
     /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep. True

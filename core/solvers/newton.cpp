@@ -29,8 +29,6 @@ constexpr double impulseRounding = 4e-16;
 constexpr double slopeFall = 0.1;
 constexpr int mostSlopes = 40;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 template<class Row>
 BlockEdge edgeOf(const Row& row) {
     return {std::min(row.a, row.b), std::max(row.a, row.b)};
@@ -59,9 +57,6 @@ Eigen::Matrix2d discSlope(const Vec2& z, double radius, double rho) {
     const Vec2 t = z / size;
     return (rho * radius / size) * (Eigen::Matrix2d::Identity() - t * t.transpose());
 }
-
-/// The power of two at or below x > 0.
-double powerOfTwoBelow(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
 Vec6 momentumChange(const ContactBody& body, const Vec6& velocity) {
     Vec6 momentum;
@@ -151,13 +146,7 @@ void NewtonSolver::prepare(const ContactProblem& problem) {
     m_springDu.resize(problem.springs.size());
     m_gradient.resize(problem.bodies.size());
     m_step.resize(problem.bodies.size());
-    m_length.clear();
-    double heaviest = 0;
-    for (const ContactBody& body : problem.bodies) {
-        heaviest = std::max(heaviest, body.mass);
-        m_length.push_back(powerOfTwoBelow(body.gyration));
-    }
-    m_perMass = 1 / powerOfTwoBelow(heaviest);
+    chooseUnits(problem, m_units);
 }
 
 // Solves the inner problem for the velocities. Where contacts slip, H alone may converge slowly or go in
@@ -194,7 +183,7 @@ double NewtonSolver::errorAt(const ContactProblem& problem) {
 
 bool NewtonSolver::findStep(const ContactProblem& problem, bool coupled) {
     if (!factor(problem, coupled)) return false;
-    for (std::size_t i = 0; i < m_step.size(); ++i) m_step[i] = -m_perMass * m_gradient[i];
+    for (std::size_t i = 0; i < m_step.size(); ++i) m_step[i] = -m_units.perMass * m_gradient[i];
     m_matrix.solve(m_step);
     return true;
 }
@@ -282,19 +271,16 @@ double NewtonSolver::gradient(const ContactProblem& problem) {
 bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
     m_matrix.setZero();
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-        Mat6 mass = Mat6::Zero();
-        mass.topLeftCorner<3, 3>().diagonal().setConstant(m_perMass * problem.bodies[i].mass);
-        mass.bottomRightCorner<3, 3>() = m_perMass * problem.bodies[i].inertia;
-        m_matrix.addToDiagonal(static_cast<int>(i), mass);
+        m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) addContact(problem.rows[i], m_rows[i], coupled);
     for (std::size_t i = 0; i < problem.springs.size(); ++i) {
         const SoftRow& row = problem.springs[i];
-        const Mat3 slope = (m_perMass * row.rate).asDiagonal();
+        const Mat3 slope = (m_units.perMass * row.rate).asDiagonal();
         addBlocks<3>({row.a, row.b, m_springEdge[i]}, row.jacobianA.transpose() * slope,
                      row.jacobianB.transpose() * slope, row.jacobianA, row.jacobianB);
     }
-    return coupled ? m_matrix.factorGeneral(m_length) : m_matrix.factor();
+    return coupled ? m_matrix.factorGeneral(m_units.length) : m_matrix.factor();
 }
 
 // Adds the products left · right of both bodies of a row to their blocks.
@@ -314,7 +300,7 @@ void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, 
 
 void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
     if (!(state.z.x() > 0)) return;
-    const double rho = m_kappa * m_perMass * row.effectiveMass;
+    const double rho = m_kappa * m_units.perMass * row.effectiveMass;
     Mat3 slope = Mat3::Zero();
     slope(0, 0) = rho;
     const Vec2 tangent = state.z.tail<2>();
@@ -327,7 +313,7 @@ void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool
     if (!(row.rolling > 0)) return;
 
     const Eigen::Matrix2d rollSlope =
-        discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_perMass * row.effectiveInertia);
+        discSlope(state.rollZ, row.rolling * state.z.x(), m_kappa * m_units.perMass * row.effectiveInertia);
     Eigen::Matrix<double, 2, 6> across = Eigen::Matrix<double, 2, 6>::Zero();
     across.rightCols<3>() = row.frame.bottomRows<2>();
     const Eigen::Matrix<double, 6, 2> left = across.transpose() * rollSlope;

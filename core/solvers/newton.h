@@ -90,8 +90,7 @@ class NewtonSolver {
     std::vector<RowState> m_rows;
     std::vector<int> m_springEdge;
     std::vector<Vec3> m_springU, m_springDu;
-    double m_perMass = 1;         // one over the unit of mass that H is written in [1/kg]
-    std::vector<double> m_length; // by body, the unit of length that its pivots are chosen in [m]
+    ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
     std::vector<double> m_carried;              // by each body, the sum of impulses [N s]

@@ -7,10 +7,6 @@
 namespace carom {
 namespace {
 
-double powerOfTwoBelow(double x) { return std::ldexp(1.0, std::ilogb(x)); }
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 BlockEdge edgeOf(const SoftRow& row) { return std::minmax(row.a, row.b); }
 
 bool isCoupled(const SoftRow& row) { return row.a != immobile && row.b != immobile; }
@@ -25,13 +21,7 @@ void SpringSolver::prepare(const ContactProblem& problem) {
     m_edges.erase(std::unique(m_edges.begin(), m_edges.end()), m_edges.end());
     m_matrix.analyse(static_cast<int>(problem.bodies.size()), m_edges);
     m_matrix.setZero();
-    m_length.clear();
-    double heaviest = 0;
-    for (const ContactBody& body : problem.bodies) {
-        heaviest = std::max(heaviest, body.mass);
-        m_length.push_back(powerOfTwoBelow(body.gyration));
-    }
-    m_perMass = 1 / powerOfTwoBelow(heaviest);
+    chooseUnits(problem, m_units);
     m_step.assign(problem.bodies.size(), Vec6::Zero());
 }
 
@@ -39,28 +29,28 @@ bool SpringSolver::step(ContactProblem& problem, std::span<const Mat3> slopes) {
     prepare(problem);
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
         const ContactBody& body = problem.bodies[i];
-        Mat6 mass = Mat6::Zero();
-        mass.topLeftCorner<3, 3>().diagonal().setConstant(m_perMass * body.mass);
-        mass.bottomRightCorner<3, 3>() = m_perMass * body.inertia;
+        const Mat6 mass = massMatrix(body, m_units.perMass);
         m_matrix.addToDiagonal(static_cast<int>(i), mass);
         m_step[i] = mass * (body.freeVelocity - body.velocity);
     }
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const SoftRow& row = problem.springs[i];
-        const Mat3 slope = m_perMass * slopes[i];
+        const Mat3 slope = m_units.perMass * slopes[i];
         const Eigen::Matrix<double, 6, 3> leftA = row.jacobianA.transpose() * slope;
         const Eigen::Matrix<double, 6, 3> leftB = row.jacobianB.transpose() * slope;
         if (row.a != immobile) m_matrix.addToDiagonal(row.a, leftA * row.jacobianA);
         if (row.b != immobile) m_matrix.addToDiagonal(row.b, leftB * row.jacobianB);
-        if (row.a != immobile) m_step[at(row.a)] += row.jacobianA.transpose() * (m_perMass * row.impulse);
-        if (row.b != immobile) m_step[at(row.b)] += row.jacobianB.transpose() * (m_perMass * row.impulse);
+        if (row.a != immobile)
+            m_step[at(row.a)] += row.jacobianA.transpose() * (m_units.perMass * row.impulse);
+        if (row.b != immobile)
+            m_step[at(row.b)] += row.jacobianB.transpose() * (m_units.perMass * row.impulse);
         if (!isCoupled(row)) continue;
         const auto edge = std::lower_bound(m_edges.begin(), m_edges.end(), edgeOf(row)) - m_edges.begin();
         const Mat6 fromB = leftA * row.jacobianB, fromA = leftB * row.jacobianA;
         m_matrix.addToEdge(static_cast<std::size_t>(edge), row.a < row.b ? fromB : fromA,
                            row.a < row.b ? fromA : fromB);
     }
-    if (!m_matrix.factorGeneral(m_length)) return false;
+    if (!m_matrix.factorGeneral(m_units.length)) return false;
     m_matrix.solve(m_step);
     // By the impulses, so that momentum is kept to rounding.
     for (std::size_t i = 0; i < slopes.size(); ++i) {

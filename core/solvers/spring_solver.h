@@ -28,8 +28,7 @@ class SpringSolver {
 
     BlockMatrix m_matrix;
     std::vector<BlockEdge> m_edges;
-    std::vector<double> m_length; // of bodies, powers of two [m]
-    double m_perMass = 1;         // a power of two [1/kg]: the matrix is of numbers about 1
+    ProblemUnits m_units;
     std::vector<Vec6> m_step;
 };
 
