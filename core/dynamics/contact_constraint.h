@@ -66,8 +66,6 @@ struct ContactSet {
     void makeRoom(std::size_t pairCount, std::size_t pointCount);
     /// Appends a pair of another set with its points.
     void append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints);
-    /// Puts a pair of another set with its points in the place of pair `index`.
-    void put(std::size_t index, const ContactPair& pair, std::span<const ContactConstraint> itsPoints);
 };
 
 /// By how much the worst force is outside Coulomb's cone |fₜ| ≤ μ fₙ, relative to its size; 0 where none is.

@@ -69,15 +69,9 @@ void ContactSet::makeRoom(std::size_t pairCount, std::size_t pointCount) {
 }
 
 void ContactSet::append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints) {
-    pairs.emplace_back();
-    put(pairs.size() - 1, pair, itsPoints);
-}
-
-void ContactSet::put(std::size_t index, const ContactPair& pair,
-                     std::span<const ContactConstraint> itsPoints) {
-    pairs[index] = pair;
-    pairs[index].first = static_cast<std::uint32_t>(points.size());
-    pairs[index].count = static_cast<std::uint32_t>(itsPoints.size());
+    pairs.push_back(pair);
+    pairs.back().first = static_cast<std::uint32_t>(points.size());
+    pairs.back().count = static_cast<std::uint32_t>(itsPoints.size());
     points.insert(points.end(), itsPoints.begin(), itsPoints.end());
 }
 

@@ -21,8 +21,7 @@
 // each island is moved by itself (island_motion.h: parting, impacts, contact forces, location of events).
 // Contact forces are remembered from one substep to the next (dynamics/contact_memory.h): at rest they
 // already are the solution, nothing is solved and nothing moves; islands at rest are left alone altogether
-// (resting.h). Bodies that can touch nothing, and what
-// springs join them to, move as the integrator has it.
+// (resting.h). Bodies that can touch nothing, and what springs join them to, move as the integrator has it.
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
 // their first body, contact points as the narrow phase gives them, and indices are canonical

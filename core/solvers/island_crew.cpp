@@ -34,14 +34,12 @@ void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, 
         hand.kept.clear();
         hand.places.clear();
     }
-    kept.clear();
-    kept.pairs.resize(found.pairs.size());
     const Task task{input, settings, islands, found};
     input.workers.forEach(m_batch.size() - 1, [&](std::size_t thread, std::size_t batch) {
         for (std::uint32_t work = m_batch[batch]; work < m_batch[batch + 1]; ++work)
-            moveOne(task, work, m_hands[thread], kept);
+            moveOne(task, work, m_hands[thread]);
     });
-    collect(input, kept);
+    collect(input, found.pairs.size(), kept);
 }
 
 // Small islands go together.
@@ -66,7 +64,7 @@ void IslandCrew::share(const Islands& islands) {
     m_outcomes.resize(m_work.size());
 }
 
-void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand, ContactSet& kept) {
+void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
     const SolverInput& input = task.input;
     const Island island = task.islands[m_work[work]];
     Outcome& outcome = m_outcomes[work];
@@ -95,25 +93,32 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand, Conta
     const ContactSet& left = hand.motion.contacts();
     for (std::size_t i = 0; i < left.pairs.size(); ++i) {
         const ContactPair& pair = left.pairs[i];
-        if (m_hands.size() == 1) {
-            kept.put(island.pairs[i], pair, left.pointsOf(pair));
-        } else if (pair.count > 0) {
-            hand.kept.append(pair, left.pointsOf(pair));
-            hand.places.push_back(island.pairs[i]);
-        }
+        if (pair.count == 0) continue;
+        hand.kept.append(pair, left.pointsOf(pair));
+        hand.places.push_back(island.pairs[i]);
     }
 }
 
-void IslandCrew::collect(const SolverInput& input, ContactSet& kept) {
+void IslandCrew::collect(const SolverInput& input, std::size_t pairs, ContactSet& kept) {
     m_report = {};
-    for (const Hand& hand : m_hands) {
+    kept.clear();
+    kept.pairs.resize(pairs);
+    for (Hand& hand : m_hands) {
         const MotionReport& part = hand.motion.report;
         m_report.residual = std::max(m_report.residual, part.residual);
         m_report.maxPenetration = std::max(m_report.maxPenetration, part.maxPenetration);
         m_report.impacts += part.impacts;
         m_report.factorisations += part.factorisations;
-        for (std::size_t i = 0; i < hand.places.size(); ++i)
-            kept.put(hand.places[i], hand.kept.pairs[i], hand.kept.pointsOf(hand.kept.pairs[i]));
+        const std::uint32_t before = static_cast<std::uint32_t>(kept.points.size());
+        for (std::size_t i = 0; i < hand.places.size(); ++i) {
+            ContactPair& pair = kept.pairs[hand.places[i]];
+            pair = hand.kept.pairs[i];
+            pair.first += before;
+        }
+        if (before == 0)
+            std::swap(kept.points, hand.kept.points);
+        else
+            kept.points.insert(kept.points.end(), hand.kept.points.begin(), hand.kept.points.end());
     }
     std::erase_if(kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
     m_still.clear();

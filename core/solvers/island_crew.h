@@ -18,7 +18,7 @@ namespace carom {
 class IslandCrew {
   public:
     /// Moves all islands but lone bodies that touch nothing. The contacts at the end of the substep, with
-    /// their forces, are put into `kept`, pair by pair where they are in `found`.
+    /// their forces, become `kept`: pairs of `found`, in its order.
     void move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
               const ContactSet& found, ContactSet& kept);
 
@@ -45,8 +45,8 @@ class IslandCrew {
     struct Task;
 
     void share(const Islands& islands);
-    void moveOne(const Task& task, std::uint32_t work, Hand& hand, ContactSet& kept);
-    void collect(const SolverInput& input, ContactSet& kept);
+    void moveOne(const Task& task, std::uint32_t work, Hand& hand);
+    void collect(const SolverInput& input, std::size_t pairs, ContactSet& kept);
 
     std::vector<Hand> m_hands; // by thread
     std::vector<BodyIndex> m_lone;

@@ -69,8 +69,8 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     // No overlap is shown. Parting is linear in the displacement: what turns far overlaps a little again.
     // Deep overlaps are left to the substeps to come, or bodies would part faster than they may.
     for (int round = 0; accurate && !report.loss && round < mostPartings; ++round) {
-        m_overlap = std::max(m_overlap, relativeOverlap());
-        if (m_overlap <= 0.5 * mostParting) part(input, island);
+        if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostParting) break;
+        part(input, island);
     }
 }
 
@@ -194,8 +194,8 @@ ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
     ContactRow row;
     row.a = localOf(pair.a);
     row.b = localOf(pair.b);
-    row.ballA = std::holds_alternative<Sphere>(bodies.shape[pair.a]);
-    row.ballB = std::holds_alternative<Sphere>(bodies.shape[pair.b]);
+    row.ballA = bodies.turnedByImpacts[pair.a] == 0;
+    row.ballB = bodies.turnedByImpacts[pair.b] == 0;
     row.frame = point.frame;
     row.armA = point.armA;
     row.armB = point.armB;
@@ -205,24 +205,22 @@ ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
     return row;
 }
 
-// The deepest overlap, relative to the smaller body.
+// The deepest overlap that is to be parted, relative to the smaller body; 0 if there is none.
 double IslandMotion::relativeOverlap() const {
     double deepest = 0;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
-            deepest = std::max(deepest, -point.separation / pair.size);
+            if (point.separation < -touchingWithin(pair))
+                deepest = std::max(deepest, -point.separation / pair.size);
     return deepest;
 }
 
 // Parts bodies that overlap by the least displacement, in the sense of kinetic energy, that opens the gaps:
 // the contact problem with lengths for velocities.
 void IslandMotion::part(const MotionInput& input, const Island& island) {
-    m_overlap = std::max(m_overlap, relativeOverlap());
-    bool overlapping = false;
-    for (const ContactPair& pair : m_contacts.pairs)
-        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
-            overlapping = overlapping || point.separation < -touchingWithin(pair);
-    if (!overlapping) return;
+    const double overlap = relativeOverlap();
+    m_overlap = std::max(m_overlap, overlap);
+    if (overlap == 0) return;
     m_parted = true;
     loadBodies(input, island);
     m_parting.clear();

@@ -170,6 +170,14 @@ class UnusedTest : public QObject {
 
     QMap<QByteArray, Profile> m_profiles;
 
+    static void addRows(const QList<Row>& rows) {
+        QTest::addColumn<QString>("kernel");
+        QTest::addColumn<QByteArray>("with");
+        QTest::addColumn<QByteArray>("without");
+        for (const Row& row : rows)
+            QTest::newRow(row.name) << QString::fromLatin1(row.kernel) << row.with << row.without;
+    }
+
   private Q_SLOTS:
     void initTestCase() {
         QList<QByteArray> texts = {sceneWith(""), sceneWith("") + "# and a word more\n"};
@@ -188,11 +196,7 @@ class UnusedTest : public QObject {
         QCOMPARE(again.hash, once.hash);
     }
 
-    void anEffectThatIsAbsentTakesNoInstruction_data() {
-        QTest::addColumn<QByteArray>("with");
-        QTest::addColumn<QByteArray>("without");
-        for (const Row& row : rowsOfZeros()) QTest::newRow(row.name) << row.with << row.without;
-    }
+    void anEffectThatIsAbsentTakesNoInstruction_data() { addRows(rowsOfZeros()); }
     void anEffectThatIsAbsentTakesNoInstruction() {
         QFETCH(QByteArray, with);
         QFETCH(QByteArray, without);
@@ -203,13 +207,7 @@ class UnusedTest : public QObject {
         QCOMPARE(a.hash, b.hash);
     }
 
-    void theKernelsOfAnAbsentEffectAreNotCalled_data() {
-        QTest::addColumn<QString>("kernel");
-        QTest::addColumn<QByteArray>("with");
-        QTest::addColumn<QByteArray>("without");
-        for (const Row& row : rowsOfKernels())
-            QTest::newRow(row.name) << QString::fromLatin1(row.kernel) << row.with << row.without;
-    }
+    void theKernelsOfAnAbsentEffectAreNotCalled_data() { addRows(rowsOfKernels()); }
     void theKernelsOfAnAbsentEffectAreNotCalled() {
         QFETCH(QString, kernel);
         QFETCH(QByteArray, with);
