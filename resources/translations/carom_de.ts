@@ -2153,10 +2153,6 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>Navigation</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
     </message>
@@ -2247,6 +2243,30 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>The motion does not depend on the number of threads.</source>
         <translation>Die Bewegung hängt nicht von der Zahl der Threads ab.</translation>
+    </message>
+    <message>
+        <source>as the machine does best</source>
+        <translation>wie es der Rechner am besten kann</translation>
+    </message>
+    <message>
+        <source>in the window, by OpenGL (graphics cards)</source>
+        <translation>im Fenster, von OpenGL (Grafikkarten)</translation>
+    </message>
+    <message>
+        <source>beside it, by a thread (software OpenGL)</source>
+        <translation>daneben, von einem Thread (OpenGL in Software)</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Pictures are drawn</source>
+        <translation>Bilder werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>This changes at the next start. What is drawn is the same.</source>
+        <translation>Das gilt ab dem nächsten Start. Gezeichnet wird dasselbe.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ class DrawingThread::Worker : public QObject {
     void start();
     void stop();
     DrawnPicture draw(PictureJob job);
+    bool hasGraphicsCard();
 
   private:
     QImage readBack() const;
@@ -29,11 +30,10 @@ class DrawingThread::Worker : public QObject {
     std::unique_ptr<QOpenGLContext> m_context;
     std::unique_ptr<Renderer> m_renderer; ///< null where OpenGL does not work
     std::unique_ptr<QOpenGLFramebufferObject> m_target;
-    std::shared_ptr<const Stage> m_stage; ///< what the renderer has been shown
-    std::shared_ptr<const std::vector<LineVertex>> m_lines;
 };
 
 void DrawingThread::Worker::start() {
+    if (m_context) return;
     m_context = std::make_unique<QOpenGLContext>();
     m_context->setFormat(m_surface.requestedFormat());
     m_renderer = std::make_unique<Renderer>();
@@ -63,15 +63,16 @@ DrawnPicture DrawingThread::Worker::draw(PictureJob job) {
             m_target = std::make_unique<QOpenGLFramebufferObject>(
                 size, QOpenGLFramebufferObject::CombinedDepthStencil);
         if (m_target->isValid() && m_target->bind()) {
-            static const Scene nothing;
-            if (std::exchange(m_stage, job.stage) != job.stage)
-                m_renderer->show(m_stage->pipeline ? m_stage->pipeline->scene() : nothing, m_stage->room);
-            if (std::exchange(m_lines, job.lines) != job.lines) m_renderer->showLines(*m_lines);
-            m_renderer->draw(job.poses(), job.options);
+            m_renderer->draw(job);
             image = readBack();
         }
     }
     return {std::move(job), std::move(image), watch.elapsed()};
+}
+
+bool DrawingThread::Worker::hasGraphicsCard() {
+    start(); // may still stand in the queue where there is no second thread
+    return m_renderer && !m_renderer->isSoftware();
 }
 
 QImage DrawingThread::Worker::readBack() const {
@@ -84,10 +85,7 @@ QImage DrawingThread::Worker::readBack() const {
 }
 
 DrawingThread::DrawingThread(QObject* parent) : QObject(parent), m_worker(new Worker(*this, m_surface)) {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    m_surface.setFormat(format);
+    m_surface.setFormat(Renderer::format());
     m_surface.create();
     // Where the display's OpenGL cannot be used by a second thread, the worker does its work in this one.
     if (QOpenGLContext::supportsThreadedOpenGL()) {
@@ -100,10 +98,7 @@ DrawingThread::DrawingThread(QObject* parent) : QObject(parent), m_worker(new Wo
 }
 
 DrawingThread::~DrawingThread() {
-    const Qt::ConnectionType wait =
-        m_worker->thread() == thread() ? Qt::DirectConnection : Qt::BlockingQueuedConnection;
-    QMetaObject::invokeMethod(
-        m_worker, [worker = m_worker] { worker->stop(); }, wait);
+    wait([this] { m_worker->stop(); });
     m_thread.quit();
     m_thread.wait();
     delete m_worker;
@@ -116,12 +111,22 @@ void DrawingThread::post(PictureJob job) {
 }
 
 QImage DrawingThread::draw(PictureJob job) {
-    const Qt::ConnectionType wait =
-        m_worker->thread() == thread() ? Qt::DirectConnection : Qt::BlockingQueuedConnection;
     QImage image;
-    QMetaObject::invokeMethod(
-        m_worker, [&] { image = m_worker->draw(std::move(job)).image; }, wait);
+    wait([&] { image = m_worker->draw(std::move(job)).image; });
     return image;
+}
+
+bool DrawingThread::hasGraphicsCard() {
+    bool has = false;
+    wait([&] { has = m_worker->hasGraphicsCard(); });
+    return has;
+}
+
+template<class Work>
+void DrawingThread::wait(Work&& work) {
+    const Qt::ConnectionType connection =
+        m_worker->thread() == thread() ? Qt::DirectConnection : Qt::BlockingQueuedConnection;
+    QMetaObject::invokeMethod(m_worker, std::forward<Work>(work), connection);
 }
 
 } // namespace carom

@@ -15,10 +15,11 @@
 //     PictureJob ───────────────────────▶ OpenGL into a framebuffer, read back
 //     DrawnPicture ◀───────────────────── (the only thread that touches the context)
 //
-// A QOpenGLWidget would draw in the GUI thread and, dearer still, make Qt put the whole window together with
-// OpenGL for every letter typed beside it: 29 ms of processor time a letter in a window of 1600 x 1000 on a
-// software rasteriser, against 0.1 ms without (measured with Mesa 22.3). Reading a picture back costs about a
-// millisecond a megapixel.
+// This is how pictures come on screen where the processor draws them, and how pictures of any size are made
+// everywhere. There, a QOpenGLWidget (opengl_screen.h, for graphics cards) would draw in the GUI thread and,
+// dearer still, make Qt put the whole window together with OpenGL for every letter typed beside it: 29 ms of
+// processor time a letter in a window of 1600 x 1000, against 0.1 ms without (measured with Mesa 22.3).
+// Reading a picture back costs about a millisecond a megapixel.
 
 namespace carom {
 
@@ -33,6 +34,8 @@ class DrawingThread : public QObject {
     void post(PictureJob job);
     /// Waits for it. Null where OpenGL does not work.
     QImage draw(PictureJob job);
+    /// Waits until it is known. False where the processor draws, or nothing does.
+    bool hasGraphicsCard();
 
   Q_SIGNALS:
     /// The thread can draw; in software each picture is paid for by the processors that simulate.
@@ -43,6 +46,10 @@ class DrawingThread : public QObject {
 
   private:
     class Worker;
+
+    /// Until the worker has done it.
+    template<class Work>
+    void wait(Work&& work);
 
     QOffscreenSurface m_surface; ///< belongs to the GUI thread, whatever draws on it
     QThread m_thread;

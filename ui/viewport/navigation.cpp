@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/navigation.h"
 
+#include "core/base/catalogue.h"
+
 #include <QtGlobal>
 
 #include <array>
@@ -56,9 +58,8 @@ constexpr std::array rows = {
 std::span<const NavigationRow> navigationPresets() { return rows; }
 
 const NavigationRow& navigationPreset(const QString& name) {
-    for (const NavigationRow& row : rows)
-        if (name == QLatin1String(row.name)) return row;
-    return rows.front();
+    const NavigationRow* row = findByName<NavigationRow>(rows, name.toStdString());
+    return row != nullptr ? *row : rows.front();
 }
 
 } // namespace carom

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace carom {
 
@@ -32,6 +33,13 @@ void copy(const Vec3& from, float (&to)[3]) {
 }
 
 } // namespace
+
+QSurfaceFormat Renderer::format() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    return format;
+}
 
 bool Renderer::initialise() {
     if (!initializeOpenGLFunctions())
@@ -83,12 +91,14 @@ void Renderer::createShadowMap() {
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
 }
 
-void Renderer::show(const Scene& scene, const Room& room) {
+void Renderer::show(const Stage& stage) {
+    static const Scene nothing;
+    const Scene& scene = stage.pipeline ? stage.pipeline->scene() : nothing;
     m_table.build(scene);
-    m_room = room;
+    m_room = stage.room;
     m_backdropFrame.picture.setZero(); // other walls
     std::vector<WallVertex> vertices;
-    for (const RoomFace& face : room.faces) {
+    for (const RoomFace& face : m_room.faces) {
         const Tangents tangents = tangentsOf(face.wall.normal);
         const auto vertex = [&](const Vec3& corner) {
             WallVertex v{};
@@ -106,16 +116,17 @@ void Renderer::show(const Scene& scene, const Room& room) {
     m_walls.upload<WallVertex>(vertices);
 }
 
-void Renderer::showLines(std::span<const LineVertex> lines) { m_lines.upload(lines); }
-
 void Renderer::useFrame(const FrameUniforms& frame) {
     glBindBuffer(GL_UNIFORM_BUFFER, m_frameBuffer);
     glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, frameBinding, m_frameBuffer);
 }
 
-void Renderer::draw(std::span<const Pose> poses, const PictureOptions& options) {
-    m_table.place(poses, options.camera, options.size, lightCamera());
+void Renderer::draw(const PictureJob& job) {
+    const PictureOptions& options = job.options;
+    if (std::exchange(m_stage, job.stage) != job.stage) show(*m_stage);
+    if (std::exchange(m_shownLines, job.lines) != job.lines) m_lines.upload<LineVertex>(*m_shownLines);
+    m_table.place(job.poses(), options.camera, options.size, lightCamera());
     m_instances.bind();
     m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
     glActiveTexture(GL_TEXTURE0 + instanceUnit);
@@ -139,6 +150,7 @@ void Renderer::drawSmoothly(const PictureOptions& options) {
         m_smooth = std::make_unique<QOpenGLFramebufferObject>(size, format);
     }
     m_smooth->bind();
+    glEnable(GL_MULTISAMPLE); // QPainter turns it off
     drawPicture(options);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_smooth->handle());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(outer));

@@ -6,6 +6,7 @@
 #include "ui/viewport/instances.h"
 #include "ui/viewport/lighting.h"
 #include "ui/viewport/overlays.h"
+#include "ui/viewport/picture_job.h"
 #include "ui/viewport/room.h"
 #include "ui/viewport/shaders.h"
 
@@ -13,6 +14,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLVertexArrayObject>
+#include <QSurfaceFormat>
 
 #include <memory>
 #include <span>
@@ -35,6 +37,9 @@ namespace carom {
 
 class Renderer : protected QOpenGLFunctions_3_3_Core {
   public:
+    /// That a context must have.
+    static QSurfaceFormat format();
+
     /// Once, with the context current; false where OpenGL 3.3 core is missing or a shader does not compile
     /// (problem() says which).
     bool initialise();
@@ -42,15 +47,10 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     /// The processor draws: smooth pictures cost four times as much, and are for scenes at rest.
     bool isSoftware() const { return m_software; }
 
-    /// With the context current.
-    void show(const Scene& scene, const Room& room);
-    /// Lines that the next pictures draw over the bodies.
-    void showLines(std::span<const LineVertex> lines);
     /// Draws into the framebuffer that is bound, with the context current.
-    void draw(std::span<const Pose> poses, const PictureOptions& options);
+    void draw(const PictureJob& job);
     /// Waits until everything drawn is complete.
     void finish() { glFinish(); }
-    const Aabb& bounds() const { return m_table.bounds(); }
 
   private:
     struct DepthRange {
@@ -70,6 +70,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     };
 
     void createShadowMap();
+    void show(const Stage& stage);
     void useFrame(const FrameUniforms& frame);
     DepthRange depthRange(const PictureOptions& options) const;
     void drawShadowMap(const PictureOptions& options);
@@ -105,6 +106,8 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     ShadowView m_shadow;
     Room m_room;
     InstanceTable m_table;
+    std::shared_ptr<const Stage> m_stage; ///< that m_table, m_room and m_walls are of
+    std::shared_ptr<const std::vector<LineVertex>> m_shownLines;
     bool m_software = false;
     QString m_problem;
 };

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "ui/viewport/instances.h"
 #include "ui/viewport/navigation.h"
+#include "ui/viewport/opengl_screen.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -64,6 +65,20 @@ Viewport::Viewport(QWidget* parent)
 }
 
 Viewport::~Viewport() = default;
+
+void Viewport::drawIn(DrawingPlace place) {
+    const bool inWindow =
+        place == DrawingPlace::Window || (place == DrawingPlace::Automatic && m_drawing.hasGraphicsCard());
+    if (inWindow == drawsInWindow()) return;
+    delete std::exchange(m_screen, nullptr);
+    if (!inWindow) return;
+    m_screen = new OpenGLScreen(
+        [this](QPainter& painter, const PictureJob& job) { paintLabelsOf(painter, job); }, this);
+    m_screen->setGeometry(rect());
+    m_screen->lower(); // the badge stays above it
+    connect(m_screen, &OpenGLScreen::drawn, this, &Viewport::takePicture);
+    connect(m_screen, &OpenGLScreen::failed, this, &Viewport::failed);
+}
 
 void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const bool first = !hasScene();
@@ -194,18 +209,21 @@ void Viewport::drawForScreen() {
     next.options.shadows = !m_hurried;
     m_stale = false;
     m_underWay = true;
-    m_drawing.post(std::move(next));
+    if (m_screen)
+        m_screen->post(std::move(next));
+    else
+        m_drawing.post(std::move(next));
 }
 
 void Viewport::takePicture(const DrawnPicture& picture) {
     m_underWay = false;
     m_sincePicture.lap();
-    if (!picture.image.isNull()) {
+    if (m_screen || !picture.image.isNull()) {
         m_shown = picture;
         m_shown.image.setDevicePixelRatio(devicePixelRatioF());
         if (!picture.job.options.smooth) m_pace.note(picture.milliseconds, !m_hurried);
         ++m_framesRendered;
-        update();
+        if (!m_screen) update();
         Q_EMIT frameRendered(picture.milliseconds);
     }
     if (m_stale) schedule();
@@ -419,6 +437,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 
 void Viewport::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    if (m_screen) m_screen->setGeometry(rect());
     placeBadge();
     if (!m_cameraMoved) frameAll();
     redraw();

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/drawing_place.h"
 #include "ui/viewport/drawing_thread.h"
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/picking.h"
@@ -26,8 +27,9 @@ class QPainter;
 namespace carom {
 
 struct NavigationRow;
+class OpenGLScreen;
 
-/// Shows one scene in its newest state, as a drawing thread pictures it. Left drag orbits, or moves a body
+/// Shows one scene in its newest state. Left drag orbits, or moves a body
 /// where that is allowed (with Ctrl at its height); right or middle drag pans, the wheel zooms at the cursor,
 /// a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the top, the
 /// front, the right, and 5 changes between perspective and orthographic.
@@ -37,6 +39,10 @@ class Viewport : public QWidget {
   public:
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
+
+    /// Before it is first shown; until then a thread draws. Automatic waits until it is known what there is.
+    void drawIn(DrawingPlace place);
+    bool drawsInWindow() const { return m_screen != nullptr; }
 
     /// A new scene at its start. The camera stays, unless this is the first scene since the last clearing or
     /// the scene's own `camera` declaration has changed. Null clears.
@@ -96,7 +102,7 @@ class Viewport : public QWidget {
     void dragBegan(carom::BodyIndex body, carom::BodyHandle handle);
     void dragged(const carom::Vec3& value);
     void dragEnded();
-    /// A new picture is about to be painted.
+    /// A new picture is about to be on screen.
     void frameRendered(double milliseconds);
     /// The picture cannot be drawn, and why.
     void failed(const QString& problem);
@@ -134,6 +140,7 @@ class Viewport : public QWidget {
     void paintLabelsOf(QPainter& painter, const PictureJob& job) const;
 
     DrawingThread m_drawing;
+    OpenGLScreen* m_screen = nullptr; ///< null: pictures come from m_drawing
     std::shared_ptr<const Stage> m_stage = std::make_shared<const Stage>(); ///< never null
     std::shared_ptr<const Snapshot> m_snapshot;
     Explanations m_explanations;

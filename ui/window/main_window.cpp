@@ -75,6 +75,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     restoreGeometry(settings.windowGeometry());
     m_workspaces = new Workspaces(*this, *m_splitter, *m_actions);
     m_workspaces->restore(settings);
+    m_viewport->drawIn(drawingPlace(settings.drawingPlace()).place); // late: it may have to wait for OpenGL
 }
 
 MainWindow::~MainWindow() = default;

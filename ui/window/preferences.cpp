@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/preferences.h"
 
+#include "ui/viewport/drawing_place.h"
 #include "ui/viewport/navigation.h"
 #include "ui/window/actions.h"
 #include "ui/window/settings.h"
@@ -21,6 +22,8 @@
 #include <QTableWidget>
 #include <QThread>
 #include <QVBoxLayout>
+
+#include <span>
 
 namespace carom {
 namespace {
@@ -46,6 +49,16 @@ QFormLayout* formOn(QWidget* page) {
     return form;
 }
 
+/// To choose one of a catalogue's rows by its title; an item's data is the row's name.
+template<class Row>
+QComboBox* choiceOf(std::span<const Row> rows, const char* objectName, const QString& chosen) {
+    QComboBox* choice = new QComboBox;
+    choice->setObjectName(QLatin1String(objectName));
+    for (const Row& row : rows) choice->addItem(Preferences::tr(row.title), QString::fromLatin1(row.name));
+    choice->setCurrentIndex(std::max(0, choice->findData(chosen)));
+    return choice;
+}
+
 } // namespace
 
 Preferences::Preferences(Settings& settings, Actions& actions, QWidget* parent)
@@ -55,7 +68,7 @@ Preferences::Preferences(Settings& settings, Actions& actions, QWidget* parent)
     QTabWidget* pages = new QTabWidget;
     pages->addTab(lookPage(), tr("Look"));
     pages->addTab(keysPage(), tr("Keys"));
-    pages->addTab(viewportPage(), tr("Navigation"));
+    pages->addTab(viewportPage(), tr("Viewport"));
     pages->addTab(simulationPage(), tr("Simulation"));
     QDialogButtonBox* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -191,11 +204,7 @@ void Preferences::setKeys(const QString& action, const QKeySequence& keys) {
 QWidget* Preferences::viewportPage() {
     QWidget* page = new QWidget;
     QFormLayout* form = formOn(page);
-    QComboBox* presets = new QComboBox;
-    presets->setObjectName(QStringLiteral("navigation"));
-    for (const NavigationRow& row : navigationPresets())
-        presets->addItem(tr(row.title), QString::fromLatin1(row.name));
-    presets->setCurrentIndex(std::max(0, presets->findData(m_settings.navigation())));
+    QComboBox* presets = choiceOf(navigationPresets(), "navigation", m_settings.navigation());
     connect(presets, &QComboBox::currentIndexChanged, this, [this, presets] {
         m_settings.setNavigation(presets->currentData().toString());
         Q_EMIT navigationChosen();
@@ -204,6 +213,11 @@ QWidget* Preferences::viewportPage() {
     form->addRow(QString(),
                  remark(tr("The wheel zooms at the pointer and a click selects, whatever is chosen "
                            "here.")));
+    QComboBox* places = choiceOf(drawingPlaces(), "drawingPlace", m_settings.drawingPlace());
+    connect(places, &QComboBox::currentIndexChanged, this,
+            [this, places] { m_settings.setDrawingPlace(places->currentData().toString()); });
+    form->addRow(tr("Pictures are drawn"), places);
+    form->addRow(QString(), remark(tr("This changes at the next start. What is drawn is the same.")));
     return page;
 }
 

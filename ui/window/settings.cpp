@@ -22,6 +22,7 @@ const QString fontFamilyKey = QStringLiteral("editor/font");
 const QString fontSizeKey = QStringLiteral("editor/fontSize");
 const QString languageKey = QStringLiteral("look/language");
 const QString navigationKey = QStringLiteral("viewport/navigation");
+const QString drawingPlaceKey = QStringLiteral("viewport/drawing");
 const QString memoryKey = QStringLiteral("simulation/memory");
 const QString threadsKey = QStringLiteral("simulation/threads");
 const QString welcomeKey = QStringLiteral("window/welcome");
@@ -82,6 +83,8 @@ QString Settings::language() const { return QSettings().value(languageKey).toStr
 void Settings::setLanguage(const QString& code) { QSettings().setValue(languageKey, code); }
 QString Settings::navigation() const { return QSettings().value(navigationKey).toString(); }
 void Settings::setNavigation(const QString& name) { QSettings().setValue(navigationKey, name); }
+QString Settings::drawingPlace() const { return QSettings().value(drawingPlaceKey).toString(); }
+void Settings::setDrawingPlace(const QString& name) { QSettings().setValue(drawingPlaceKey, name); }
 int Settings::memoryBudget() const { return QSettings().value(memoryKey, usualMemory).toInt(); }
 void Settings::setMemoryBudget(int mebibytes) { QSettings().setValue(memoryKey, mebibytes); }
 int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt(); }

@@ -52,6 +52,9 @@ class Settings {
     /// Name of the navigation preset of the viewport.
     QString navigation() const;
     void setNavigation(const QString& name);
+    /// Name of the place where pictures are drawn.
+    QString drawingPlace() const;
+    void setDrawingPlace(const QString& name);
     int memoryBudget() const; ///< [MiB] for the checkpoints of a run
     void setMemoryBudget(int mebibytes);
     int threads() const; ///< for simulating; 0: as many as the machine has

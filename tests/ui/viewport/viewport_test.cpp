@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/rotation.h"
+#include "tests/support/pictures.h"
 #include "tests/support/random_scene.h"
 #include "ui/viewport/viewport.h"
 
@@ -21,57 +22,9 @@
 namespace carom {
 namespace {
 
-using test::cuboid;
-using test::cylinder;
-using test::sceneOf;
-using test::sphere;
-using test::wall;
-
-constexpr int side = 360; ///< of the picture [px]
-constexpr PictureSize picture{side, side};
-const Vec3 red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1);
-
-Body coloured(Body body, const Vec3& colour) {
-    body.colour = colour;
-    return body;
-}
-
-std::shared_ptr<const Pipeline> pipelineOf(const Scene& scene) {
-    return std::make_shared<const Pipeline>(scene);
-}
-
-std::shared_ptr<Snapshot> startOf(const Scene& scene) {
-    std::shared_ptr<Snapshot> snapshot = std::make_shared<Snapshot>();
-    for (const Body& body : scene.bodies) snapshot->pose.push_back(body.pose);
-    return snapshot;
-}
-
-/// Looks along -z at the origin from 10 m.
-Camera frontCamera(bool orthographic = false) {
-    Camera camera;
-    camera.yaw = camera.pitch = 0;
-    camera.distance = 10;
-    camera.fieldOfView = 0.6;
-    camera.orthographic = orthographic;
-    return camera;
-}
+using namespace test;
 
 QPointF centreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
-
-/// How far apart two colours are, 0 to 255.
-int difference(QRgb a, QRgb b) {
-    return std::max(
-        {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
-}
-
-/// The strongest of red, green and blue has this index in `colour`; a highlight may share the lead.
-bool leads(QRgb pixel, const Vec3& colour) {
-    const std::array<int, 3> channels = {qRed(pixel), qGreen(pixel), qBlue(pixel)};
-    Eigen::Index strongest = 0;
-    colour.maxCoeff(&strongest);
-    return channels[static_cast<std::size_t>(strongest)] ==
-           *std::max_element(channels.begin(), channels.end());
-}
 
 } // namespace
 
@@ -209,8 +162,8 @@ class ViewportTest : public QObject {
         Scene scene;
         const std::array<Vec3, 3> colours = {red, green, blue};
         for (std::size_t i = 0; i < 60; ++i) {
-            Body body = test::randomBody(random, 1);
-            body.pose.position = test::randomVector(random, 1.2);
+            Body body = randomBody(random, 1);
+            body.pose.position = randomVector(random, 1.2);
             scene.bodies.push_back(coloured(body, colours[i % 3]));
         }
         Camera camera = frontCamera();

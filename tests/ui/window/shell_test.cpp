@@ -297,7 +297,9 @@ class ShellTest : public QObject {
         dialog->findChild<QSpinBox*>(QStringLiteral("threads"))->setValue(1);
         QComboBox* navigation = dialog->findChild<QComboBox*>(QStringLiteral("navigation"));
         navigation->setCurrentIndex(2);
+        dialog->findChild<QComboBox*>(QStringLiteral("drawingPlace"))->setCurrentIndex(1);
         const Settings settings;
+        QCOMPARE(settings.drawingPlace(), QStringLiteral("window"));
         QCOMPARE(settings.memoryBudget(), 64);
         QCOMPARE(settings.threads(), 1);
         QCOMPARE(settings.navigation(), QStringLiteral("middle"));
@@ -308,6 +310,26 @@ class ShellTest : public QObject {
         QTest::mouseMove(&ide.viewport, {160, 90});
         QTest::mouseRelease(&ide.viewport, Qt::LeftButton, {}, {160, 90});
         QCOMPARE(ide.viewport.camera().yaw, before.yaw);
+    }
+
+    void picturesAreDrawnWhereThePreferencesSay() {
+        Settings().setDrawingPlace(QStringLiteral("window"));
+        {
+            Ide ide;
+            QVERIFY(ide.viewport.drawsInWindow());
+            QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, patience);
+            const QPoint blue = ide.placeOf(2);
+            const auto shown = [&ide, blue] {
+                const QImage window = ide.bench.window().grab().toImage();
+                return window.pixelColor(ide.viewport.mapTo(&ide.bench.window(), blue));
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(shown().blue() > 1.5 * shown().red(), patience);
+        }
+        Settings().setDrawingPlace(QStringLiteral("thread"));
+        Ide ide;
+        QVERIFY(!ide.viewport.drawsInWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, patience);
+        QCOMPARE(drawingPlace(QStringLiteral("no such")).place, DrawingPlace::Automatic);
     }
 
     void aKeyThatIsGivenAwayIsTakenFromItsOwner() {
