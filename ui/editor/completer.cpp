@@ -20,7 +20,14 @@ Completer::Completer(SceneEditor& editor) : QObject(&editor), m_editor(editor) {
     editor.send(Sci::SCI_AUTOCSETORDER, Sci::SC_ORDER_CUSTOM); // best first, as core gives them
     editor.send(Sci::SCI_AUTOCSETIGNORECASE, 1);
     editor.send(Sci::SCI_AUTOCSETMAXHEIGHT, 12);
+    editor.send(Sci::SCI_AUTOCSETCANCELATSTART, 0); // a letter taken back widens the list again
     connect(&editor, &QsciScintillaBase::SCN_CHARADDED, this, &Completer::completeWhileTyping);
+    connect(&editor, &QsciScintillaBase::SCN_AUTOCCHARDELETED, this, [this] {
+        if (m_editor.caret() > m_offered.replaced.offset)
+            narrow();
+        else
+            close();
+    });
     connect(&editor, &QsciScintillaBase::SCN_AUTOCSELECTIONCHANGE, this,
             [this](const char* name, int, int) { explain(QByteArray(name)); });
     connect(&editor, &QsciScintillaBase::SCN_AUTOCCANCELLED, this, [] { QToolTip::hideText(); });
@@ -36,26 +43,41 @@ void Completer::complete() {
 void Completer::completeWhileTyping(int character) {
     const bool letter = (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z');
     const bool alone = m_editor.send(Sci::SCI_GETSELECTIONS) == 1;
+    const bool insideWord = letter || (character >= '0' && character <= '9') || character == '_';
+    if (m_editor.isListActive() && insideWord) return narrow();
     if (!letter || !alone || m_editor.isListActive()) return;
     if (m_editor.send(Sci::SCI_GETLENGTH) <= analysedWhileTyping) complete();
 }
 
-/// Entries that begin with what stands in front of the caret; none that is there already.
 void Completer::offer(const CompletionList& list) {
     m_offered = list;
+    narrow();
+}
+
+/// Entries that begin with what stands in front of the caret. A word that is whole, and that no other
+/// continues, needs no list: Tab behind it may mean something else.
+void Completer::narrow() {
     const std::uint32_t caret = m_editor.caret();
-    const std::uint32_t typed =
-        caret >= list.replaced.offset && list.replaced.length > 0 ? caret - list.replaced.offset : 0;
+    const std::uint32_t begin = m_offered.replaced.offset;
+    const std::uint32_t typed = caret >= begin && m_offered.replaced.length > 0 ? caret - begin : 0;
     const QByteArray prefix = m_editor.bytes().mid(caret - typed, typed);
     QByteArrayList names;
-    for (const Completion& entry : list.entries) {
+    for (const Completion& entry : m_offered.entries) {
         const QByteArray name = QByteArray::fromStdString(entry.name);
-        const bool fits = name.left(prefix.size()).compare(prefix, Qt::CaseInsensitive) == 0;
-        if (fits && name != prefix) names.append(name);
+        if (name == prefix)
+            names.prepend(name);
+        else if (name.left(prefix.size()).compare(prefix, Qt::CaseInsensitive) == 0)
+            names.append(name);
     }
-    if (names.isEmpty()) return;
+    if (names.isEmpty() || names == QByteArrayList{prefix}) return close();
     const QByteArray joined = names.join('\n');
     m_editor.SendScintilla(Sci::SCI_AUTOCSHOW, static_cast<uintptr_t>(typed), joined.constData());
+    explain(names.first()); // only another choice than the first is told
+}
+
+void Completer::close() {
+    m_editor.send(Sci::SCI_AUTOCCANCEL); // which is not told
+    QToolTip::hideText();
 }
 
 void Completer::explain(const QByteArray& name) {

@@ -22,6 +22,8 @@ class Completer : public QObject {
   private:
     void completeWhileTyping(int character);
     void offer(const CompletionList& list);
+    void narrow();
+    void close();
     void explain(const QByteArray& name);
 
     SceneEditor& m_editor;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/scene_editor.h"
 
+#include "ui/editor/rectangle_drag.h"
 #include "ui/editor/scene_lexer.h"
 #include "ui/window/theme.h"
 
@@ -75,6 +76,7 @@ void SceneEditor::configureEditing() {
     send(SCI_SETADDITIONALSELECTIONTYPING, 1);
     send(SCI_SETMULTIPASTE, SC_MULTIPASTE_EACH);
     send(SCI_SETVIRTUALSPACEOPTIONS, SCVS_RECTANGULARSELECTION);
+    new RectangleDrag(*this);
     send(SCI_SETMOUSEDWELLTIME, hoverDelay);
     send(SCI_SETENDATLASTLINE, 0);
     send(SCI_SETCARETSTICKY, SC_CARETSTICKY_OFF);

@@ -19,6 +19,7 @@ namespace {
 using Sci = QsciScintillaBase;
 
 constexpr int fieldIndicator = 13; // below it are those of the diagnostics
+constexpr int fieldAlpha = 60;     // of 255: the value under it is read
 constexpr int listOfTypes = 1;     // Scintilla's number for a list of ours
 
 /// The boxed ranges of the text, ascending.
@@ -49,7 +50,9 @@ SnippetFields::SnippetFields(SceneEditor& editor) : QObject(&editor), m_editor(e
 }
 
 void SnippetFields::setTheme(const Theme& theme) {
-    m_editor.setIndicatorForegroundColor(theme.accent, fieldIndicator);
+    QColor veil = theme.accent;
+    veil.setAlpha(fieldAlpha);
+    m_editor.setIndicatorForegroundColor(veil, fieldIndicator); // its alpha is the box's
 }
 
 void SnippetFields::insertOrOffer() {

@@ -216,6 +216,31 @@ class SceneEditorTest : public QObject {
         QVERIFY(editor.isListActive());
     }
 
+    void whatIsOfferedNarrowsAsOneTypesAndTellsOfTheFirst() {
+        SceneEditor editor(m_theme);
+        Completer completer(editor);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("sp"));
+        QVERIFY(QToolTip::text().contains(QStringLiteral("sphere")));
+        QTest::keyClicks(&editor, QStringLiteral("r"));
+        QVERIFY(editor.isListActive());
+        QVERIFY(QToolTip::text().contains(QStringLiteral("spring")));
+        QTest::keyClick(&editor, Qt::Key_Backspace);
+        QVERIFY(editor.isListActive());
+        QVERIFY(QToolTip::text().contains(QStringLiteral("sphere")));
+    }
+
+    void aWholeWordThatNoOtherContinuesClosesTheList() {
+        SceneEditor editor(m_theme);
+        Completer completer(editor);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("spher"));
+        QVERIFY(editor.isListActive());
+        QTest::keyClicks(&editor, QStringLiteral("e")); // the tutorial: `sphere`, then Tab for all of it
+        QVERIFY(!editor.isListActive());
+        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().isEmpty(), patience);
+    }
+
     void nothingIsOfferedInAComment() {
         SceneEditor editor(m_theme);
         Completer completer(editor);

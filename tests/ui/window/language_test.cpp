@@ -35,15 +35,15 @@ void turnWheel(SceneEditor& editor, const QPoint& place, int notches) {
     }
 }
 
-void dragWithAlt(SceneEditor& editor, const QPoint& from, int pixels) {
+void dragWithAlt(SceneEditor& editor, const QPoint& from, const QPoint& way) {
     QTest::mousePress(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from);
     for (int i = 1; i <= 10; ++i) {
-        const QPoint at(from.x() + pixels * i / 10, from.y());
+        const QPoint at = from + way * i / 10;
         QMouseEvent move(QEvent::MouseMove, at, editor.viewport()->mapToGlobal(at), Qt::NoButton,
                          Qt::LeftButton, Qt::AltModifier);
         QApplication::sendEvent(editor.viewport(), &move);
     }
-    QTest::mouseRelease(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from + QPoint(pixels, 0));
+    QTest::mouseRelease(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from + way);
 }
 
 } // namespace
@@ -122,7 +122,6 @@ class LanguageTest : public QObject {
     void tabBehindATypeInsertsADeclarationAndGoesThroughItsValues() {
         Ide ide;
         typeAtTheEnd(ide.editor, "sphere");
-        while (ide.editor.isListActive()) ide.editor.cancelList();
         QTest::keyClick(&ide.editor, Qt::Key_Tab);
         QVERIFY(ide.editor.bytes().contains("radius"));
         QVERIFY(ide.editor.hasSelectedText());
@@ -150,16 +149,44 @@ class LanguageTest : public QObject {
 
     void aDragTurnsANumberLiveInThePictureAsOneUndoStep() {
         Ide ide;
-        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), 12);
+        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {12, 0});
         QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
         QTRY_VERIFY_WITH_TIMEOUT(
             std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.7, patience);
-        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), -400);
+        dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {-400, 0});
         QVERIFY(ide.editor.bytes().contains("left { radius .1 mass")); // a radius stays above 0
         ide.editor.undo();
         QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    void aDragWithAltBesideNumbersSelectsARectangle() {
+        Ide ide;
+        const QPoint line(0, static_cast<int>(ide.editor.send(Sci::SCI_TEXTHEIGHT, 0)));
+        dragWithAlt(ide.editor, placeOfText(ide.editor, "sph"), line + QPoint(12, 0));
+        QVERIFY(ide.editor.send(Sci::SCI_SELECTIONISRECTANGLE) != 0);
+        QCOMPARE(ide.editor.send(Sci::SCI_GETSELECTIONS), 2L);
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    void aDeclarationsNameAndTabInsertAllOfIt() { // the tutorial's first step
+        Ide ide("");
+        QTest::keyClicks(&ide.editor, QStringLiteral("sphere"));
+        QTest::keyClick(&ide.editor, Qt::Key_Tab);
+        QVERIFY2(ide.editor.bytes().contains("radius"), ide.editor.bytes().constData());
+        constexpr long veil = 100; // of 255: the values are read through what marks them
+        constexpr int fieldIndicator = 13;
+        QVERIFY(ide.editor.send(Sci::SCI_INDICATORVALUEAT, fieldIndicator,
+                                ide.editor.bytes().indexOf("mass ") + 5) != 0);
+        QVERIFY(ide.editor.send(Sci::SCI_INDICGETALPHA, fieldIndicator) < veil);
+    }
+
+    void ctrlHomeGoesToTheBeginningOfTheText() { // it is no action's key
+        Ide ide;
+        placeCaretBehind(ide.editor, "sphere left");
+        QTest::keyClick(&ide.editor, Qt::Key_Home, Qt::ControlModifier);
+        QCOMPARE(ide.editor.caret(), 0U);
     }
 
     void theNumberAtTheCaretTurnsByKey() {
