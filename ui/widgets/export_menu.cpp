@@ -18,6 +18,7 @@ struct ExportTexts {
 
 ExportMenu::ExportMenu(QWidget* parent) : QToolButton(parent) {
     setText(tr("Export"));
+    setProperty("role", QStringLiteral("words"));
     setPopupMode(QToolButton::InstantPopup);
     setToolTip(tr("Write the chart or its figures to a file"));
     QMenu* menu = new QMenu(this);

@@ -51,6 +51,7 @@ TransportBar::TransportBar(const Actions& actions, QWidget* parent)
       m_unlimited(button(actions[ActionId::Unlimited], this)) {
     actions[ActionId::Unlimited].setCheckable(true);
     m_unlimited->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_unlimited->setProperty("role", QStringLiteral("words"));
     m_speed->setRange(tickOf(slowest), tickOf(fastest));
     m_speed->setFixedWidth(140);
     m_speed->setToolTip(tr("Speed of the presentation, 0.01× to 100×; the step itself stays"));

@@ -68,13 +68,18 @@ QMenu::item:selected { background: @selection; }
 QMenu::item:disabled { color: @disabledText; }
 QMenu::separator { height: 1px; background: @border; margin: 4px 6px; }
 QMenu::icon { padding-left: 6px; }
+QMenu::icon:checked { background: @selection; border: 1px solid @accent; border-radius: 3px; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @border; padding: 4px 6px; spacing: 2px; }
 QToolBar::separator { background: @border; width: 1px; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
 QToolButton[popupMode="2"] { padding-right: 16px; }
 QToolButton[popupMode="2"]::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right; right: 3px; }
-QToolButton:hover { background: @hover; }
-QToolButton:pressed, QToolButton:checked { background: @selection; }
+QToolButton[role="words"] { background: @button; border-color: @border; padding: 2px 10px; }
+QToolButton[role="words"][popupMode="2"] { padding-right: 22px; }
+QToolButton:hover, QToolButton[role="words"]:hover { background: @hover; }
+QToolButton:pressed, QToolButton:checked, QToolButton[role="words"]:pressed,
+QToolButton[role="words"]:checked { background: @selection; }
+QToolButton:disabled { color: @disabledText; }
 QStatusBar { background: @window; border-top: 1px solid @border; color: @mutedText; }
 QStatusBar::item { border: none; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
@@ -87,11 +92,12 @@ QTabBar::tab:hover:!selected { color: @text; background: @hover; }
 QTabWidget::pane { border: 1px solid @border; background: @window; }
 QAbstractScrollArea { border: none; }
 QTreeView, QTableView, QListView, QPlainTextEdit, QTextBrowser { background: @panel; }
-QTreeView::item, QListView::item { padding: 3px 4px; }
+QTreeView::item, QListView::item { padding: 3px 4px; background: transparent; border: none; }
+QTreeView::item:alternate, QListView::item:alternate { background: @alternate; }
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected { background: @selection; color: @text; }
 QHeaderView { background: @panel; }
-QHeaderView::section { background: @panel; color: @mutedText; border: none; padding: 0 6px; }
-QHeaderView::section:horizontal { border-bottom: 1px solid @border; padding: 5px 6px; }
+QHeaderView::section { background: @panel; color: @mutedText; border: none; padding: 0 4px; }
+QHeaderView::section:horizontal { border-bottom: 1px solid @border; padding: 5px 4px; }
 QTableCornerButton::section { background: @panel; border: none; border-bottom: 1px solid @border; }
 QAbstractScrollArea::corner { background: transparent; border: none; }
 QSplitter::handle { background: @border; }
@@ -108,7 +114,16 @@ QComboBox QAbstractItemView { background: @panel; border: 1px solid @border; sel
             selection-color: @text; }
 QPushButton { background: @button; border: 1px solid @border; border-radius: 4px; padding: 4px 12px; }
 QPushButton:hover { background: @hover; }
-QPushButton:default { border-color: @accent; }
+QPushButton:default, QPushButton:focus, QToolButton[role="words"]:focus { border-color: @accent; }
+QPushButton:disabled { color: @disabledText; }
+QPushButton:flat { background: transparent; border-color: transparent; }
+QPushButton:flat:hover { background: @hover; }
+QCheckBox, QRadioButton { spacing: 6px; }
+QCheckBox::indicator, QTreeView::indicator, QListView::indicator { width: 14px; height: 14px;
+            border: 1px solid @mutedText; border-radius: 3px; background: @panel; }
+QCheckBox::indicator:checked, QTreeView::indicator:checked, QListView::indicator:checked { background: @accent; border-color: @accent; image: url(:/icons/@tick.svg); }
+QCheckBox::indicator:disabled { border-color: @disabledText; }
+QCheckBox:focus, QRadioButton:focus { color: @accent; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 11px; }
@@ -161,6 +176,8 @@ QPalette Theme::palette() const {
 
 QString Theme::styleSheet() const {
     QString filled = QString::fromLatin1(sheet);
+    filled.replace(QStringLiteral("@tick"),
+                   dark ? QStringLiteral("tick_on_light") : QStringLiteral("tick_on_dark"));
 #define CAROM_ROLE(role) filled.replace(QRegularExpression(QStringLiteral("@" #role "\\b")), role.name());
 #include "ui/window/theme_roles.def"
 #undef CAROM_ROLE

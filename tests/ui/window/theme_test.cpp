@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
 
+#include <QListWidget>
 #include <QSet>
 
+#include <vector>
+
 using namespace carom;
+using namespace carom::test;
 
 namespace {
 
@@ -48,13 +52,48 @@ class ThemeTest : public QObject {
     void textCanBeReadOnItsBackground() {
         QFETCH(bool, dark);
         const Theme t = loadTheme(dark);
-        for (const QColor& ink : {t.editorText, t.number, t.declaration, t.parameter, t.word, t.error})
-            QVERIFY2(contrast(ink, t.editor) >= readable, qPrintable(ink.name()));
-        QVERIFY(contrast(t.text, t.window) >= readable);
-        QVERIFY(contrast(t.text, t.panel) >= readable);
-        QVERIFY(contrast(t.text, t.selection) >= readable);
-        for (const QColor& ink : {t.comment, t.punctuation, t.warning, t.hint, t.good, t.mutedText})
-            QVERIFY2(contrast(ink, t.panel) >= visible, qPrintable(ink.name()));
+        const auto holds = [](const std::vector<QColor>& inks, const std::vector<QColor>& grounds,
+                              double least) {
+            for (const QColor& ink : inks)
+                for (const QColor& ground : grounds)
+                    QVERIFY2(contrast(ink, ground) >= least,
+                             qPrintable(ink.name() + QStringLiteral(" on ") + ground.name()));
+        };
+        const std::vector<QColor> panels = {t.window, t.panel, t.alternate};
+        const std::vector<QColor> texts = {t.editor, t.currentLine, t.declarationLine};
+        const std::vector<QColor> words = {t.editorText, t.number,  t.declaration, t.parameter,
+                                           t.word,       t.comment, t.punctuation, t.brace};
+        holds(words, texts, readable);
+        holds({t.error, t.warning, t.hint}, texts, readable); // messages stand in the text, too
+        holds({t.error, t.warning, t.hint, t.good, t.accent, t.mutedText}, panels, readable);
+        holds({t.text}, panels, readable);
+        holds({t.text}, {t.button, t.hover, t.selection}, readable);
+        holds({t.accentText}, {t.accent}, readable);
+        holds({t.lineNumber, t.fold}, {t.editor, t.currentLine}, visible);
+        holds({t.disabledText}, panels, visible);
+    }
+
+    void aChosenRowHasItsTextWhereTheOthersHaveIt() {
+        QListWidget list;
+        list.setPalette(loadTheme(true).palette());
+        list.setStyleSheet(loadTheme(true).styleSheet());
+        list.addItems({QStringLiteral("one"), QStringLiteral("two")});
+        list.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&list, patience));
+        const auto firstInk = [&list](int row) { // column of pixels
+            const QImage picture = list.viewport()->grab(list.visualItemRect(list.item(row))).toImage();
+            const QColor ground = picture.pixelColor(2, picture.height() / 2);
+            for (int x = 3; x < picture.width(); ++x)
+                for (int y = 3; y < picture.height() - 3; ++y)
+                    if (contrast(picture.pixelColor(x, y), ground) > visible) return x;
+            return -1;
+        };
+        list.clearSelection();
+        list.setCurrentItem(nullptr);
+        const int usual = firstInk(0);
+        list.item(0)->setSelected(true);
+        QVERIFY(usual > 0);
+        QCOMPARE(firstInk(0), usual);
     }
 
     void everyIconOfTheActionsExists() {
