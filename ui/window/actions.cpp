@@ -9,6 +9,7 @@
 #include <QToolBar>
 
 #include <array>
+#include <optional>
 
 namespace carom {
 namespace {
@@ -25,6 +26,7 @@ constexpr std::array rows = {
 struct MenuRow {
     MenuId id;
     const char* title;
+    std::optional<MenuId> parent = {}; ///< of a menu within a menu
 };
 
 constexpr std::array menuRows = {
@@ -33,6 +35,8 @@ constexpr std::array menuRows = {
     MenuRow{MenuId::Text, QT_TRANSLATE_NOOP("carom::Actions", "&Text")},
     MenuRow{MenuId::Simulation, QT_TRANSLATE_NOOP("carom::Actions", "&Simulation")},
     MenuRow{MenuId::View, QT_TRANSLATE_NOOP("carom::Actions", "&View")},
+    MenuRow{MenuId::Drawn, QT_TRANSLATE_NOOP("carom::Actions", "&Overlays"), MenuId::View},
+    MenuRow{MenuId::Workspace, QT_TRANSLATE_NOOP("carom::Actions", "Wo&rkspace"), MenuId::View},
     MenuRow{MenuId::Help, QT_TRANSLATE_NOOP("carom::Actions", "&Help")},
 };
 
@@ -91,7 +95,9 @@ QList<QKeySequence> Actions::shortcuts() const {
 }
 
 void Actions::fill(QMenuBar& bar) {
-    for (const MenuRow& row : menuRows) m_menus[row.id] = bar.addMenu(tr(row.title));
+    for (const MenuRow& row : menuRows)
+        m_menus[row.id] =
+            row.parent ? new QMenu(tr(row.title), m_menus[*row.parent]) : bar.addMenu(tr(row.title));
     for (const ActionRow& row : rows) {
         QMenu& menu = *m_menus[row.menu];
         if (row.text == nullptr)
@@ -99,6 +105,8 @@ void Actions::fill(QMenuBar& bar) {
         else
             menu.addAction(m_actions[row.id]);
     }
+    for (const MenuRow& row : menuRows)
+        if (row.parent) m_menus[*row.parent]->addMenu(m_menus[row.id]);
 }
 
 void Actions::fill(QToolBar& bar) const {

@@ -27,7 +27,7 @@ enum class ActionId : std::uint8_t {
 #undef CAROM_SEPARATOR
 };
 
-enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Help };
+enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Drawn, Workspace, Help };
 
 struct ActionRow {
     ActionId id{};

@@ -10,7 +10,6 @@
 #include "ui/window/settings.h"
 
 #include <QInputDialog>
-#include <QStatusBar>
 
 namespace carom {
 namespace {
@@ -68,7 +67,7 @@ void EditCommands::connectProblems(const Document& document, DiagnosticMarks& ma
     connect(&actions[ActionId::PreviousProblem], &QAction::triggered, &marks, &DiagnosticMarks::goToPrevious);
     connect(&actions[ActionId::FixIt], &QAction::triggered, this, [this, &document, &marks] {
         if (!marks.applyFixIt(document.revision()))
-            m_window.statusBar()->showMessage(tr("Nothing at the caret has an obvious mend"), messageTime);
+            m_window.tell(tr("Nothing at the caret has an obvious mend"), messageTime);
     });
 }
 

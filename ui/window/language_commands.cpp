@@ -13,8 +13,6 @@
 #include "core/language/formatter.h"
 #include "core/language/navigation.h"
 
-#include <QStatusBar>
-
 #include <algorithm>
 
 namespace carom {
@@ -105,8 +103,6 @@ void LanguageCommands::format() {
     say(tr("Laid out; Ctrl+Z takes it back"));
 }
 
-void LanguageCommands::say(const QString& sentence) {
-    m_window.statusBar()->showMessage(sentence, messageTime);
-}
+void LanguageCommands::say(const QString& sentence) { m_window.tell(sentence, messageTime); }
 
 } // namespace carom

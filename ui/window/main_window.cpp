@@ -39,10 +39,11 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{1500, 940}; // [px] of a window nobody has resized yet
-constexpr int bottomHeight = 230;     // [px] of the docks below
-constexpr int rightWidth = 300;       // [px] of the docks at the right
-constexpr int textWidth = 580;        // [px] of the editor
+constexpr QSize firstSize{1500, 940};        // [px] of a window nobody has resized yet
+constexpr const char* iconName = "iconName"; // property of a panel's action; `icon` is one of Qt's
+
+constexpr int bottomHeight = 230; // [px] of the docks below
+constexpr int rightWidth = 300;   // [px] of the docks at the right
 
 } // namespace
 
@@ -67,7 +68,9 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     addDockToggles();
     addWorkspaceButtons(*toolbar);
     m_caret->setProperty("role", QStringLiteral("muted"));
+    m_caret->setContentsMargins(0, 0, 8, 0);
     statusBar()->addPermanentWidget(m_caret);
+    statusBar()->setSizeGripEnabled(false);
     releaseKeys();
     setTheme(theme);
 
@@ -93,8 +96,6 @@ void MainWindow::placeCentre() {
     m_splitter->setChildrenCollapsible(false);
     m_splitter->addWidget(text);
     m_splitter->addWidget(m_viewport);
-    m_splitter->setSizes({textWidth, firstSize.width() - rightWidth - textWidth});
-    m_splitter->setStretchFactor(1, 1);
 
     QWidget* centre = new QWidget;
     QVBoxLayout* column = new QVBoxLayout(centre);
@@ -151,12 +152,11 @@ void MainWindow::addDockToggles() {
                                                                          {m_inspector, "inspector"},
                                                                          {m_effects, "effects"},
                                                                          {m_stability, "stability"}}};
-    QMenu& view = m_actions->menu(MenuId::View);
-    view.addSeparator();
+    QMenu& view = *m_actions->menu(MenuId::View).addMenu(tr("&Panels"));
     int number = 0;
     for (const auto& [dock, icon] : docks) {
         QAction* action = view.addAction(dock->windowTitle());
-        action->setProperty("icon", QString::fromLatin1(icon));
+        action->setProperty(iconName, QString::fromLatin1(icon));
         action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number % 10)));
         action->setStatusTip(tr("Show or hide this panel"));
         addAction(action);
@@ -202,8 +202,8 @@ void MainWindow::setTheme(const Theme& theme) {
     m_effects->setTheme(theme);
     m_stability->setTheme(theme);
     for (QAction* action : QWidget::actions())
-        if (action->property("icon").isValid())
-            action->setIcon(theme.icon(action->property("icon").toString()));
+        if (action->property(iconName).isValid())
+            action->setIcon(theme.icon(action->property(iconName).toString()));
 }
 
 void MainWindow::releaseKeys() { m_editor->releaseKeys(m_actions->shortcuts()); }
@@ -212,6 +212,13 @@ void MainWindow::open(QDockWidget& dock) {
     dock.show();
     dock.raise();
     dock.setFocus();
+}
+
+void MainWindow::tell(const QString& sentence, int milliseconds) {
+    constexpr int gap = 24; // [px] to the place of the caret
+    const int room = statusBar()->width() - m_caret->sizeHint().width() - gap;
+    statusBar()->showMessage(statusBar()->fontMetrics().elidedText(sentence, Qt::ElideRight, room),
+                             milliseconds);
 }
 
 void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {

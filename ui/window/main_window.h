@@ -70,6 +70,8 @@ class MainWindow : public QMainWindow {
     void releaseKeys();
     /// In front, with the keyboard in it.
     void open(QDockWidget& dock);
+    /// A sentence in the status bar, for a while or, with 0, until the next; as much of it as fits.
+    void tell(const QString& sentence, int milliseconds = 0);
     void showCaret(std::uint32_t line, std::uint32_t column);
     void saveLayout(Settings& settings) const;
     /// Asked before the window closes; false keeps it open.

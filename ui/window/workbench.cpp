@@ -166,7 +166,7 @@ void Workbench::connectReports() {
     OutputDock& output = m_window->output();
     const auto report = [this, &output](const QString& sentence) {
         output.add(sentence);
-        m_window->statusBar()->showMessage(sentence, messageTime);
+        m_window->tell(sentence, messageTime);
     };
     connect(m_files, &FileCommands::reported, this, report);
     connect(m_runs, &RunCommands::reported, this, report);
@@ -185,7 +185,7 @@ void Workbench::connectReports() {
         if (name.isEmpty())
             m_window->statusBar()->clearMessage();
         else
-            m_window->statusBar()->showMessage(tr("selected: %1").arg(name));
+            m_window->tell(tr("selected: %1").arg(name));
     });
     QShortcut* toEditor = new QShortcut(Qt::Key_Escape, m_window.get());
     connect(toEditor, &QShortcut::activated, this, [this] { m_window->editor().setFocus(); });

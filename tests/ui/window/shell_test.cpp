@@ -18,6 +18,7 @@
 
 #include <QComboBox>
 #include <QKeySequenceEdit>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -27,9 +28,13 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTreeWidget>
+
+#include <utility>
+#include <vector>
 
 using namespace carom;
 using namespace carom::test;
@@ -103,6 +108,47 @@ class ShellTest : public QObject {
                 fitOf(QStringLiteral("Show inbox"), QStringLiteral("box")));
         QCOMPARE(fitOf(QStringLiteral("Boxes"), QStringLiteral("boxes grid")), -1);
         QCOMPARE(fitOf(QStringLiteral("Boxes"), QString()), 0);
+    }
+
+    void aWorkspaceGivesTheTextItsShareOfTheWidth() {
+        const std::vector<std::pair<ActionId, int>> rows = {{ActionId::WorkspaceWatch, 24},
+                                                            {ActionId::WorkspaceMeasure, 30},
+                                                            {ActionId::WorkspaceStudy, 26},
+                                                            {ActionId::WorkspaceWrite, 52}};
+        Ide ide;
+        ide.bench.window().resize(1600, 950);
+        for (const auto& [action, share] : rows) {
+            ide.trigger(action);
+            QCoreApplication::processEvents();
+            const QWidget& viewport = ide.viewport;
+            const double width = ide.editor.width() + viewport.width();
+            constexpr double rounding = 2; // [%]
+            QVERIFY2(std::abs(100 * ide.editor.width() / width - share) < rounding,
+                     qPrintable(QStringLiteral("%1 of %2 px").arg(ide.editor.width()).arg(width)));
+        }
+    }
+
+    void everyMenuFitsASmallScreen() {
+        constexpr int laptop = 768; // [px]
+        Ide ide;
+        for (const QMenu* menu : ide.bench.window().menuBar()->findChildren<QMenu*>()) {
+            QVERIFY2(menu->sizeHint().height() < laptop, qPrintable(menu->title()));
+            for (const QAction* action : menu->actions())
+                QVERIFY2(action->isSeparator() || action->menu() != nullptr || !action->icon().isNull(),
+                         qPrintable(action->text()));
+        }
+    }
+
+    void aLongMessageEndsBeforeThePlaceOfTheCaret() {
+        Ide ide;
+        placeCaretBehind(ide.editor, "sphere");
+        const QStatusBar& bar = *ide.bench.window().statusBar();
+        const QLabel* place = bar.findChild<QLabel*>();
+        QTRY_VERIFY_WITH_TIMEOUT(place->text().contains(u'3'), patience);
+        ide.bench.window().tell(QString(500, u'm'));
+        QVERIFY(bar.currentMessage().endsWith(u'…'));
+        QTRY_VERIFY_WITH_TIMEOUT(bar.fontMetrics().horizontalAdvance(bar.currentMessage()) < place->x(),
+                                 patience);
     }
 
     void aWorkspaceIsFoundAsItWasLeft() {
