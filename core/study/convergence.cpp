@@ -120,8 +120,9 @@ std::string yardstickOf(const AccuracyStudy& study) {
         text += "deviations from the scene's own finest run (" + truth.description + ", good to " +
                 figure(truth.error) + "): those below " + figure(study.resolution()) + " say little else";
     else
-        text += "against the " + std::string(nameOf(truth.kind)) + " (" + truth.description + "), good to " +
-                figure(truth.error);
+        text += "against the " + std::string(nameOf(truth.kind)) +
+                (truth.description == nameOf(truth.kind) ? std::string() : " (" + truth.description + ")") +
+                ", good to " + figure(truth.error);
     if (truth.chaotic)
         text += ", up to " + figure(truth.horizon) + " s: beyond, copies 1e-12 apart have parted (growth " +
                 figure(truth.growth) + " /s)";

@@ -369,12 +369,6 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>Diese Einstellung in die Deklaration „simulation“ der Szene schreiben</translation>
     </message>
     <message>
-        <source>A study runs the scene with every method, integrator and number of substeps and shows what each error costs in time.
-The simulation above goes on meanwhile.</source>
-        <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
-Die Simulation oben geht dabei weiter.</translation>
-    </message>
-    <message>
         <source>running with %1</source>
         <translation>läuft mit %1</translation>
     </message>
@@ -449,6 +443,16 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
     <message>
         <source>kept</source>
         <translation>behalten</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>A study runs the scene with every method, integrator and number of substeps and shows what each error costs in time.
+Choose Study to begin; the simulation above goes on meanwhile.</source>
+        <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
+„Untersuchen“ beginnt sie; die Simulation oben geht dabei weiter.</translation>
     </message>
 </context>
 <context>
@@ -922,10 +926,6 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
         <translation>Dem Text seine übliche Größe geben</translation>
     </message>
     <message>
-        <source>Messages in the te&amp;xt</source>
-        <translation>Meldungen im Te&amp;xt</translation>
-    </message>
-    <message>
         <source>Show each problem&apos;s message under its line</source>
         <translation>Die Meldung jedes Problems unter seiner Zeile zeigen</translation>
     </message>
@@ -1080,6 +1080,18 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
     <message>
         <source>Draw points, normals and forces where bodies touch</source>
         <translation>Punkte, Normalen und Kräfte zeichnen, wo Körper sich berühren</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays</source>
+        <translation>&amp;Einblendungen</translation>
+    </message>
+    <message>
+        <source>Wo&amp;rkspace</source>
+        <translation>A&amp;rbeitsbereich</translation>
+    </message>
+    <message>
+        <source>Messages &amp;in the text</source>
+        <translation>Meldungen &amp;im Text</translation>
     </message>
 </context>
 <context>
@@ -1750,10 +1762,6 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <translation>Masse</translation>
     </message>
     <message>
-        <source>moments of inertia</source>
-        <translation>Trägheitsmomente</translation>
-    </message>
-    <message>
         <source>immobile</source>
         <translation>unbeweglich</translation>
     </message>
@@ -1768,6 +1776,14 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>rolling resistance</source>
         <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>moment of inertia</source>
+        <translation>Trägheitsmoment</translation>
+    </message>
+    <message>
+        <source>inertia about %1</source>
+        <translation>Trägheit um %1</translation>
     </message>
 </context>
 <context>
@@ -1837,6 +1853,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>line %1, column %2</source>
         <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Felder</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "core/study/accuracy_csv.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
+#include "ui/widgets/panel_parts.h"
 #include "ui/widgets/text_file.h"
 #include "ui/widgets/text_of.h"
 
@@ -28,7 +29,7 @@ namespace {
 constexpr double reportInterval = 100; ///< [ms] between two reports of progress
 constexpr double chartInterval = 700;  ///< [ms] between two diagrams of a study under way
 constexpr int progressSteps = 1000;
-constexpr int heightForLegend = 400; ///< [px] of the diagram
+constexpr int heightForLegend = 260; ///< [px] of the diagram
 constexpr int pointWidth = 300;      ///< [px] of what is said about a point
 
 /// A checkable action for every row of a catalogue.
@@ -65,15 +66,14 @@ bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
 } // namespace
 
 AccuracyDock::AccuracyDock(QWidget* parent)
-    : QDockWidget(tr("Accuracy"), parent), m_start(new QPushButton), m_knobs(new QToolButton),
+    : QDockWidget(tr("Accuracy"), parent), m_start(new QPushButton),
+      m_knobs(wordButton("accuracyKnobs", tr("Vary"), tr("Which methods and integrators are compared"))),
       m_duration(new QDoubleSpinBox), m_progress(new QProgressBar), m_state(new QLabel),
-      m_keep(new QToolButton), m_export(new ExportMenu), m_plot(new PlotWidget), m_point(new QLabel),
+      m_keep(wordButton("accuracyKeep", tr("Keep"), tr("Show this study together with the next one"))),
+      m_export(new ExportMenu), m_plot(new PlotWidget), m_point(new QLabel),
       m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
     setObjectName(QStringLiteral("accuracy"));
     m_start->setObjectName(QStringLiteral("accuracyStart"));
-    m_knobs->setObjectName(QStringLiteral("accuracyKnobs"));
-    m_knobs->setText(tr("Vary"));
-    m_knobs->setToolTip(tr("Which methods and integrators are compared"));
     m_knobs->setPopupMode(QToolButton::InstantPopup);
     m_knobs->setMenu(knobsMenu());
     m_duration->setObjectName(QStringLiteral("accuracyDuration"));
@@ -90,14 +90,14 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_state->setObjectName(QStringLiteral("accuracyState"));
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
-    m_keep->setObjectName(QStringLiteral("accuracyKeep"));
-    m_keep->setText(tr("Keep"));
     m_keep->setCheckable(true);
-    m_keep->setToolTip(tr("Show this study together with the next one"));
     connect(m_export, &ExportMenu::chosen, this, &AccuracyDock::askForExport);
 
     QHBoxLayout* top = new QHBoxLayout;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_start, m_knobs, m_duration, m_progress})
+    QLabel* simulated = new QLabel(tr("over"));
+    simulated->setProperty("role", QStringLiteral("muted"));
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_start, m_knobs, simulated, m_duration, m_progress})
         top->addWidget(widget);
     top->addWidget(m_state, 1);
     top->addWidget(m_keep);
@@ -123,11 +123,12 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     sideBySide->addWidget(m_plot, 1);
     sideBySide->addLayout(side);
     m_empty = new EmptyState(figures, tr("A study runs the scene with every method, integrator and number of "
-                                         "substeps and shows what each error costs in time.\nThe simulation "
-                                         "above goes on meanwhile."));
+                                         "substeps and shows what each error costs in time.\nChoose Study "
+                                         "to begin; the simulation above goes on meanwhile."));
 
     QWidget* content = new QWidget;
     QVBoxLayout* column = new QVBoxLayout(content);
+    column->setContentsMargins(6, 4, 6, 6);
     column->addLayout(top);
     column->addWidget(m_empty, 1);
     setWidget(content);

@@ -27,7 +27,6 @@ namespace {
 constexpr std::int64_t comparedFrames = 120;
 constexpr double progressInterval = 100; ///< [ms] between two reports of the thread
 constexpr int progressSteps = 1000;
-constexpr int widestTable = 660;   ///< [px] that it takes from the chart at most
 constexpr int chartNameWidth = 24; ///< [characters] of the box that chooses the chart
 
 } // namespace
@@ -58,7 +57,7 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     m_state->setWordWrap(true);
     m_chart->setObjectName(QStringLiteral("comparisonChart"));
     m_chart->setAccessibleName(tr("Chart"));
-    m_chart->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_chart->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_chart->setMinimumContentsLength(chartNameWidth);
     m_export->setObjectName(QStringLiteral("comparisonExport"));
     connect(m_export, &ExportMenu::chosen, this,
@@ -217,7 +216,6 @@ void BroadphaseComparison::showTable() {
                             ? tr("Means of the frames behind the first: of the broad-phase, the whole step, "
                                  "pairs tested, pairs overlapping, and tested for each overlapping")
                             : tr("Median time of a step [ms] behind the first"));
-    m_table->setMinimumWidth(std::min(m_table->sizeHint().width() + 30, widestTable));
     for (std::size_t row = 0; row < content.values.size(); ++row) {
         m_table->setRowColour(static_cast<int>(row), seriesColour(row));
         for (std::size_t column = 0; column < content.decimals.size(); ++column)

@@ -136,7 +136,7 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     live->addStretch();
     QWidget* content = new QWidget;
     QHBoxLayout* sideBySide = new QHBoxLayout(content);
-    sideBySide->setContentsMargins(12, 10, 12, 10);
+    sideBySide->setContentsMargins(6, 4, 6, 6);
     sideBySide->setSpacing(24);
     sideBySide->addLayout(live);
     sideBySide->addWidget(m_comparison, 1);

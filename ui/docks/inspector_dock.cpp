@@ -22,14 +22,15 @@ constexpr int figureRole = Qt::UserRole, unitRole = Qt::UserRole + 1;
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
 
-QString figure(double value) {
-    return std::isfinite(value) ? QString::number(value, 'g', digits) : QStringLiteral("–");
-}
+const QString nothing = QStringLiteral("–");
+
+QString figure(double value) { return std::isfinite(value) ? QString::number(value, 'g', digits) : nothing; }
 
 void setFigure(QTreeWidgetItem& row, const QString& value) {
     const QString unit = row.data(Value, unitRole).toString();
     row.setData(Value, figureRole, value);
-    const QString words = unit.isEmpty() || value.isEmpty() ? value : value + u' ' + unit;
+    const bool bare = unit.isEmpty() || value.isEmpty() || value == nothing;
+    const QString words = bare ? value : value + u' ' + unit;
     row.setText(Value, words);
     row.setToolTip(Value, words);
 }
@@ -46,6 +47,7 @@ InspectorDock::InspectorDock(QWidget* parent)
                                         "declaration, to see its values here."))) {
     setObjectName(QStringLiteral("inspector"));
     m_tree->setHeaderLabels({tr("Quantity"), tr("Value")});
+    m_tree->headerItem()->setTextAlignment(Value, Qt::AlignRight | Qt::AlignVCenter);
     m_tree->setRootIsDecorated(false);
     m_tree->setIndentation(10);
     m_tree->setAlternatingRowColors(true);
@@ -126,6 +128,17 @@ void InspectorDock::rebuild() {
     refresh();
 }
 
+/// About the body's own axes; one row where they are the same.
+void InspectorDock::addInertia(QTreeWidgetItem* group, const Vec3& inertia) {
+    const QString unit = QStringLiteral("kg m²");
+    if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) {
+        addRow(group, tr("moment of inertia"), figure(inertia.x()), unit);
+        return;
+    }
+    for (const int axis : {0, 1, 2})
+        addRow(group, tr("inertia about %1").arg(QChar(u'x' + axis)), figure(inertia[axis]), unit);
+}
+
 void InspectorDock::addDeclared() {
     const Scene& scene = m_pipeline->scene();
     const Body& body = scene.bodies[m_body];
@@ -145,7 +158,7 @@ void InspectorDock::addDeclared() {
     }
     if (bodies.mobile[m_body] != 0) {
         addRow(group, tr("mass"), figure(bodies.mass[m_body]), QStringLiteral("kg"));
-        addRow(group, tr("moments of inertia"), triple(bodies.inertia[m_body]), QStringLiteral("kg m²"));
+        addInertia(group, bodies.inertia[m_body]);
     } else {
         addRow(group, tr("mass"), tr("immobile"), {});
     }

@@ -37,6 +37,7 @@ class InspectorDock : public QDockWidget {
     void rebuild();
     void refresh();
     void addDeclared();
+    void addInertia(QTreeWidgetItem* group, const Vec3& inertia);
     QTreeWidgetItem* addGroup(const QString& title);
     void addRow(QTreeWidgetItem* group, const QString& name, const QString& value, const QString& unit);
 

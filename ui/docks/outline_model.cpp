@@ -3,6 +3,8 @@
 
 #include "ui/widgets/text_of.h"
 
+#include <QGuiApplication>
+#include <QIcon>
 #include <QPainter>
 #include <QPixmap>
 
@@ -12,6 +14,11 @@ namespace carom {
 namespace {
 
 constexpr int swatchSize = 12; // [px]
+
+/// Numbers end below each other.
+QVariant alignmentOf(int column) {
+    return column == OutlineModel::Line ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+}
 
 } // namespace
 
@@ -58,6 +65,8 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
         return index.column() == Name && !entry.label.empty() ? QVariant() : QVariant(m_muted);
     case Qt::DecorationRole:
         return index.column() == Name ? swatch(entry) : QVariant();
+    case Qt::TextAlignmentRole:
+        return alignmentOf(index.column());
     case Qt::ToolTipRole:
         return entry.built ? QVariant() : tr("left out: there is a mistake in it");
     default:
@@ -80,7 +89,9 @@ QVariant OutlineModel::text(const OutlineEntry& entry, int column) const {
 
 /// A dot in the body's colour; an empty one in front of what is no body.
 QVariant OutlineModel::swatch(const OutlineEntry& entry) const {
-    QPixmap dot(swatchSize, swatchSize);
+    const double density = qApp->devicePixelRatio(); // as sharp as the text beside it
+    QPixmap dot(QSize(swatchSize, swatchSize) * density);
+    dot.setDevicePixelRatio(density);
     dot.fill(Qt::transparent);
     if (entry.body != noBody) {
         const Vec3& colour = m_result->scene().bodies[entry.body].colour;
@@ -91,10 +102,13 @@ QVariant OutlineModel::swatch(const OutlineEntry& entry) const {
                                           static_cast<float>(colour.z())));
         painter.drawEllipse(QRectF(1, 1, swatchSize - 2, swatchSize - 2));
     }
-    return dot;
+    QIcon icon(dot);
+    icon.addPixmap(dot, QIcon::Selected); // the body's colour, not the selection's over it
+    return icon;
 }
 
 QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) return alignmentOf(section);
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     return section == Name ? tr("Name") : section == Type ? tr("Type") : tr("Line");
 }

@@ -25,7 +25,6 @@ namespace {
 enum Column { Case, Answer, FirstVerdict };
 
 constexpr int caseRole = Qt::UserRole;
-constexpr int answerWidth = 420; // [px]
 
 int columnOf(StudyColumn column) { return FirstVerdict + static_cast<int>(column); }
 
@@ -49,6 +48,8 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
     m_table->setHeaderLabels({tr("Case"), tr("Right answer"), tr("Default"), tr("Accurate"), tr("Exact")});
     m_table->setToolTip(tr("Double-click a case to open it as a scene, in the column's setting"));
     m_table->setUniformRowHeights(true);
+    m_table->setRootIsDecorated(false);
+    m_table->setAllColumnsShowFocus(true);
     fillCases();
 
     QHBoxLayout* top = new QHBoxLayout;
@@ -58,6 +59,7 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
     top->addWidget(m_export);
     QWidget* page = new QWidget;
     QVBoxLayout* column = new QVBoxLayout(page);
+    column->setContentsMargins(6, 4, 6, 6);
     column->addLayout(top);
     column->addWidget(m_table, 1);
     setWidget(page);
@@ -87,10 +89,10 @@ void StabilityDock::fillCases() {
         }
     }
     m_table->header()->setSectionResizeMode(Case, QHeaderView::ResizeToContents);
-    m_table->setColumnWidth(Answer, answerWidth);
+    m_table->header()->setSectionResizeMode(Answer, QHeaderView::Stretch);
     for (const StudyColumn column : studyColumns)
         m_table->header()->setSectionResizeMode(columnOf(column), QHeaderView::ResizeToContents);
-    m_table->header()->setStretchLastSection(true);
+    m_table->header()->setStretchLastSection(false);
 }
 
 QTreeWidgetItem* StabilityDock::itemOf(const HardCase& hardCase) const {

@@ -48,6 +48,30 @@ struct ChartColours {
 
 QColor rgb(QRgb value) { return QColor::fromRgb(value); }
 
+/// Ticks of a logarithmic axis. Over a few decades its powers of ten alone say too little: there 1, 2 and 5
+/// of each are named, as plain numbers.
+class LogTicker : public QCPAxisTickerLog {
+  protected:
+    QVector<double> createTickVector(double step, const QCPRange& range) override {
+        m_plain = std::log10(range.upper / range.lower) < fewDecades && range.lower > leastPlain &&
+                  range.upper < mostPlain;
+        if (!m_plain) return QCPAxisTickerLog::createTickVector(step, range);
+        QVector<double> ticks;
+        for (double power = std::pow(10, std::floor(std::log10(range.lower))); power <= range.upper;
+             power *= 10)
+            for (const double factor : {1.0, 2.0, 5.0}) ticks.append(factor * power);
+        return ticks;
+    }
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+        return m_plain ? QString::number(tick, 'g', 6)
+                       : QCPAxisTickerLog::getTickLabel(tick, locale, format, precision);
+    }
+
+  private:
+    static constexpr double fewDecades = 3, leastPlain = 1e-4, mostPlain = 1e6;
+    bool m_plain = false;
+};
+
 void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
     axis.setLabel(titleOf(spec));
     axis.setLabelColor(colours.text);
@@ -61,7 +85,7 @@ void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
     axis.setNumberPrecision(spec.logarithmic ? 0 : 6); // powers of ten alone
     axis.setScaleType(spec.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     if (spec.logarithmic)
-        axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+        axis.setTicker(QSharedPointer<LogTicker>::create());
     else
         axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
 }

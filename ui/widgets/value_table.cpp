@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QPixmap>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -55,6 +56,7 @@ QString ValueTable::text(int row, int column) const { return item(row, firstFigu
 
 void ValueTable::setColumnTitle(int column, const QString& title) {
     horizontalHeaderItem(firstFigures + column)->setText(title);
+    updateGeometry();
 }
 
 void ValueTable::setRowColour(int row, const QColor& colour) {
@@ -83,7 +85,16 @@ QString ValueTable::asText() const {
 
 QSize ValueTable::sizeHint() const {
     const int height = horizontalHeader()->sizeHint().height() + rowCount() * rowHeight(0) + 2 * frameWidth();
-    return {90 + 70 * columnCount(), height};
+    int widest = horizontalHeader()->minimumSectionSize();
+    for (int column = firstFigures; column < columnCount(); ++column)
+        widest = std::max({widest, horizontalHeader()->sectionSizeHint(column), sizeHintForColumn(column)});
+    const int figures = (columnCount() - firstFigures) * widest;
+    return {sizeHintForColumn(names) + figures + 2 * frameWidth(), height};
+}
+
+/// No figure is cut off; rows may be scrolled to.
+QSize ValueTable::minimumSizeHint() const {
+    return {sizeHint().width(), QTableWidget::minimumSizeHint().height()};
 }
 
 void ValueTable::keyPressEvent(QKeyEvent* event) {

@@ -25,6 +25,7 @@ class ValueTable : public QTableWidget {
     QString asText() const;
 
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -22,11 +22,11 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{980, 720}; // [px]
-constexpr int contentsWidth = 240;   // [px]
-constexpr int margin = 24;           // [px] around the text
-constexpr int pictureWidth = 660;    // [px] at most
-constexpr int deepestHeading = 3;    // that the contents list
+constexpr QSize firstSize{1020, 740}; // [px]
+constexpr int contentsWidth = 270;    // [px]
+constexpr int margin = 24;            // [px] around the text
+constexpr int pictureWidth = 660;     // [px] at most
+constexpr int deepestHeading = 3;     // that the contents list
 constexpr int pageRole = Qt::UserRole;
 constexpr int headingRole = Qt::UserRole + 1;
 
@@ -66,9 +66,28 @@ void addPictures(QTextDocument& document, const QString& markdown, double pixelR
     }
 }
 
-/// Tables need more air than the import gives them.
+/// Lines that the eye finds the beginning of, and headings that belong to what follows them.
+void spaceOut(QTextDocument& document) {
+    constexpr double lineHeight = 130;                        // [%]
+    constexpr double above = 22, aboveLesser = 16, below = 6; // [px] of a heading
+    QTextCursor cursor(&document);
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextBlockFormat format = block.blockFormat();
+        if (format.headingLevel() > 0) {
+            format.setTopMargin(format.headingLevel() <= 2 ? above : aboveLesser);
+            format.setBottomMargin(below);
+        } else if (!block.text().contains(QChar::ObjectReplacementCharacter)) { // a picture's line is its own
+            format.setLineHeight(lineHeight, QTextBlockFormat::ProportionalHeight);
+        }
+        cursor.setPosition(block.position());
+        cursor.setBlockFormat(format);
+    }
+}
+
+/// Text and tables need more air than the import gives them.
 void layOut(QTextDocument& document) {
     document.setDocumentMargin(margin);
+    spaceOut(document);
     for (QTextFrame* frame : document.rootFrame()->childFrames()) {
         QTextTable* table = qobject_cast<QTextTable*>(frame);
         if (table == nullptr) continue;

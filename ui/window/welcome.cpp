@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{1060, 680};  // [px]
+constexpr QSize firstSize{1026, 680};  // [px] three columns of the gallery, and no more
 constexpr QSize pictureSize{200, 125}; // [px] of a gallery picture on screen
 constexpr int columnWidth = 280;       // [px]
 constexpr qsizetype recentShown = 6;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/whole_ide.h"
+
+#include "ui/window/translation.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSettings>
+#include <QTabBar>
+
+using namespace carom;
+using namespace carom::test;
+
+// Nothing in the window is cut off: every workspace and panel, at the sizes of a laptop's screen and of a
+// desk's, in English and in German.
+
+namespace {
+
+QString nameOf(const QWidget& widget, const QString& text) {
+    QString name = QString::fromLatin1(widget.metaObject()->className());
+    for (const QWidget* at = &widget; at != nullptr; at = at->parentWidget())
+        if (!at->objectName().isEmpty()) name += QStringLiteral(" in ") + at->objectName();
+    return text + QStringLiteral(" (") + name + QStringLiteral(")");
+}
+
+/// What is not shown whole, each text with where it stands.
+class CutOff {
+  public:
+    QStringList of(const QWidget& window) {
+        m_found.clear();
+        for (const QWidget* widget : window.findChildren<QWidget*>()) {
+            if (widget->visibleRegion().isEmpty()) continue;
+            look(*widget);
+        }
+        return m_found;
+    }
+
+  private:
+    void look(const QWidget& widget) {
+        if (const QLabel* label = qobject_cast<const QLabel*>(&widget))
+            need(widget, label->text(), label->wordWrap() ? 0 : label->sizeHint().width(), label->width());
+        if (const QAbstractButton* button = qobject_cast<const QAbstractButton*>(&widget))
+            if (!button->text().isEmpty())
+                need(widget, button->text(), button->minimumSizeHint().width(), button->width());
+        if (const QComboBox* box = qobject_cast<const QComboBox*>(&widget)) {
+            constexpr int arrowAndMargins = 30; // [px]
+            need(widget, box->currentText(), textWidth(widget, box->currentText()) + arrowAndMargins,
+                 box->width());
+        }
+        if (const QHeaderView* header = qobject_cast<const QHeaderView*>(&widget))
+            for (int i = 0; i < header->count() && header->orientation() == Qt::Horizontal; ++i)
+                if (!header->isSectionHidden(i))
+                    need(widget, header->model()->headerData(i, Qt::Horizontal).toString(),
+                         header->sectionSizeHint(i), header->sectionSize(i));
+        if (const QTabBar* tabs = qobject_cast<const QTabBar*>(&widget)) {
+            for (int i = 0; i < tabs->count(); ++i)
+                need(widget, tabs->tabText(i), textWidth(widget, tabs->tabText(i)), tabs->tabRect(i).width());
+            need(widget, tabs->tabText(tabs->count() - 1), tabs->tabRect(tabs->count() - 1).right(),
+                 tabs->width());
+        }
+    }
+
+    static int textWidth(const QWidget& widget, const QString& text) {
+        return widget.fontMetrics().horizontalAdvance(text);
+    }
+
+    void need(const QWidget& widget, const QString& text, int wanted, int there) {
+        if (wanted <= there || text.isEmpty()) return;
+        m_found += nameOf(widget, text) + QStringLiteral(": %1 of %2 px").arg(there).arg(wanted);
+    }
+
+    QStringList m_found;
+};
+
+} // namespace
+
+class LayoutTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void noTextIsCutOff_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QSize>("size");
+        for (const char* language : {"en", "de"}) { // a translation stays, once it is installed
+            QTest::addRow("%s, desk", language) << QString::fromLatin1(language) << QSize(1600, 950);
+            QTest::addRow("%s, laptop", language) << QString::fromLatin1(language) << QSize(1280, 740);
+        }
+    }
+
+    void noTextIsCutOff() {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        installTranslation(*qApp, language);
+        Ide ide;
+        MainWindow& window = ide.bench.window();
+        window.resize(size);
+        placeCaretBehind(ide.editor, "sphere left");
+        ide.trigger(ActionId::Step);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0, patience);
+        ide.trigger(ActionId::Find);
+        QStringList cut;
+        for (const ActionId workspace : {ActionId::WorkspaceWrite, ActionId::WorkspaceWatch,
+                                         ActionId::WorkspaceMeasure, ActionId::WorkspaceStudy}) {
+            ide.trigger(workspace);
+            QCOMPARE(window.size(), size); // no panel is too wide for it
+            for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+                if (!dock->isVisible()) continue;
+                window.open(*dock);
+                QTest::qWait(50);
+                cut += CutOff().of(window);
+            }
+        }
+        cut.removeDuplicates();
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+    }
+};
+
+CAROM_IDE_TEST_MAIN(LayoutTest)
+#include "layout_test.moc"
