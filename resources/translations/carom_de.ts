@@ -1526,6 +1526,14 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <source>line %1</source>
         <translation>Zeile %1</translation>
     </message>
+    <message>
+        <source>A frame takes %1 ms</source>
+        <translation>Ein Bild braucht %1 ms</translation>
+    </message>
+    <message>
+        <source>%1; what is absent takes nothing</source>
+        <translation>%1; was fehlt, braucht nichts</translation>
+    </message>
 </context>
 <context>
     <name>carom::ExportMenu</name>

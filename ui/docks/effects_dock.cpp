@@ -2,6 +2,7 @@
 #include "ui/docks/effects_dock.h"
 
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/frame_parts.h"
 
 #include "core/base/catalogue.h"
 #include "core/effects/effect.h"
@@ -10,6 +11,8 @@
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <QUrl>
+
+#include <algorithm>
 
 namespace carom {
 namespace {
@@ -28,6 +31,9 @@ QColor colourOf(EffectStatus status, const Theme& theme) {
     return theme.text;
 }
 
+constexpr int refreshInterval = 500;      ///< [ms]
+constexpr std::size_t framesCounted = 60; ///< a second's, at the usual step
+
 } // namespace
 
 EffectsDock::EffectsDock(const Theme& theme, QWidget* parent)
@@ -45,11 +51,32 @@ EffectsDock::EffectsDock(const Theme& theme, QWidget* parent)
     });
     setWidget(m_state);
     setFocusProxy(m_text);
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(refreshInterval);
+    connect(&m_refresh, &QTimer::timeout, this, [this] {
+        if (m_result && isVisible()) fill();
+    });
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        if (visible && m_result) fill();
+    });
 }
 
 void EffectsDock::show(const SharedBuild& result) {
     m_result = result;
     fill();
+}
+
+void EffectsDock::addSamples(std::span<const FrameSample> samples) {
+    for (const FrameSample& sample : samples.last(std::min(samples.size(), framesCounted)))
+        if (sample.statistics.frame > 1)
+            m_frames.push_back(sample); // the first also pays for what is made once
+    while (m_frames.size() > framesCounted) m_frames.pop_front();
+    if (!m_refresh.isActive()) m_refresh.start();
+}
+
+void EffectsDock::clear() {
+    m_frames.clear();
+    if (!m_refresh.isActive()) m_refresh.start();
 }
 
 void EffectsDock::setTheme(const Theme& theme) {
@@ -76,10 +103,29 @@ QString EffectsDock::entry(const EffectDecision& decision, std::size_t number) c
     return html + QStringLiteral("</p>");
 }
 
+/// Means of the newest frames: the whole step, and each of its parts.
+QString EffectsDock::frameTimes() const {
+    if (m_frames.empty()) return {};
+    const auto mean = [this](double (*milliseconds)(const FrameSample&)) {
+        double sum = 0;
+        for (const FrameSample& frame : m_frames) sum += milliseconds(frame);
+        return QString::number(sum / static_cast<double>(m_frames.size()), 'f', 3);
+    };
+    QStringList parts;
+    for (const FramePart& part : frameParts())
+        if (!part.ofShownFrames)
+            parts += QStringLiteral("%1&nbsp;%2").arg(nameOf(part).toHtmlEscaped(), mean(part.milliseconds));
+    const QString whole = mean([](const FrameSample& frame) { return frame.statistics.simulate; });
+    return QStringLiteral("<p><b style='color:%1'>%2</b><br><span style='color:%3'>%4</span></p>")
+        .arg(m_theme.text.name(), tr("A frame takes %1 ms").arg(whole), m_theme.mutedText.name(),
+             tr("%1; what is absent takes nothing").arg(parts.join(QStringLiteral(", "))));
+}
+
 void EffectsDock::fill() {
     QString html;
     const std::vector<EffectDecision>& decisions = m_result->build.pipeline->effects();
     for (std::size_t i = 0; i < decisions.size(); ++i) html += entry(decisions[i], i);
+    html += frameTimes();
     const int scrolled = m_text->verticalScrollBar()->value();
     m_text->setHtml(html);
     m_text->verticalScrollBar()->setValue(scrolled);

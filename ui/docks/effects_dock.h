@@ -2,9 +2,14 @@
 #pragma once
 
 #include "ui/editor/live_build.h"
+#include "ui/simulation/sample_queue.h"
 #include "ui/window/theme.h"
 
 #include <QDockWidget>
+#include <QTimer>
+
+#include <deque>
+#include <span>
 
 class QTextBrowser;
 
@@ -13,13 +18,17 @@ namespace carom {
 class EmptyState;
 
 /// Which effects the scene is simulated with, and the sentence why or why not; a link goes to the line that
-/// calls for it.
+/// calls for it. Below them what a frame takes: effects share its passes, and those that are absent take
+/// none.
 class EffectsDock : public QDockWidget {
     Q_OBJECT
   public:
     explicit EffectsDock(const Theme& theme, QWidget* parent = nullptr);
 
     void show(const SharedBuild& result);
+    void addSamples(std::span<const FrameSample> samples);
+    /// Another run begins: its frames count anew.
+    void clear();
     void setTheme(const Theme& theme);
 
   Q_SIGNALS:
@@ -27,10 +36,13 @@ class EffectsDock : public QDockWidget {
 
   private:
     QString entry(const EffectDecision& decision, std::size_t number) const;
+    QString frameTimes() const;
     void fill();
 
     Theme m_theme;
     SharedBuild m_result;
+    std::deque<FrameSample> m_frames; ///< the newest
+    QTimer m_refresh;
     QTextBrowser* m_text;
     EmptyState* m_state;
 };

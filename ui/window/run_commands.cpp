@@ -3,6 +3,7 @@
 
 #include "ui/docks/breakpoints_dock.h"
 #include "ui/docks/broadphase_dock.h"
+#include "ui/docks/effects_dock.h"
 #include "ui/docks/inspector_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
@@ -103,11 +104,14 @@ void RunCommands::connectFrames() {
 void RunCommands::connectPanels() {
     TimingDock& timing = m_window.timing();
     BroadphaseDock& broadphase = m_window.broadphase();
+    EffectsDock& effects = m_window.effects();
     connect(&m_log, &FrameLog::samplesReady, this,
-            [&timing, &broadphase](const std::vector<FrameSample>& samples) {
+            [&timing, &broadphase, &effects](const std::vector<FrameSample>& samples) {
                 timing.addSamples(samples);
                 broadphase.addSamples(samples);
+                effects.addSamples(samples);
             });
+    connect(&m_simulation, &Simulation::restarted, &effects, &EffectsDock::clear);
     connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
     connect(&m_simulation, &Simulation::restarted, this, &RunCommands::describeRun);
     connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/docks/effects_dock.h"
+
+#include "core/effects/effect.h"
+
+#include <QTest>
+#include <QTextBrowser>
+
+#include <vector>
+
+namespace carom {
+namespace {
+
+/// A ball over a floor, built.
+SharedBuild ballOverFloor() {
+    auto result = std::make_shared<BuildResult>();
+    result->build = build("wall { normal 0,1,0 toOrig 0 }\nsphere { radius 1 mass 1 centre 0,3,0 }\n");
+    return result;
+}
+
+/// Frames that respond for 1, 2, … ms, and do nothing else; the first takes 500 ms.
+std::vector<FrameSample> countingSamples(int count) {
+    std::vector<FrameSample> samples(static_cast<std::size_t>(count) + 1);
+    for (int i = 0; i <= count; ++i) {
+        FrameStatistics& frame = samples[static_cast<std::size_t>(i)].statistics;
+        frame.frame = i + 1;
+        frame.respond = frame.simulate = i == 0 ? 500 : i;
+    }
+    return samples;
+}
+
+} // namespace
+
+class EffectsDockTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyEffectHasItsReasonAndTheLineThatCallsForIt() {
+        EffectsDock dock(loadTheme(true));
+        dock.show(ballOverFloor());
+        const QString text = dock.findChild<QTextBrowser*>()->toPlainText();
+        for (const EffectRow& row : effects())
+            QVERIFY2(
+                text.contains(QString::fromUtf8(row.title.data(), static_cast<qsizetype>(row.title.size()))),
+                row.title.data());
+        QVERIFY(text.contains(QStringLiteral("Springs  absent")));
+        QVERIFY(text.contains(QStringLiteral("line 2")));
+        QVERIFY(!text.contains(QStringLiteral("A frame takes"))); // nothing has run
+    }
+
+    void whatAFrameTakesIsTheMeanOfTheNewestWithoutTheFirst() {
+        EffectsDock dock(loadTheme(true));
+        dock.show(ballOverFloor());
+        dock.QWidget::show();
+        dock.addSamples(countingSamples(20));
+        const QTextBrowser* text = dock.findChild<QTextBrowser*>();
+        QTRY_VERIFY(text->toPlainText().contains(QStringLiteral("A frame takes 10.500 ms")));
+        QVERIFY(text->toPlainText().contains(QStringLiteral("respond 10.500")));
+        dock.addSamples(countingSamples(100)); // of which the last sixty count
+        QTRY_VERIFY(text->toPlainText().contains(QStringLiteral("A frame takes 70.500 ms")));
+        dock.clear();
+        QTRY_VERIFY(!text->toPlainText().contains(QStringLiteral("A frame takes")));
+    }
+};
+
+} // namespace carom
+
+QTEST_MAIN(carom::EffectsDockTest)
+#include "effects_dock_test.moc"
