@@ -34,20 +34,41 @@ struct Others {
 };
 Others othersThan(Eigen::Index axis) { return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2}; }
 
-/// Turns the body about its own axis k through the rate c Lk for h seconds.
-void spin(Eigen::Index k, double c, const Vec3& momentum, double h, Quat& orientation) {
-    const double rate = c * (orientation.conjugate() * momentum)[k];
-    const double half = 0.5 * h * rate;
-    Quat turn(std::cos(half), 0, 0, 0);
-    turn.vec()[k] = std::sin(half);
-    orientation = orientation * turn;
-}
+/// An orientation that many small turns add up to, and what rounding has left out of it so far: 5e-17 a turn,
+/// which in 2,000 turns a step would add up to 4e-16 of the energy, and always the same way where each were
+/// normalised by itself (W. Kahan, "Further remarks on reducing truncation errors", 1965).
+struct Turned {
+    Quat orientation;
+    Vec4 rest = Vec4::Zero();
+
+    /// By `angle` [rad] about the body's own axis k.
+    void turn(Eigen::Index k, double angle) {
+        const double s = std::sin(0.25 * angle), c = std::cos(0.25 * angle);
+        const double sine = 2 * s * c, cosineLess1 = -2 * s * s; // of half the angle
+        const Vec4 q = orientation.coeffs();
+        const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
+        Vec4 change = cosineLess1 * q;
+        change[k] += sine * q[3];
+        change[3] -= sine * q[k];
+        change[i] += sine * q[j];
+        change[j] -= sine * q[i];
+        change += rest;
+        orientation.coeffs() += change;
+        rest = change - (orientation.coeffs() - q);
+    }
+
+    /// Through the rate c Lk for h seconds.
+    void spin(Eigen::Index k, double c, const Vec3& momentum, double h) {
+        turn(k, h * c * (orientation.conjugate() * momentum)[k]);
+    }
+};
 
 void rotateSymmetric(const Vec3& inertia, Eigen::Index axis, const Vec3& momentum, double h,
                      Quat& orientation) {
     const double across = inertia[othersThan(axis).first];
-    spin(axis, 1 / inertia[axis] - 1 / across, momentum, h, orientation);
-    orientation = fromRotationVector((h / across) * momentum) * orientation;
+    Turned turned{orientation};
+    turned.spin(axis, 1 / inertia[axis] - 1 / across, momentum, h);
+    orientation = fromRotationVector((h / across) * momentum) * turned.orientation;
 }
 
 Eigen::Index middleOf(const Vec3& inertia) {
@@ -59,18 +80,18 @@ Eigen::Index middleOf(const Vec3& inertia) {
 
 /// The two body-axis pieces alternate, symmetrically, through the given parts of h.
 void rotateAsymmetric(const Vec3& inertia, const Vec3& momentum, double h, std::span<const double> stages,
-                      Quat& orientation) {
+                      Turned& turned) {
     const Eigen::Index middle = middleOf(inertia);
     const Others k = othersThan(middle);
     const double first = 1 / inertia[k.first] - 1 / inertia[middle];
     const double second = 1 / inertia[k.second] - 1 / inertia[middle];
     double pending = 0; // neighbouring halves of A are one rotation
     for (const double stage : stages) {
-        spin(k.first, first, momentum, (pending + 0.5 * stage) * h, orientation);
-        spin(k.second, second, momentum, stage * h, orientation);
+        turned.spin(k.first, first, momentum, (pending + 0.5 * stage) * h);
+        turned.spin(k.second, second, momentum, stage * h);
         pending = 0.5 * stage;
     }
-    spin(k.first, first, momentum, pending * h, orientation);
+    turned.spin(k.first, first, momentum, pending * h);
 }
 
 /// The piece about L, which commutes with the others.
@@ -99,10 +120,10 @@ void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Qu
                                                       yoshida[0], yoshida[1], yoshida[2]};
         const double angle = std::abs(h) * angularMomentum.norm() / inertia.minCoeff();
         const double parts = std::clamp(std::ceil(angle / partAngle), 1.0, mostParts);
-        for (double part = 0; part < parts; ++part) {
-            rotateAsymmetric(inertia, angularMomentum, h / parts, sixthOrder, orientation);
-            orientation.normalize();
-        }
+        Turned turned{orientation};
+        for (double part = 0; part < parts; ++part)
+            rotateAsymmetric(inertia, angularMomentum, h / parts, sixthOrder, turned);
+        orientation = turned.orientation;
         rotateAboutMomentum(inertia, angularMomentum, h, orientation);
     }
     orientation.normalize();
@@ -112,15 +133,17 @@ void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, 
                     Quat& orientation) {
     if (angularMomentum == Vec3::Zero()) return;
     if (!rotateExactly(inertia, angularMomentum, h, orientation)) {
+        Turned turned{orientation};
         if (order == 1) {
             const Eigen::Index middle = middleOf(inertia);
             const Others k = othersThan(middle);
             for (const Eigen::Index axis : {k.first, k.second})
-                spin(axis, 1 / inertia[axis] - 1 / inertia[middle], angularMomentum, h, orientation);
+                turned.spin(axis, 1 / inertia[axis] - 1 / inertia[middle], angularMomentum, h);
         } else {
             constexpr std::array<double, 1> whole = {1};
-            rotateAsymmetric(inertia, angularMomentum, h, whole, orientation);
+            rotateAsymmetric(inertia, angularMomentum, h, whole, turned);
         }
+        orientation = turned.orientation;
         rotateAboutMomentum(inertia, angularMomentum, h, orientation);
     }
     orientation.normalize();
