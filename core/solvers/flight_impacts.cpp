@@ -266,13 +266,14 @@ void Flights::strikePlatform(const FlightInput& input, BodyIndex ball, BodyIndex
 }
 
 // A ball that slid on a wall before an impact with something else: it goes on, lifts off, or strikes the
-// wall.
+// wall. Struck from above it may come back upon what struck it at once.
 void Flights::keepSupport(const FlightInput& input, BodyIndex ball) {
     if (m_support[ball] == 0) return;
     const BoundedWall& wall = m_walls[m_support[ball] - 1];
     Stamp& stamp = m_stamps[ball];
     const double speed = wall.normal.dot(stamp.velocity);
     const Law law = lawOf(input, ball, wall.body);
+    if (speed < -input.restingSpeed) m_logs[m_log[ball]].last = wall.body;
     if (speed > input.restingSpeed || (speed < -law.leastImpact && law.restitution > 0)) {
         m_support[ball] = 0;
         if (speed < 0) stamp.velocity -= (1 + law.restitution) * speed * wall.normal;

@@ -62,6 +62,7 @@ class FlightsTest : public QObject {
     void lightBallsBounceOffAHeavyBlockAsOffAWallAndGiveItTheirMomentum();
     void rollingStartsAsMomentumAndCoulombSayWhenASpinningBallHitsTheFloor();
     void ballsThatSlideOnATableStayOnItAndCollideAsOnAPlane();
+    void aSlidingBallStruckFromAboveComesBackUponWhatStruckIt();
     void aPileOfSpheresComesToRestWithoutOverlap();
 };
 
@@ -224,6 +225,22 @@ void FlightsTest::ballsThatSlideOnATableStayOnItAndCollideAsOnAPlane() {
     const double squares = state.velocity[0].squaredNorm() + state.velocity[1].squaredNorm();
     QVERIFY(std::abs(squares - 9) < 1e-12);
     QVERIFY(state.velocity[1].norm() > 1);
+}
+
+// A pair fresh from its impact parts for ever, but for a wall that throws one of it back: 2 mm of overlap.
+void FlightsTest::aSlidingBallStruckFromAboveComesBackUponWhatStruckIt() {
+    Scene scene = sceneOf({sphere(0.271, 8.34, Vec3(0, 0.271, 0), Vec3(-0.592, 0, -3.581)),
+                           sphere(0.294, 10.6, Vec3(0, 0.7129, 0.3846), Vec3(-1.892, -5.609, -3.778)),
+                           wall(Vec3::UnitY(), 0)},
+                          down);
+    for (Body& body : scene.bodies) body.elastic = 0.8;
+    World world = worldOf(scene, test::byMethod("contacts"));
+    constexpr double allowed = 1e-6; // of the radius
+    for (int frame = 0; frame < 10; ++frame) {
+        run(world, 1);
+        QVERIFY(deepestOverlap(world) < allowed);
+    }
+    QVERIFY(world.state().velocity[1].y() > -3); // it was struck
 }
 
 void FlightsTest::aPileOfSpheresComesToRestWithoutOverlap() {
