@@ -19,8 +19,11 @@ double GaussSeidelSolver::solve(ContactProblem& problem, double tolerance, int s
     velocitiesFromImpulses(problem);
     load(problem);
     double change = 0;
+    const bool rolls = std::any_of(problem.rows.begin(), problem.rows.end(),
+                                   [](const ContactRow& row) { return row.rolling > 0; });
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         change = 0;
+        if (!rolls) beginSweep();
         const auto treat = [&](std::size_t i) {
             change = std::max(change, relax(m_rows[i]));
             if (problem.rows[i].rolling > 0) change = std::max(change, relaxRolling(problem, i));
@@ -30,6 +33,7 @@ double GaussSeidelSolver::solve(ContactProblem& problem, double tolerance, int s
         else
             for (std::size_t i = m_rows.size(); i-- > 0;) treat(i);
         if (change <= tolerance) break;
+        if (!rolls && sweep + 1 < sweeps) goOn(sweep == 0);
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) problem.rows[i].impulse = m_rows[i].impulse;
     velocitiesFromImpulses(problem);
@@ -66,6 +70,40 @@ void GaussSeidelSolver::load(const ContactProblem& problem) {
         row.coupling = w.col(0);
         row.massNormal = 1 / w(0, 0);
         row.massTangent = 1 / std::max(w(1, 1) + std::abs(w(1, 2)), w(2, 2) + std::abs(w(1, 2)));
+    }
+}
+
+void GaussSeidelSolver::beginSweep() {
+    m_before.impulse.resize(m_rows.size());
+    m_before.linear.resize(m_bodies.size());
+    m_before.angular.resize(m_bodies.size());
+    for (std::size_t i = 0; i < m_rows.size(); ++i) m_before.impulse[i] = m_rows[i].impulse;
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        m_before.linear[i] = m_bodies[i].linear;
+        m_before.angular[i] = m_bodies[i].angular;
+    }
+}
+
+// From where the sweep has come along d, which takes up what the sweep has changed.
+void GaussSeidelSolver::goOn(bool first) {
+    double size = 0;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        size += (m_rows[i].impulse - m_before.impulse[i]).squaredNorm() / m_rows[i].massNormal;
+    const double beta = first || !(size <= m_along.size) || m_along.size == 0 ? 0 : size / m_along.size;
+    m_along.size = size;
+    const auto take = [beta](Vec3& value, const Vec3& before, Vec3& along) {
+        const Vec3 change = value - before;
+        if (beta > 0) value += beta * along;
+        along = beta > 0 ? Vec3(beta * along + change) : change;
+    };
+    m_along.impulse.resize(m_rows.size(), Vec3::Zero());
+    m_along.linear.resize(m_bodies.size(), Vec3::Zero());
+    m_along.angular.resize(m_bodies.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        take(m_rows[i].impulse, m_before.impulse[i], m_along.impulse[i]);
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        take(m_bodies[i].linear, m_before.linear[i], m_along.linear[i]);
+        take(m_bodies[i].angular, m_before.angular[i], m_along.angular[i]);
     }
 }
 

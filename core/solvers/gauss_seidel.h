@@ -12,6 +12,15 @@
 //     normal     pₙ ← max(0, pₙ − mₙ (uₙ + b)),  mₙ = 1/Wₙₙ
 //     tangents   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
 //
+// Between sweeps all impulses go on in the directions they took before, as conjugate gradients do (M.
+// Silcowitz, S. Niebe, K. Erleben, "A nonsmooth nonlinear conjugate gradient method for interactive contact
+// force problems", 2010): with δ the change of a sweep,
+//
+//     β = |δ|²/|δ before|², in the sense of energy;  p += β d,  d ← β d + δ;  none, and d = δ, where β > 1
+//
+// A wall of stones gets in 20 sweeps as far as in some hundred without. Not where contacts roll with
+// resistance.
+//
 // Time proportional to contacts times sweeps, whatever moves; the error falls slowly in tall stacks and for
 // large mass ratios. So it serves the big moving piles, where Newton's method would factor at every change,
 // and never a stack. Sweeps alternate in direction, so that neither end of a chain is favoured.
@@ -40,12 +49,22 @@ class GaussSeidelSolver {
         Mat3 inverseInertia;
     };
 
+    /// What a sweep changed and what it goes on along: by row impulses, by body velocities.
+    struct Course {
+        std::vector<Vec3> impulse, linear, angular;
+        double size = 0; ///< of the last change, as an energy [J]
+    };
+
     void load(const ContactProblem& problem);
+    void beginSweep();
+    void goOn(bool first);
     double relax(Row& row);
     double relaxRolling(ContactProblem& problem, std::size_t index);
 
     std::vector<Row> m_rows;
     std::vector<Body> m_bodies;
+    Course m_before; // the sweep
+    Course m_along;
 };
 
 } // namespace carom
