@@ -42,6 +42,11 @@ inline double leastImpactPart(double restitution) {
     return std::max(restingClosing, 0.5 * (e > 0 ? std::min(1.0, (1 - e) / (2 * e)) : 1));
 }
 
+/// Where more than half of the events of a substep are used up, closing speeds below this part of the
+/// fastest are no impact, either: a rim that rattles as it falls flat would go through its series of bounces
+/// until no event is left for what strikes hard.
+inline constexpr double rattling = 1e-2;
+
 /// No part of a substep is shorter than this part of it: forces are impulses over a duration.
 inline constexpr double shortestPart = 1e-9;
 

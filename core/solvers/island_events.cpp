@@ -19,6 +19,10 @@ namespace {
 
 /// A time of impact is found to a gap of this part of touchingGap.
 constexpr double reached = 1e-3;
+/// What has come down earlier than after this part of the time touched already, and rolled on. Where that
+/// takes it deeper than this part of its size the time was too long: half of it will do, or less.
+constexpr double rolledOn = 0.01, deepRoll = 1e-4;
+constexpr int mostLooks = 4;
 /// Newton's steps for it.
 constexpr int mostSteps = 20;
 
@@ -130,6 +134,46 @@ double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pai
         if (!(estimate < 1.01 * first)) continue;
         first = std::min(
             first, cornerTime(input, pair, m_contacts.points[i], std::min(estimate, duration), duration));
+    }
+    for (int look = 0; look < mostLooks; ++look) {
+        const double landing = landingTime(input, pair, first, duration);
+        if (!(landing < first)) break;
+        first = landing;
+    }
+    return first;
+}
+
+// When something of a pair that touches elsewhere comes down hard that was no point of it at the start: of a
+// disk that falls flat some place of the rim, seldom one of those it was found by. Infinite if nothing has by
+// `time`; a part of it where a contact rolled on too far.
+double IslandMotion::landingTime(const MotionInput& input, const ContactPair& pair, double time,
+                                 double duration) const {
+    const Pose poseA = poseAt(input, pair.a, time, duration), poseB = poseAt(input, pair.b, time, duration);
+    double first = std::numeric_limits<double>::infinity();
+    Manifold manifold;
+    if (!collide({&input.bodies.shape[pair.a], &poseA}, {&input.bodies.shape[pair.b], &poseB}, 0, manifold))
+        return first;
+    const BodyIndex anchorBody = isWall(input.bodies.shape[pair.b]) ? pair.a : pair.b;
+    const Pose& anchorPose = anchorBody == pair.a ? poseA : poseB;
+    const std::span<const ContactConstraint> points = m_contacts.pointsOf(pair);
+    const bool overlapped = std::any_of(points.begin(), points.end(), [&](const ContactConstraint& point) {
+        return point.separation < -0.5 * deepRoll * pair.size;
+    });
+    for (const ContactPoint& deep : manifold) {
+        if (!(deep.separation < -touchingWithin(pair))) continue;
+        const Vec3 velocityA = velocityAt(pair.a, deep.onA - poseA.position, time, duration);
+        const Vec3 velocityB = velocityAt(pair.b, deep.onB - poseB.position, time, duration);
+        const double closing = manifold.normal.dot(velocityA - velocityB);
+        double landing = 0;
+        if (closing > gentleClosing(pair)) {
+            ContactConstraint point;
+            point.anchor = anchorPose.toBody(0.5 * (deep.onA + deep.onB));
+            landing = cornerTime(input, pair, point, time, duration);
+        }
+        if (landing >= rolledOn * time)
+            first = std::min(first, landing);
+        else if (!overlapped && deep.separation < -deepRoll * pair.size)
+            first = std::min(first, 0.5 * time);
     }
     return first;
 }

@@ -16,6 +16,8 @@ constexpr double shortestMemory = 0.1;
 constexpr double nearlySolved = 1000;
 /// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
 constexpr int rescueSweeps = 200;
+/// So many sweeps, too, but no more than make so many contacts right, where it is not tried at all.
+constexpr int mostRelaxed = 50'000;
 
 /// A friction force nearer to the edge of its cone than this part of it is at the edge: the contact slides.
 constexpr double coneEdge = 1e-6;
@@ -116,6 +118,14 @@ NewtonReport IslandMotion::solveCold(const NewtonReport& warm) {
     return warm;
 }
 
+// What an island sinks in for want of forces it is lifted by again, and gains energy: so it is swept as often
+// as takes less than Newton's method in vain.
+int IslandMotion::sweepsFor(const MotionInput& input) const {
+    if (m_newtonSteps > mostStepsResting) return rescueSweeps;
+    const int points = static_cast<int>(m_problem.rows.size());
+    return std::max(input.settings.iterations, std::min(rescueSweeps, mostRelaxed / points));
+}
+
 void IslandMotion::solve(const MotionInput& input) {
     if (m_problem.rows.empty() && m_problem.springs.empty()) {
         velocitiesFromImpulses(m_problem);
@@ -130,8 +140,7 @@ void IslandMotion::solve(const MotionInput& input) {
     double residual = solved.residual;
     if (!isGood() && m_problem.springs.empty()) {
         m_failed = m_newtonSteps > 0;
-        const int sweeps = m_newtonSteps > mostStepsResting ? rescueSweeps : input.settings.iterations;
-        residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweeps);
+        residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweepsFor(input));
     }
     report.residual = std::max(report.residual, residual);
 }

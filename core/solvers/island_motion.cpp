@@ -38,6 +38,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     int events = locates ? 0 : most;
     for (double left = input.substep; left > 0;) {
         const bool locating = events < most;
+        m_rattles = locates && 2 * events > most;
         part(input, island);
         loadBodies(input, island);
         impacts(input, left, locating);
@@ -262,7 +263,8 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
         const ContactPair& pair = m_contacts.pairs[p];
         const double e = pair.restitution;
-        const double threshold = std::max(leastImpactPart(e) * m_scale, rounding);
+        const double rattle = m_rattles && e < 1 ? rattling * fastest : 0;
+        const double threshold = std::max({leastImpactPart(e) * m_scale, rounding, rattle});
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(input.bodies, pair, point);
             const double closing = -relativeVelocity(m_problem, row).x();
@@ -270,6 +272,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
                                   (!locating && closing * duration > point.separation);
             m_problem.rows.push_back(row);
             m_impactRows.push_back({e, threshold, p, touching});
+            if (!locating) m_impactRows.back().reach = point.separation / duration;
             any = any || (touching && closing > threshold);
         }
     }

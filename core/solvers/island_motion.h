@@ -104,6 +104,7 @@ class IslandMotion {
     Vec3 endMomentum(std::size_t body) const;
     void chooseRows(const MotionInput& input, double duration, bool locating);
     void solve(const MotionInput& input);
+    int sweepsFor(const MotionInput& input) const;
     NewtonReport solveCold(const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
     void makeRoomToTurn();
@@ -144,6 +145,7 @@ class IslandMotion {
     double nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
                        double duration) const;
     double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
+    double landingTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
     double cornerTime(const MotionInput& input, const ContactPair& pair, const ContactConstraint& point,
                       double t, double duration) const;
     MovingShape movingShape(const MotionInput& input, BodyIndex body, double duration) const;
@@ -158,6 +160,7 @@ class IslandMotion {
     double m_overlap = 0;                 // the deepest in this substep, relative to the smaller body
     bool m_parted = false;                // in this substep
     bool m_failed = false;                // Newton's method, in this substep
+    bool m_rattles = false;               // most of the events of this substep are used up
     double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;               // of velocities [m/s]
     double m_still = 0;                   // what is no faster is at rest [m/s]
