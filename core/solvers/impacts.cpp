@@ -114,19 +114,17 @@ int ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows
                         int newtonSteps) {
     m_newtonSteps = newtonSteps;
     const int most = mostImpacts + mostImpactsPerRow * static_cast<int>(rows.size());
-    m_takesPart.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) m_takesPart[i] = rows[i].touching ? 1 : 0;
     for (int count = 0;; ++count) {
         measure(problem, rows);
         std::size_t largest = rows.size();
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (m_takesPart[i] != 0 && m_closing[i] > rows[i].threshold &&
+            if (rows[i].touching && m_closing[i] > rows[i].threshold &&
                 (largest == rows.size() || m_closing[i] > m_closing[largest]))
                 largest = i;
         if (largest == rows.size()) return count;
         const bool all = simultaneous || rows[largest].restitution == 0 || count >= most;
         if (all)
-            gatherAll();
+            gatherAll(rows);
         else
             gather(problem, rows, largest);
         solveGroup(problem, rows);
@@ -136,15 +134,8 @@ int ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows
 
 void ImpactSolver::measure(const ContactProblem& problem, std::span<const ImpactRow> rows) {
     m_closing.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool open = m_takesPart[i] == 0;
-        m_closing[i] = 0;
-        if (open && !(rows[i].reach < std::numeric_limits<double>::infinity())) continue;
-        const double closing = -relativeVelocity(problem, problem.rows[i]).x();
-        if (open && !(closing > rows[i].reach)) continue;
-        m_closing[i] = closing;
-        m_takesPart[i] = 1;
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        m_closing[i] = rows[i].touching ? -relativeVelocity(problem, problem.rows[i]).x() : 0;
 }
 
 // The largest with its ties, and with the other points of the same pairs; grown over shared bodies.
@@ -154,7 +145,7 @@ void ImpactSolver::gather(const ContactProblem& problem, std::span<const ImpactR
     const double least = (1 - tie) * m_closing[largest];
     for (std::size_t member = 0; member < m_group.size(); ++member) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (m_takesPart[i] == 0 || !(m_closing[i] > 0)) continue;
+            if (!rows[i].touching || !(m_closing[i] > 0)) continue;
             if (std::find(m_group.begin(), m_group.end(), i) != m_group.end()) continue;
             const bool samePair = rows[i].pair == rows[m_group[member]].pair;
             const bool tied =
@@ -165,10 +156,10 @@ void ImpactSolver::gather(const ContactProblem& problem, std::span<const ImpactR
     std::sort(m_group.begin(), m_group.end());
 }
 
-void ImpactSolver::gatherAll() {
+void ImpactSolver::gatherAll(std::span<const ImpactRow> rows) {
     m_group.clear();
-    for (std::size_t i = 0; i < m_takesPart.size(); ++i)
-        if (m_takesPart[i] != 0) m_group.push_back(i);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].touching) m_group.push_back(i);
 }
 
 void ImpactSolver::solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows) {

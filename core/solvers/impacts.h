@@ -7,7 +7,6 @@
 #include "core/solvers/newton.h"
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,10 +30,9 @@ namespace carom {
 /// What an impact needs to know of a contact besides its row.
 struct ImpactRow {
     double restitution = 0;
-    double threshold = 0;                                   ///< closing speeds up to this are no impact [m/s]
-    std::uint32_t pair = 0;                                 ///< points of one pair are solved together
-    bool touching = false;                                  ///< only contacts that touch take part,
-    double reach = std::numeric_limits<double>::infinity(); ///< or that come to close faster than this [m/s]
+    double threshold = 0;   ///< closing speeds up to this are no impact [m/s]
+    std::uint32_t pair = 0; ///< points of one pair are solved together
+    bool touching = false;  ///< only contacts that touch take part
 };
 
 class ImpactSolver {
@@ -50,7 +48,7 @@ class ImpactSolver {
   private:
     void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
     void gather(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t largest);
-    void gatherAll();
+    void gatherAll(std::span<const ImpactRow> rows);
     void solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows);
     bool solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows);
     bool solveLone(ContactProblem& problem, std::span<const ImpactRow> rows);
@@ -58,8 +56,7 @@ class ImpactSolver {
     void takeGroup(const ContactProblem& problem);
     void applyGroup(ContactProblem& problem);
 
-    std::vector<double> m_closing;         // −uₙ by row [m/s]
-    std::vector<std::uint8_t> m_takesPart; // by row
+    std::vector<double> m_closing; // −uₙ by row [m/s]
     std::vector<std::size_t> m_group;
     std::vector<int> m_local; // by body, its index in the group's problem
     ContactProblem m_groupProblem;

@@ -150,6 +150,7 @@ double IslandMotion::landingTime(const MotionInput& input, const ContactPair& pa
                                  double duration) const {
     const Pose poseA = poseAt(input, pair.a, time, duration), poseB = poseAt(input, pair.b, time, duration);
     double first = std::numeric_limits<double>::infinity();
+    if (!poseA.position.allFinite() || !poseB.position.allFinite()) return first; // the step is lost
     Manifold manifold;
     if (!collide({&input.bodies.shape[pair.a], &poseA}, {&input.bodies.shape[pair.b], &poseB}, 0, manifold))
         return first;

@@ -263,7 +263,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
         const ContactPair& pair = m_contacts.pairs[p];
         const double e = pair.restitution;
-        const double rattle = m_rattles && e < 1 ? rattling * fastest : 0;
+        const double rattle = m_rattles && e > 0 && e < 1 ? rattling * fastest : 0;
         const double threshold = std::max({leastImpactPart(e) * m_scale, rounding, rattle});
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(input.bodies, pair, point);
@@ -272,7 +272,6 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
                                   (!locating && closing * duration > point.separation);
             m_problem.rows.push_back(row);
             m_impactRows.push_back({e, threshold, p, touching});
-            if (!locating) m_impactRows.back().reach = point.separation / duration;
             any = any || (touching && closing > threshold);
         }
     }
