@@ -8,6 +8,16 @@
 namespace carom {
 namespace {
 
+void reserve(Bodies& bodies, std::size_t count) {
+    bodies.shape.reserve(count);
+    for (std::vector<double>* each : {&bodies.mass, &bodies.inverseMass, &bodies.boundingRadius,
+                                      &bodies.elastic, &bodies.friction, &bodies.rolling})
+        each->reserve(count);
+    for (std::vector<Vec3>* each : {&bodies.inertia, &bodies.inverseInertia}) each->reserve(count);
+    for (std::vector<std::uint8_t>* each : {&bodies.mobile, &bodies.turnedByImpacts}) each->reserve(count);
+    for (std::vector<BodyIndex>* each : {&bodies.mobileBodies, &bodies.bounded}) each->reserve(count);
+}
+
 void append(Bodies& bodies, const Body& body, bool rotates) {
     const BodyIndex index = static_cast<BodyIndex>(bodies.count());
     const bool wall = isWall(body.shape);
@@ -53,6 +63,7 @@ Bodies bodiesOf(const Scene& scene) {
     const bool resists =
         scene.bodies.size() > 1 && std::any_of(scene.bodies.begin(), scene.bodies.end(),
                                                [](const Body& body) { return body.rolling > 0; });
+    reserve(bodies, scene.bodies.size());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
         append(bodies, body,

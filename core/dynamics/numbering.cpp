@@ -70,13 +70,20 @@ bool springBefore(const SpringForce& a, const SpringForce& b) {
 } // namespace
 
 std::vector<BodyIndex> canonicalOrder(const Scene& scene) {
-    std::vector<BodyIndex> order(scene.bodies.size());
-    std::iota(order.begin(), order.end(), BodyIndex{0});
-    std::stable_sort(order.begin(), order.end(), [&](BodyIndex i, BodyIndex k) {
-        const Body &a = scene.bodies[i], &b = scene.bodies[k];
-        const auto placeA = placeOf(a), placeB = placeOf(b);
-        return placeA != placeB ? placeA < placeB : everythingElseOf(a) < everythingElseOf(b);
+    struct Placed { // beside each other: bodies are far apart in memory
+        std::tuple<bool, double, double, double> place;
+        BodyIndex body = noBody;
+    };
+    std::vector<Placed> placed;
+    placed.reserve(scene.bodies.size());
+    for (BodyIndex i = 0; i < scene.bodies.size(); ++i) placed.push_back({placeOf(scene.bodies[i]), i});
+    std::stable_sort(placed.begin(), placed.end(), [&scene](const Placed& a, const Placed& b) {
+        if (a.place != b.place) return a.place < b.place;
+        return everythingElseOf(scene.bodies[a.body]) < everythingElseOf(scene.bodies[b.body]);
     });
+    std::vector<BodyIndex> order;
+    order.reserve(placed.size());
+    for (const Placed& each : placed) order.push_back(each.body);
     return order;
 }
 
