@@ -36,7 +36,7 @@ std::vector<Diagnostic> inOrder(DiagnosticList& list, std::uint32_t end) {
 
 } // namespace
 
-Analysis analyse(std::string text) {
+Analysis analyse(std::string text, const WorkStage& stage) {
     DiagnosticList list;
     Analysis analysis;
     analysis.text = std::move(text);
@@ -47,9 +47,12 @@ Analysis analyse(std::string text) {
         analysis.tokens.push_back({});
     } else {
         analysis.lines = LineTable(analysis.text);
-        analysis.tokens = lex(analysis.text, list);
-        analysis.tree = parse(analysis.text, analysis.tokens, list);
-        analysis.scene = validate(analysis.text, analysis.tree, list);
+        // The stages' shares of the time, as they are for 200,000 spheres.
+        constexpr double lexed = 0.28, parsed = 0.68;
+        analysis.tokens = lex(analysis.text, list, stage.part(0, lexed));
+        analysis.tree =
+            parse(analysis.text, analysis.tokens, list, largestDeclarationCount, stage.part(lexed, parsed));
+        analysis.scene = validate(analysis.text, analysis.tree, list, stage.part(parsed, 1));
     }
     analysis.mistakes = list.total();
     analysis.diagnostics = inOrder(list, analysis.tokens.back().range.offset);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_stage.h"
 #include "core/language/syntax.h"
 #include "core/language/token.h"
 #include "core/scene/scene.h"
@@ -31,7 +32,7 @@ struct Analysis {
     SourcePosition positionOf(std::uint32_t offset) const { return lines.positionOf(text, offset); }
 };
 
-Analysis analyse(std::string text);
+Analysis analyse(std::string text, const WorkStage& stage = {});
 
 /// "file:line:col: severity: message [code]", notes on lines of their own with severity "note"; lines are
 /// separated, not ended, by "\n".

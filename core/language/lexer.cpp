@@ -59,11 +59,15 @@ TokenKind punctuationKind(char c) {
 
 class Lexer {
   public:
-    Lexer(std::string_view text, DiagnosticList& diagnostics) : m_text(text), m_diagnostics(diagnostics) {}
+    Lexer(std::string_view text, DiagnosticList& diagnostics, const WorkStage& stage)
+        : m_text(text), m_diagnostics(diagnostics), m_stage(stage) {}
 
     std::vector<Token> run() {
         if (m_text.starts_with("\xEF\xBB\xBF")) m_at = 3;
-        while (m_at < m_text.size()) lexOne();
+        for (std::size_t look = 0; m_at < m_text.size(); ++look) {
+            m_stage.reach(look, m_at, m_text.size());
+            lexOne();
+        }
         m_begin = m_at;
         add(TokenKind::EndOfText);
         return std::move(m_tokens);
@@ -234,6 +238,7 @@ class Lexer {
 
     std::string_view m_text;
     DiagnosticList& m_diagnostics;
+    WorkStage m_stage;
     std::vector<Token> m_tokens;
     std::size_t m_begin = 0; ///< of the token being read
     std::size_t m_at = 0;
@@ -242,8 +247,8 @@ class Lexer {
 
 } // namespace
 
-std::vector<Token> lex(std::string_view text, DiagnosticList& diagnostics) {
-    return Lexer(text, diagnostics).run();
+std::vector<Token> lex(std::string_view text, DiagnosticList& diagnostics, const WorkStage& stage) {
+    return Lexer(text, diagnostics, stage).run();
 }
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic_list.h"
+#include "core/base/work_stage.h"
 #include "core/language/token.h"
 
 #include <string_view>
@@ -15,6 +16,6 @@ namespace carom {
 /// mistake and not three. A number that does not end where a number may end is a Faulty token too.
 ///
 /// As in the reference a name may follow a number without a space: `1mass` is a number and a name.
-std::vector<Token> lex(std::string_view text, DiagnosticList& diagnostics);
+std::vector<Token> lex(std::string_view text, DiagnosticList& diagnostics, const WorkStage& stage = {});
 
 } // namespace carom

@@ -26,8 +26,9 @@ class Parser : private TokenCursor {
         reserve(tokens);
     }
 
-    SyntaxTree run() {
-        while (!at(TokenKind::EndOfText)) {
+    SyntaxTree run(const WorkStage& stage) {
+        for (std::size_t look = 0; !at(TokenKind::EndOfText); ++look) {
+            stage.reach(look, here().offset, m_text.size());
             if (m_tree.declarations.size() >= m_mostDeclarations) {
                 reportTooMany();
                 break;
@@ -424,8 +425,8 @@ class Parser : private TokenCursor {
 } // namespace
 
 SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
-                 std::size_t mostDeclarations) {
-    return Parser(text, tokens, diagnostics, mostDeclarations).run();
+                 std::size_t mostDeclarations, const WorkStage& stage) {
+    return Parser(text, tokens, diagnostics, mostDeclarations).run(stage);
 }
 
 } // namespace carom

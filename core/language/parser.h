@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic_list.h"
+#include "core/base/work_stage.h"
 #include "core/language/syntax.h"
 #include "core/language/token.h"
 
@@ -16,6 +17,6 @@ inline constexpr std::size_t largestDeclarationCount = 10'000'000;
 /// in time linear in the tokens. After an error it goes on at the next `}` or `;` of the same declaration,
 /// or at the next name of a declaration type that begins a line. What follows `mostDeclarations` is not read.
 SyntaxTree parse(std::string_view text, std::span<const Token> tokens, DiagnosticList& diagnostics,
-                 std::size_t mostDeclarations = largestDeclarationCount);
+                 std::size_t mostDeclarations = largestDeclarationCount, const WorkStage& stage = {});
 
 } // namespace carom

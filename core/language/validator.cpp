@@ -31,10 +31,14 @@ class Validator {
         : m_text(text), m_tree(tree), m_diagnostics(diagnostics), m_values{text, tree, diagnostics},
           m_labels(text, diagnostics) {}
 
-    Scene run() {
+    Scene run(const WorkStage& stage) {
         m_scene.bodies.reserve(expectedBodies());
         std::vector<const DeclarationSyntax*> naming; // those that name bodies
+        const std::size_t all = m_tree.declarations.size();
+        std::size_t done = 0;
         for (const DeclarationSyntax& syntax : m_tree.declarations) {
+            stage.reach(done, done - naming.size(), all);
+            ++done;
             const DeclarationRow* row = syntax.nameless ? nullptr : findDeclaration(spelling(syntax.type));
             if (row == nullptr)
                 leaveOutUnknown(syntax);
@@ -43,8 +47,12 @@ class Validator {
             else
                 declare(syntax, *row);
         }
-        for (const DeclarationSyntax* syntax : naming)
+        done = all - naming.size();
+        for (const DeclarationSyntax* syntax : naming) {
+            stage.reach(done, done, all);
+            ++done;
             declare(*syntax, *findDeclaration(spelling(syntax->type)));
+        }
         return std::move(m_scene);
     }
 
@@ -356,8 +364,9 @@ class Validator {
 
 } // namespace
 
-Scene validate(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics) {
-    return Validator(text, tree, diagnostics).run();
+Scene validate(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics,
+               const WorkStage& stage) {
+    return Validator(text, tree, diagnostics).run(stage);
 }
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic_list.h"
+#include "core/base/work_stage.h"
 #include "core/language/syntax.h"
 #include "core/scene/scene.h"
 
@@ -11,6 +12,7 @@ namespace carom {
 
 /// Builds the scene a tree means, by the rules of the schema. A declaration with a mistake in it is reported
 /// and left out; all others are built. Two passes: bodies first, then what names bodies.
-Scene validate(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics);
+Scene validate(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics,
+               const WorkStage& stage = {});
 
 } // namespace carom

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/work_stage.h"
 #include "core/language/analysis.h"
 #include "core/simulation/pipeline.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace carom {
@@ -20,5 +22,7 @@ struct Build {
 };
 
 Build build(std::string text, const SimulationSettings& options = {});
+/// The same, asking on the way; nothing where `goOn` ended it.
+std::optional<Build> buildWhile(const GoOn& goOn, std::string text, const SimulationSettings& options = {});
 
 } // namespace carom

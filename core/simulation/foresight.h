@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_stage.h"
+#include "core/dynamics/bodies.h"
 #include "core/scene/scene.h"
 #include "core/simulation/settings.h"
 
@@ -13,6 +15,8 @@ namespace carom {
 /// them: bodies that overlap at the start, bodies behind a wall, bodies that pass their own half-extent in a
 /// substep and so may tunnel, springs too stiff for the integrator, mass ratios in contact that the method
 /// does not hold. At most fifty of a kind.
-std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings);
+/// `bodies` are the scene's.
+std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
+                                 const WorkStage& stage = {});
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_stage.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
@@ -20,7 +21,8 @@ namespace carom {
 class Pipeline {
   public:
     /// Compiles a scene; `options` (the command line's) win over the scene's own `simulation` declaration.
-    explicit Pipeline(const Scene& scene, const SimulationSettings& options = {});
+    explicit Pipeline(const Scene& scene, const SimulationSettings& options = {},
+                      const WorkStage& stage = {});
 
     const Scene& scene() const { return m_scene; }
     const RunSettings& settings() const { return m_settings; }
