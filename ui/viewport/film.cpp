@@ -2,6 +2,7 @@
 #include "ui/viewport/film.h"
 
 #include "core/simulation/world.h"
+#include "ui/viewport/explanations.h"
 #include "ui/viewport/gif_writer.h"
 
 #include <QDir>
@@ -15,15 +16,15 @@
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace carom {
 namespace {
 
 QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
-
-QString say(const char* text) { return Film::tr(text); }
 
 QString numbered(const QString& path, int picture) {
     const QFileInfo file(path);
@@ -39,88 +40,135 @@ int FilmPlan::pictures() const { return 1 + static_cast<int>(std::floor((to - fr
 
 QString objectionTo(const FilmPlan& plan) {
     const QString ending = endingOf(plan.path);
-    if (!plan.pipeline) return say("there is no scene to film");
+    if (!plan.look.stage || !plan.look.stage->pipeline) return Film::tr("there is no scene to film");
     if (!(plan.to >= plan.from) || plan.from < 0)
-        return say("a film ends after it begins, and begins at 0 s or later");
+        return Film::tr("a film ends after it begins, and begins at 0 s or later");
     if (ending != QLatin1StringView("gif") && ending != QLatin1StringView("mp4") &&
         ending != QLatin1StringView("png"))
-        return say("`%1` has no ending of a film; name it .gif, .mp4 or .png").arg(plan.path);
+        return Film::tr("`%1` has no ending of a film; name it .gif, .mp4 or .png").arg(plan.path);
     if (ending == QLatin1StringView("mp4") && encoder().isEmpty())
-        return say("MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing");
+        return Film::tr("MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing");
     return {};
 }
 
-/// What the thread works with. The Film keeps it until the thread is done.
+/// What the threads of the pool work with, one at a time. The Film keeps it until they are done.
 struct Film::Reel {
     FilmPlan plan;
-    World world;
+    std::optional<World> world;
+    Explanations explanations;
     int painted = 0;
     std::atomic<bool> cancelled = false;
     QString ending;
     std::unique_ptr<QSaveFile> file; ///< of a GIF
     std::unique_ptr<GifWriter> gif;
-    std::unique_ptr<QTemporaryDir> folder; ///< of the pictures of an MP4
+    std::unique_ptr<QTemporaryDir> folder; ///< of an MP4 in the making, beside its place
 
-    explicit Reel(FilmPlan wanted)
-        : plan(std::move(wanted)), world(plan.pipeline), ending(endingOf(plan.path)) {}
+    explicit Reel(FilmPlan wanted) : plan(std::move(wanted)), ending(endingOf(plan.path)) {
+        plan.look.options.size = {double(plan.size.width()), double(plan.size.height())};
+        explanations.setOverlays(plan.overlays);
+    }
 
     /// What went wrong, or nothing.
     QString open();
-    void advance();
+    /// The next picture to be drawn; nothing where the run has stopped or the film is cancelled.
+    std::optional<PictureJob> advance();
     QString write(const QImage& picture);
     QString close();
+    QString encode();
+    QString whatStays() const;
 };
 
 QString Film::Reel::open() {
     if (ending == QLatin1StringView("gif")) {
         file = std::make_unique<QSaveFile>(plan.path);
         if (!file->open(QIODevice::WriteOnly))
-            return say("`%1` cannot be written: %2").arg(plan.path, file->errorString());
+            return Film::tr("`%1` cannot be written: %2").arg(plan.path, file->errorString());
         gif = std::make_unique<GifWriter>(*file, plan.size,
                                           std::max(2, static_cast<int>(std::lround(100 / plan.rate))));
     } else if (ending == QLatin1StringView("mp4")) {
-        folder = std::make_unique<QTemporaryDir>();
-        if (!folder->isValid()) return say("no folder for the pictures: %1").arg(folder->errorString());
+        folder = std::make_unique<QTemporaryDir>(
+            QFileInfo(plan.path).dir().filePath(QStringLiteral(".carom-film-XXXXXX")));
+        if (!folder->isValid()) return Film::tr("no folder for the pictures: %1").arg(folder->errorString());
     }
     return {};
 }
 
 /// To the frame that is nearest the next picture's time; a state that was computed, never one in between.
-void Film::Reel::advance() {
+std::optional<PictureJob> Film::Reel::advance() {
+    const std::shared_ptr<const Pipeline>& pipeline = plan.look.stage->pipeline;
+    if (!world) world.emplace(pipeline);
     const double time = plan.from + painted * plan.speed / plan.rate;
-    const std::int64_t frame = std::llround(time / plan.pipeline->settings().step);
-    while (!cancelled && world.health().finite && world.state().frame < frame) world.step();
+    const std::int64_t frame = std::llround(time / pipeline->settings().step);
+    while (!cancelled && world->health().finite && world->state().frame < frame) world->step();
+    if (cancelled || !world->health().finite) return std::nullopt;
+    PictureJob job = plan.look;
+    job.state = std::make_shared<const Snapshot>(world->snapshot());
+    explanations.note(*pipeline, *job.state);
+    if (holds(plan.overlays, Overlay::Structure)) explanations.setStructure(world->broadphaseStructure());
+    job.lines =
+        std::make_shared<const std::vector<LineVertex>>(explanations.lines(*pipeline, job.state.get()));
+    return job;
 }
 
 QString Film::Reel::write(const QImage& picture) {
+    if (picture.isNull())
+        return Film::tr("pictures of %1 × %2 pixels cannot be drawn here")
+            .arg(plan.size.width())
+            .arg(plan.size.height());
     const int number = painted++;
     if (gif) {
         gif->add(picture);
         return {};
     }
     const QString path = numbered(folder ? folder->filePath(QStringLiteral("film.png")) : plan.path, number);
-    return picture.save(path, "PNG") ? QString() : say("`%1` cannot be written").arg(path);
+    return picture.save(path, "PNG") ? QString() : Film::tr("`%1` cannot be written").arg(path);
 }
 
 QString Film::Reel::close() {
     if (gif)
         return gif->finish() && file->commit()
                    ? QString()
-                   : say("`%1` cannot be written: %2").arg(plan.path, file->errorString());
-    if (!folder) return {};
+                   : Film::tr("`%1` cannot be written: %2").arg(plan.path, file->errorString());
+    return folder ? encode() : QString();
+}
+
+/// Into the folder, and from there to its place once it is whole.
+QString Film::Reel::encode() {
+    constexpr int lookInterval = 30; // [ms] between two looks at whether it is still wanted
+    const QString made = folder->filePath(QStringLiteral("film.mp4"));
     QProcess process;
     process.start(encoder(), {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
                               QStringLiteral("-framerate"), QString::number(plan.rate), QStringLiteral("-i"),
                               folder->filePath(QStringLiteral("film-%05d.png")), QStringLiteral("-pix_fmt"),
-                              QStringLiteral("yuv420p"), plan.path});
-    process.waitForFinished(-1);
-    if (process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0) return {};
-    return say("ffmpeg failed: %1").arg(QString::fromLocal8Bit(process.readAllStandardError()).trimmed());
+                              QStringLiteral("yuv420p"), made});
+    process.waitForStarted();
+    while (process.state() != QProcess::NotRunning && !process.waitForFinished(lookInterval)) {
+        if (!cancelled) continue;
+        process.kill();
+        process.waitForFinished();
+        return whatStays();
+    }
+    if (process.error() == QProcess::FailedToStart || process.exitStatus() != QProcess::NormalExit ||
+        process.exitCode() != 0)
+        return Film::tr("ffmpeg failed: %1")
+            .arg(QString::fromLocal8Bit(process.readAllStandardError()).trimmed());
+    std::error_code problem;
+    std::filesystem::rename(made.toStdString(), plan.path.toStdString(), problem);
+    if (!problem) return {};
+    return Film::tr("`%1` cannot be written: %2").arg(plan.path, QString::fromStdString(problem.message()));
 }
 
-Film::Film(FilmPlan plan, Paint paint, QObject* parent)
-    : QObject(parent), m_paint(std::move(paint)), m_reel(std::make_shared<Reel>(std::move(plan))) {
+/// What a cancelled film leaves behind.
+QString Film::Reel::whatStays() const {
+    if (gif || folder) return Film::tr("it was cancelled, and half a film is not kept");
+    return painted == 1 ? Film::tr("it was cancelled; the picture made so far stays")
+                        : Film::tr("it was cancelled; the %1 pictures made so far stay").arg(painted);
+}
+
+Film::Film(FilmPlan plan, QObject* parent)
+    : QObject(parent), m_reel(std::make_shared<Reel>(std::move(plan))) {
     m_pool.setMaxThreadCount(1);
+    connect(&m_drawing, &DrawingThread::drawn, this, &Film::write);
 }
 
 Film::~Film() {
@@ -141,31 +189,44 @@ void Film::start() {
 
 void Film::next() {
     m_pool.start([this, reel = m_reel] {
-        reel->advance();
-        std::shared_ptr<const Snapshot> state = std::make_shared<const Snapshot>(reel->world.snapshot());
+        const std::optional<PictureJob> job = reel->advance();
         QMetaObject::invokeMethod(
-            this, [this, state] { take(state); }, Qt::QueuedConnection);
+            this,
+            [this, job] {
+                if (job)
+                    m_drawing.post(*job);
+                else if (m_reel->cancelled)
+                    end(m_reel->whatStays());
+                else
+                    end(tr("the run stopped at %1 s").arg(m_reel->world->state().time));
+            },
+            Qt::QueuedConnection);
     });
 }
 
-void Film::take(const std::shared_ptr<const Snapshot>& snapshot) {
-    if (m_reel->cancelled) return end(tr("the film was cancelled"));
-    if (!snapshot->health.finite) return end(tr("the run stopped at %1 s").arg(snapshot->time));
-    m_pool.start([this, reel = m_reel, picture = m_paint(*snapshot, m_reel->plan.size)] {
-        QString problem = reel->write(picture);
-        const int written = reel->painted;
-        const bool last = written == reel->plan.pictures();
-        if (problem.isEmpty() && last) problem = reel->close();
+void Film::write(const DrawnPicture& picture) {
+    m_pool.start([this, reel = m_reel, image = picture.image] {
+        const QString problem = reel->cancelled ? reel->whatStays() : reel->write(image);
         QMetaObject::invokeMethod(
             this,
-            [this, problem, written, last] {
+            [this, problem, written = reel->painted] {
+                if (!problem.isEmpty()) return end(problem);
                 Q_EMIT progressed(written);
-                if (last || !problem.isEmpty())
-                    end(problem);
-                else
+                if (written < m_reel->plan.pictures())
                     next();
+                else
+                    close();
             },
             Qt::QueuedConnection);
+    });
+}
+
+void Film::close() {
+    if (m_reel->folder) Q_EMIT encoding();
+    m_pool.start([this, reel = m_reel] {
+        const QString problem = reel->cancelled ? reel->whatStays() : reel->close();
+        QMetaObject::invokeMethod(
+            this, [this, problem] { end(problem); }, Qt::QueuedConnection);
     });
 }
 

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/pipeline.h"
-#include "core/simulation/snapshot.h"
+#include "ui/viewport/drawing_thread.h"
+#include "ui/viewport/overlays.h"
+#include "ui/viewport/picture_job.h"
 
 #include <QObject>
 #include <QSize>
 #include <QString>
 #include <QThreadPool>
 
-#include <functional>
 #include <memory>
-
-class QImage;
 
 namespace carom {
 
 /// What a film is made of.
 struct FilmPlan {
-    std::shared_ptr<const Pipeline> pipeline;
+    PictureJob look; ///< whose scene is filmed from its start, and how it looks; of its states, none is used
+    Overlays overlays = 0;
     double from = 0, to = 5; ///< [s] of the scene
     double rate = 30;        ///< pictures a second
     double speed = 1;        ///< seconds of the scene a second of the film
@@ -32,23 +31,27 @@ struct FilmPlan {
 /// Why this plan cannot be filmed; empty if it can. MP4 needs the program `ffmpeg`.
 QString objectionTo(const FilmPlan& plan);
 
-/// Makes a film of a scene: simulates it anew on a thread of its own, has each state painted on the GUI
-/// thread, and writes the pictures on the first again. Nobody waits for anybody else; it can be cancelled.
+/// Makes a film of a scene, on threads of its own: simulates it anew, draws each state and writes the
+/// picture. What the window shows meanwhile, and edits of the text, are nothing to it.
+///
+///     pool    simulates to the next picture ─▶ GUI thread passes on ─▶ drawing thread draws
+///     pool    writes the picture  ◀──────────── passes on ◀────────────────────┘
 class Film : public QObject {
     Q_OBJECT
   public:
-    /// `paint` makes the picture of a state, on the GUI thread.
-    using Paint = std::function<QImage(const Snapshot& snapshot, const QSize& size)>;
-
-    Film(FilmPlan plan, Paint paint, QObject* parent = nullptr);
+    explicit Film(FilmPlan plan, QObject* parent = nullptr);
     ~Film() override;
 
     void start();
-    /// Ends after the picture under way; pictures that were written stay, unfinished films do not.
+    /// Ends after the frame or picture under way. Pictures that were written stay; a GIF or MP4 that is not
+    /// whole does not, and a film that had its name before stays as it was.
     void cancel();
 
   Q_SIGNALS:
+    /// How many pictures are written.
     void progressed(int pictures);
+    /// All are; the encoder is at work.
+    void encoding();
     /// An empty problem: it is there.
     void finished(const QString& problem);
 
@@ -56,11 +59,12 @@ class Film : public QObject {
     struct Reel;
 
     void next();
-    void take(const std::shared_ptr<const Snapshot>& snapshot);
+    void write(const DrawnPicture& picture);
+    void close();
     void end(const QString& problem);
 
-    Paint m_paint;
     std::shared_ptr<Reel> m_reel;
+    DrawingThread m_drawing;
     QThreadPool m_pool;
 };
 

@@ -177,7 +177,7 @@ void Viewport::schedule() {
     m_pause.start(std::max(0, static_cast<int>(m_pace.pause() - m_sincePicture.elapsed())));
 }
 
-PictureJob Viewport::job(const PictureSize& pixels) {
+PictureJob Viewport::job(const PictureSize& pixels) const {
     return {.stage = m_stage,
             .state = m_snapshot,
             .lines = std::make_shared<const std::vector<LineVertex>>(),
@@ -278,11 +278,16 @@ void Viewport::lookFrom(double yaw, double pitch) {
     moveCamera();
 }
 
-QImage Viewport::picture(const QSize& size, const Snapshot* of) {
-    if (size.isEmpty() || (of != nullptr && of->pose.size() != m_stage->start.size())) return {};
+PictureJob Viewport::view(const QSize& pixels) const {
+    PictureJob made = job({static_cast<double>(pixels.width()), static_cast<double>(pixels.height())});
+    made.options.selected = noBody;
+    made.options.dimmed = false;
+    return made;
+}
+
+QImage Viewport::picture(const QSize& size) {
+    if (size.isEmpty()) return {};
     PictureJob made = job({static_cast<double>(size.width()), static_cast<double>(size.height())});
-    if (of != nullptr) made.state = std::make_shared<const Snapshot>(*of);
-    if (of != nullptr) made.options.selected = noBody;
     if (hasScene())
         made.lines = std::make_shared<const std::vector<LineVertex>>(
             m_explanations.lines(*m_stage->pipeline, made.state.get()));

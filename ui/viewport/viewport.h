@@ -76,9 +76,11 @@ class Viewport : public QWidget {
     /// What a click at a point of the widget would select [px].
     Hit hitAt(const QPointF& position) const;
 
-    /// The view as a picture of any size [px], of the state on screen or of another one of this scene, with
-    /// what the overlays draw of it. Null where OpenGL does not work or the size is too much for it.
-    QImage picture(const QSize& size, const Snapshot* of = nullptr);
+    /// The scene as it is looked at now, without what is marked in it, to be drawn elsewhere.
+    PictureJob view(const QSize& pixels) const;
+    /// The view as a picture of any size [px], with what the overlays draw. Null where OpenGL does not work or
+    /// the size is too much for it.
+    QImage picture(const QSize& size);
 
     /// What belongs on the screen now, drawn anew and waited for; in device pixels.
     QImage shownPicture();
@@ -132,7 +134,7 @@ class Viewport : public QWidget {
     /// Something to be seen has changed.
     void redraw();
     void schedule();
-    PictureJob job(const PictureSize& pixels);
+    PictureJob job(const PictureSize& pixels) const;
     PictureJob screenJob();
     bool isMoving() const { return m_software && !m_atRest; }
     void drawForScreen();

@@ -119,7 +119,9 @@ void PictureCommands::askForFilm() {
         tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"));
     if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
-    film({.pipeline = m_simulation.pipeline(),
+    const Viewport& viewport = m_window.viewport();
+    film({.look = viewport.view({even(width), even(height)}),
+          .overlays = viewport.overlays(),
           .from = from->value(),
           .to = to->value(),
           .rate = rate->value(),
@@ -129,26 +131,26 @@ void PictureCommands::askForFilm() {
 }
 
 void PictureCommands::film(const FilmPlan& plan) {
-    Film* film = new Film(
-        plan,
-        [&viewport = m_window.viewport()](const Snapshot& state, const QSize& size) {
-            return viewport.picture(size, &state);
-        },
-        this);
+    Film* film = new Film(plan, this);
     QProgressDialog* progress =
         new QProgressDialog(tr("Recording…"), tr("Cancel"), 0, plan.pictures(), &m_window);
     progress->setObjectName(QStringLiteral("filmProgress"));
     progress->setWindowTitle(tr("Record a film"));
     progress->setMinimumDuration(500);
-    progress->setAutoClose(false);
+    progress->setAutoReset(false);
     connect(progress, &QProgressDialog::canceled, film, &Film::cancel);
     QElapsedTimer since;
     since.start();
     connect(film, &Film::progressed, progress, [progress, since, all = plan.pictures()](int pictures) {
+        if (progress->wasCanceled()) return;
         progress->setValue(pictures);
         const double left =
             1e-3 * static_cast<double>(since.elapsed()) / pictures * static_cast<double>(all - pictures);
         progress->setLabelText(tr("Picture %1 of %2, %3 s left").arg(pictures).arg(all).arg(std::ceil(left)));
+    });
+    connect(film, &Film::encoding, progress, [progress] {
+        progress->setLabelText(tr("Putting the pictures together…"));
+        progress->setMaximum(0); // nobody knows how long it takes
     });
     connect(film, &Film::finished, this, [this, film, progress, path = plan.path](const QString& problem) {
         Q_EMIT reported(problem.isEmpty() ? tr("recorded %1").arg(path)

@@ -7,9 +7,13 @@
 
 #include <QDialog>
 #include <QImageReader>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
+
+#include <optional>
 
 using namespace carom;
 using namespace carom::test;
@@ -17,21 +21,35 @@ using namespace carom::test;
 namespace {
 
 /// Of the left ball, which is red, in a picture.
-double rednessAt(const QImage& picture, const Ide& ide, const Vec3& point) {
+double rednessAt(const QImage& picture, const Camera& camera, const Vec3& point) {
     const PictureSize size{double(picture.width()), double(picture.height())};
-    const Eigen::Vector2d at = *projected(ide.viewport.camera(), size, point);
+    const Eigen::Vector2d at = *projected(camera, size, point);
     const QColor colour = picture.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y()));
     return colour.redF() - 0.5 * (colour.greenF() + colour.blueF());
 }
 
 FilmPlan planOf(const Ide& ide, const QString& path) {
-    return {.pipeline = ide.simulation.pipeline(),
+    return {.look = ide.viewport.view({160, 120}),
+            .overlays = 0,
             .from = 0,
             .to = 0.2,
             .rate = 20,
             .speed = 1,
             .size = {160, 120},
             .path = path};
+}
+
+/// A film of 20,001 pictures that is cancelled when some are made; what it says of it.
+QString cancelledAfter(int pictures, const Ide& ide, const QString& path) {
+    FilmPlan plan = planOf(ide, path);
+    plan.to = 1000;
+    Film film(plan);
+    QSignalSpy ends(&film, &Film::finished), progress(&film, &Film::progressed);
+    film.start();
+    if (!QTest::qWaitFor([&] { return progress.count() >= pictures; }, patience)) return {};
+    film.cancel();
+    if (!QTest::qWaitFor([&] { return ends.count() == 1; }, patience)) return {};
+    return ends.first().first().toString();
 }
 
 } // namespace
@@ -47,8 +65,8 @@ class PicturesTest : public QObject {
         for (const QSize size : {QSize(320, 200), QSize(1800, 1300)}) {
             const QImage picture = ide.viewport.picture(size);
             QCOMPARE(picture.size(), size);
-            QVERIFY(rednessAt(picture, ide, {-1, 1, 0.5}) > 0.2);
-            QVERIFY(rednessAt(picture, ide, {1, 1, 0.5}) < 0);
+            QVERIFY(rednessAt(picture, ide.viewport.camera(), {-1, 1, 0.5}) > 0.2);
+            QVERIFY(rednessAt(picture, ide.viewport.camera(), {1, 1, 0.5}) < 0);
         }
         const QImage before = ide.viewport.shownPicture();
         ide.viewport.picture({200, 200});
@@ -81,9 +99,9 @@ class PicturesTest : public QObject {
         const QImage first = reader.read();
         QImage last;
         for (int i = 1; i < 5; ++i) last = reader.read();
-        QVERIFY(rednessAt(first, ide, {-1, 1, 0.5}) > 0.2);
-        QVERIFY(rednessAt(last, ide, {-1, 1.6, 0.5}) > 0.2); // 3 m/s for 0.2 s
-        QVERIFY(rednessAt(first, ide, {-1, 1.6, 0.5}) < 0.1);
+        QVERIFY(rednessAt(first, ide.viewport.camera(), {-1, 1, 0.5}) > 0.2);
+        QVERIFY(rednessAt(last, ide.viewport.camera(), {-1, 1.6, 0.5}) > 0.2); // 3 m/s for 0.2 s
+        QVERIFY(rednessAt(first, ide.viewport.camera(), {-1, 1.6, 0.5}) < 0.1);
         QCOMPARE(ide.frame, std::int64_t{0}); // the run on screen stays where it is
     }
 
@@ -119,22 +137,97 @@ class PicturesTest : public QObject {
         QVERIFY2(told.contains("-framerate 20") && told.contains("film-%05d.png"), told.constData());
     }
 
-    void aFilmCanBeCancelledAndAWrongNameIsRefused() {
+    void aFilmCancelledInTheMiddleLeavesNoHalfFile() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
+        QVERIFY(writeFile(path, "the film before"));
+        const QStringList files = QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden);
+        QCOMPARE(cancelledAfter(3, ide, path),
+                 QStringLiteral("it was cancelled, and half a film is not kept"));
+        QCOMPARE(readFile(path), QByteArray("the film before"));
+        QCOMPARE(QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden), files);
+    }
+
+    void ofAFilmOfSinglePicturesWhatWasMadeStays() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QString problem = cancelledAfter(3, ide, ide.folder.filePath(QStringLiteral("run.png")));
+        const QStringList made = QDir(ide.folder.path()).entryList({QStringLiteral("run-*.png")});
+        QVERIFY(made.size() >= 3);
+        QCOMPARE(problem,
+                 QStringLiteral("it was cancelled; the %1 pictures made so far stay").arg(made.size()));
+        for (const QString& name : made) QCOMPARE(QImage(ide.folder.filePath(name)).size(), QSize(160, 120));
+    }
+
+    void anMp4CanBeCancelledWhileItIsPutTogether() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        // Stands in for the encoder: writes half a film and never ends.
+        const QByteArray before = qgetenv("PATH");
+        QVERIFY(writeFile(ide.folder.filePath(QStringLiteral("ffmpeg")),
+                          "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\nexec sleep 100000\n"));
+        QFile::setPermissions(ide.folder.filePath(QStringLiteral("ffmpeg")),
+                              QFile::ReadOwner | QFile::ExeOwner);
+        qputenv("PATH", ide.folder.path().toLocal8Bit() + ":" + before);
+        const QStringList files = QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
+        std::optional<Film> film(std::in_place, planOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
+        QSignalSpy ends(&*film, &Film::finished), encoding(&*film, &Film::encoding);
+        film->start();
+        QTRY_COMPARE_WITH_TIMEOUT(encoding.count(), 1, patience);
+        film->cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+        film.reset();
+        qputenv("PATH", before);
+        QCOMPARE(ends.first().first().toString(),
+                 QStringLiteral("it was cancelled, and half a film is not kept"));
+        QCOMPARE(QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden), files);
+    }
+
+    void theDialogShowsHowFarAFilmIsAndCancelsIt() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
         FilmPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         plan.to = 1000;
-        Film film(plan, [&ide](const Snapshot& state, const QSize& size) {
-            return ide.viewport.picture(size, &state);
-        });
-        QSignalSpy ends(&film, &Film::finished), progress(&film, &Film::progressed);
-        film.start();
-        QTRY_VERIFY_WITH_TIMEOUT(progress.count() > 2, patience);
-        film.cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+        ide.bench.pictures().film(plan);
+        const QProgressDialog* dialog =
+            ide.bench.window().findChild<QProgressDialog*>(QStringLiteral("filmProgress"));
+        QVERIFY(dialog != nullptr && !dialog->isModal());
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->value() > 2 && dialog->isVisible(), patience);
+        QVERIFY(dialog->labelText().contains(QStringLiteral("of 20001")));
+        QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(!dialog->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
+        QVERIFY(reports.first().first().toString().contains(QStringLiteral("cancelled")));
         QVERIFY(!QFile::exists(plan.path));
-        plan.path = QStringLiteral("run.avi");
-        QVERIFY(objectionTo(plan).contains(QStringLiteral(".gif")));
+    }
+
+    void theTextCanBeChangedWhileAFilmIsMade() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
+        const Camera camera = ide.viewport.camera();
+        Film film(planOf(ide, path));
+        QSignalSpy ends(&film, &Film::finished);
+        film.start();
+        ide.editor.replaceRange({0, static_cast<std::uint32_t>(twoBalls.size())},
+                                "sphere { radius 1 mass 1 centre 0,0,0 colour green }");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.bench.preview().shown()->scene().bodies.size() == 1,
+                                 patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+        QCOMPARE(ends.first().first().toString(), QString());
+        QImageReader reader(path);
+        QCOMPARE(reader.imageCount(), 5);
+        for (int i = 1; i < 5; ++i) reader.read();
+        QVERIFY(rednessAt(reader.read(), camera, {-1, 1.6, 0.5}) > 0.2); // the red ball of the text before
+    }
+
+    void aFilmWithAWrongNameIsRefused() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QVERIFY(objectionTo(planOf(ide, QStringLiteral("run.avi"))).contains(QStringLiteral(".gif")));
+        QVERIFY(!objectionTo(FilmPlan{}).isEmpty());
     }
 
     void theCameraIsWrittenIntoTheScene() {
