@@ -31,6 +31,14 @@ std::optional<LostText> readSwap(const QString& swapFile) {
     return lost;
 }
 
+bool writeSwap(const QString& swapFile, const QString& path, const QByteArray& text) {
+    QSaveFile file(swapFile);
+    if (!file.open(QIODevice::WriteOnly)) return false;
+    QDataStream stream(&file);
+    stream << signature << path << text;
+    return file.commit();
+}
+
 } // namespace
 
 Recovery::Recovery(const Document& document, const QString& folder, QObject* parent)
@@ -40,24 +48,43 @@ Recovery::Recovery(const Document& document, const QString& folder, QObject* par
     m_lock = std::make_unique<QLockFile>(lockOf(m_swapFile));
     m_lock->setStaleLockTime(0); // stale only when its process is gone
     m_lock->tryLock(0);
-    connect(&m_timer, &QTimer::timeout, this, &Recovery::keep);
+    connect(&m_timer, &QTimer::timeout, this, &Recovery::keepBehind);
+    m_writer.setMaxThreadCount(1);
     m_timer.start(interval);
 }
 
-Recovery::~Recovery() { QFile::remove(m_swapFile); }
+Recovery::~Recovery() {
+    m_writer.waitForDone();
+    QFile::remove(m_swapFile);
+}
 
 void Recovery::keep() {
+    m_writer.waitForDone(); // what it writes is older
     if (!m_document.isModified()) {
-        if (m_kept >= 0) QFile::remove(m_swapFile);
+        QFile::remove(m_swapFile);
         m_kept = -1;
         return;
     }
     if (m_kept == m_document.revision()) return;
-    QSaveFile file(m_swapFile);
-    if (!file.open(QIODevice::WriteOnly)) return;
-    QDataStream stream(&file);
-    stream << signature << m_document.path() << m_document.text();
-    if (file.commit()) m_kept = m_document.revision();
+    if (writeSwap(m_swapFile, m_document.path(), m_document.text())) m_kept = m_document.revision();
+}
+
+void Recovery::keepBehind() {
+    if (m_writing) return; // the disk is slow; next time
+    const bool nothingToWrite = !m_document.isModified() || m_kept == m_document.revision();
+    if (nothingToWrite) return keep();
+    m_writing = true;
+    m_writer.start([this, swapFile = m_swapFile, path = m_document.path(), text = m_document.text(),
+                    revision = m_document.revision()] {
+        const bool written = writeSwap(swapFile, path, text);
+        QMetaObject::invokeMethod(
+            this,
+            [this, written, revision] {
+                m_writing = false;
+                if (written) m_kept = std::max(m_kept, revision);
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 QString Recovery::standardFolder() {

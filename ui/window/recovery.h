@@ -7,6 +7,7 @@
 #include <QLockFile>
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QTimer>
 
 #include <cstdint>
@@ -23,7 +24,8 @@ struct LostText {
     QDateTime written;
 };
 
-/// Keeps a copy of unsaved text in a swap file, at most two seconds behind, until it is saved or given up.
+/// Keeps a copy of unsaved text in a swap file, at most two seconds behind, until it is saved or given up. A
+/// thread of its own writes it: typing does not wait for the disk.
 /// A swap file is held by a lock; one whose lock nobody holds was left by a crash.
 class Recovery : public QObject {
     Q_OBJECT
@@ -43,11 +45,15 @@ class Recovery : public QObject {
     void keep();
 
   private:
+    void keepBehind();
+
     const Document& m_document;
     QString m_swapFile;
     std::unique_ptr<QLockFile> m_lock;
     std::int64_t m_kept = -1; ///< the revision in the swap file
+    bool m_writing = false;   ///< on the thread
     QTimer m_timer;
+    QThreadPool m_writer;
 };
 
 } // namespace carom
