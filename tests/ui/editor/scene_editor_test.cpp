@@ -94,6 +94,21 @@ class SceneEditorTest : public QObject {
             QCOMPARE(editor.send(Sci::SCI_GETFOLDLEVEL, line), afresh.send(Sci::SCI_GETFOLDLEVEL, line));
     }
 
+    void aJumpFarDownALongTextIsColouredPieceByPiece() {
+        SceneEditor editor(m_theme);
+        editor.resize(500, 400);
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, patience));
+        editor.setBytes(
+            QByteArray("sphere { radius 1.5 mass 1 centre 0,0,0 colour blue }\n").repeated(100000));
+        editor.send(Sci::SCI_DOCUMENTEND);
+        editor.viewport()->repaint();
+        const long all = editor.send(Sci::SCI_GETLENGTH);
+        QVERIFY(editor.send(Sci::SCI_GETENDSTYLED) < all); // not all of it for this one picture
+        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_GETENDSTYLED), all, patience);
+        QCOMPARE(editor.send(Sci::SCI_GETSTYLEAT, all - 4), long{SceneLexer::Word}); // the blue of the last
+    }
+
     void braceBlocksFold() {
         SceneEditor editor(m_theme);
         editor.setBytes("sphere {\n  radius 1\n  mass 1\n}\nwall;\n");
