@@ -1093,6 +1093,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>Messages &amp;in the text</source>
         <translation>Meldungen &amp;im Text</translation>
     </message>
+    <message>
+        <source>&amp;Cancel the build</source>
+        <translation>Aufbau a&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Stop building a long text; what was on screen stays there until the next edit</source>
+        <translation>Den Aufbau eines langen Textes abbrechen; bis zur nächsten Änderung bleibt zu sehen, was zu sehen war</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -1632,12 +1640,56 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
 <context>
     <name>carom::Film</name>
     <message>
-        <source>the film was cancelled</source>
-        <translation>der Film wurde abgebrochen</translation>
-    </message>
-    <message>
         <source>the run stopped at %1 s</source>
         <translation>der Lauf hielt bei %1 s an</translation>
+    </message>
+    <message>
+        <source>there is no scene to film</source>
+        <translation>es gibt keine Szene zum Filmen</translation>
+    </message>
+    <message>
+        <source>a film ends after it begins, and begins at 0 s or later</source>
+        <translation>ein Film endet nach seinem Anfang und beginnt frühestens bei 0 s</translation>
+    </message>
+    <message>
+        <source>`%1` has no ending of a film; name it .gif, .mp4 or .png</source>
+        <translation>„%1“ hat keine Endung eines Films; möglich sind .gif, .mp4 und .png</translation>
+    </message>
+    <message>
+        <source>MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing</source>
+        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist; GIF und PNG brauchen nichts</translation>
+    </message>
+    <message>
+        <source>`%1` cannot be written: %2</source>
+        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>no folder for the pictures: %1</source>
+        <translation>kein Ordner für die Bilder: %1</translation>
+    </message>
+    <message>
+        <source>pictures of %1 × %2 pixels cannot be drawn here</source>
+        <translation>Bilder von %1 × %2 Bildpunkten lassen sich hier nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>`%1` cannot be written</source>
+        <translation>„%1“ kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>ffmpeg failed: %1</source>
+        <translation>ffmpeg ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>it was cancelled, and half a film is not kept</source>
+        <translation>abgebrochen, und ein halber Film wird nicht aufgehoben</translation>
+    </message>
+    <message>
+        <source>it was cancelled; the picture made so far stays</source>
+        <translation>abgebrochen; das bis dahin gemachte Bild bleibt</translation>
+    </message>
+    <message>
+        <source>it was cancelled; the %1 pictures made so far stay</source>
+        <translation>abgebrochen; die %1 bis dahin gemachten Bilder bleiben</translation>
     </message>
 </context>
 <context>
@@ -1847,6 +1899,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <source>Simulating the changed scene to %1 s…</source>
         <translation>Die geänderte Szene wird bis %1 s simuliert …</translation>
     </message>
+    <message>
+        <source>Building was cancelled: this is the scene before it</source>
+        <translation>Der Aufbau wurde abgebrochen: das ist die Szene davor</translation>
+    </message>
 </context>
 <context>
     <name>carom::MainWindow</name>
@@ -1865,6 +1921,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>&amp;Panels</source>
         <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>Building</source>
+        <translation>Aufbau</translation>
     </message>
 </context>
 <context>
@@ -2089,6 +2149,10 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>the camera is in the scene now</source>
         <translation>die Kamera steht jetzt in der Szene</translation>
+    </message>
+    <message>
+        <source>Putting the pictures together…</source>
+        <translation>Bilder werden zusammengefügt …</translation>
     </message>
 </context>
 <context>
@@ -2331,6 +2395,17 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     <message>
         <source>Code</source>
         <translation>Kennung</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ProgressStrip</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1: %2 s left</source>
+        <translation>%1: noch %2 s</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "app/files.h"
 #include "tests/support/whole_ide.h"
 
+#include "core/base/clock.h"
 #include "core/generators/generator.h"
 #include "core/math/random.h"
 #include "core/math/statistics.h"
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <optional>
 #include <thread>
+#include <utility>
 
 // carom-latency [typing] [scrub] [edit] [pictures] [load] [start]: what a user waits for, in the whole IDE on
 // the display it is started on. All of it without an argument. Not a test: the figures are of the machine,
@@ -255,34 +257,83 @@ void Latency::pictures() {
     watchPlay(generated("brownian", 10000), "10,000 bodies running");
 }
 
-/// A text of 200,000 declarations, and for how long the window does not answer meanwhile.
+/// Looks every millisecond whether the GUI's thread answers.
+class Silences {
+  public:
+    Silences() {
+        QObject::connect(&m_beat, &QTimer::timeout, &m_beat, [this] { look(); });
+        m_beat.start(1);
+    }
+    /// The longest times without an answer, and those in which the thread itself was at work all the while:
+    /// a busy machine makes the first longer, not the second.
+    void tell(const std::string& what) {
+        look();
+        carom::tell(what, longest(m_silent));
+        carom::tell("    of it at work", longest(m_atWork));
+        m_silent.clear();
+        m_atWork.clear();
+    }
+
+  private:
+    void look() {
+        m_silent.push_back(m_since.lap());
+        m_atWork.push_back(processorTimeOfThread() - std::exchange(m_worked, processorTimeOfThread()));
+    }
+    static std::vector<double> longest(std::vector<double> times) {
+        constexpr std::ptrdiff_t told = 10;
+        std::sort(times.begin(), times.end());
+        return {times.end() - std::min(told, std::ssize(times)), times.end()};
+    }
+
+    QTimer m_beat;
+    Stopwatch m_since;
+    double m_worked = processorTimeOfThread(); ///< [ms]
+    std::vector<double> m_silent, m_atWork;    ///< [ms]
+};
+
+/// A text of 200,000 declarations: for how long the window does not answer while it is loaded, and after a
+/// letter typed into it.
 void Latency::load() {
+    constexpr std::size_t declarations = 200000;
     Ide ide;
     const QString path = ide.folder.filePath(QStringLiteral("large.sdl"));
-    if (!writeFile(path, generated("brownian", 200000))) qFatal("the large scene cannot be written");
+    if (!writeFile(path, generated("brownian", declarations))) qFatal("the large scene cannot be written");
     waitFor([&] { return ide.frame == 0; });
-    std::vector<double> silences;
-    Clock::time_point last = Clock::now();
-    QTimer beat;
-    QObject::connect(&beat, &QTimer::timeout, [&] {
-        silences.push_back(millisecondsSince(last));
-        last = Clock::now();
-    });
-    beat.start(1);
-    const Clock::time_point begun = last;
-    if (ide.bench.document().open(path)) qFatal("the large scene cannot be opened");
-    const auto isThere = [&ide] {
+    const auto isOnScreen = [&ide] {
         const SharedBuild shown = ide.bench.preview().shown();
-        return shown && shown->build.pipeline->scene().bodies.size() > 200000;
+        return ide.current() && shown->build.pipeline->scene().bodies.size() >= declarations;
     };
-    waitFor(isThere);
-    tell("200,000 declarations on screen", {millisecondsSince(begun)});
-    const std::int64_t drawn = ide.viewport.framesRendered();
-    waitFor([&] { return ide.viewport.framesRendered() > drawn + 1; });
-    beat.stop();
-    std::sort(silences.begin(), silences.end());
-    tell("    without an answer, the ten longest times",
-         {silences.end() - std::min<std::ptrdiff_t>(10, std::ssize(silences)), silences.end()});
+    const auto settle = [&ide] {
+        const std::int64_t drawn = ide.viewport.framesRendered();
+        waitFor([&] { return ide.viewport.framesRendered() > drawn + 1; });
+    };
+    Silences silences;
+    const Stopwatch begun;
+    if (ide.bench.document().open(path)) qFatal("the large scene cannot be opened");
+    silences.tell("opening the text, 200,000 declarations: its ten longest silences");
+    waitFor(isOnScreen);
+    tell("200,000 declarations on screen", {begun.elapsed()});
+    settle();
+    silences.tell("building and showing them: the ten longest silences");
+
+    ide.editor.send(QsciScintillaBase::SCI_GOTOPOS, 0);
+    ide.editor.setFocus();
+    Screen screen;
+    screen.watch(*ide.editor.viewport());
+    const Stopwatch pressed;
+    QTest::keyClick(&ide.editor, Qt::Key_NumberSign); // the first line is a comment now
+    waitFor([&] { return screen.hasShown(); });
+    tell("key to screen in 200,000 declarations", {pressed.elapsed()});
+    waitFor(isOnScreen);
+    settle();
+    silences.tell("after it, until its scene is shown: the ten longest silences");
+
+    screen.forget();
+    const Stopwatch gone;
+    ide.editor.send(QsciScintillaBase::SCI_DOCUMENTEND);
+    waitFor([&] { return screen.hasShown(); });
+    tell("to the end of 200,000 declarations", {gone.elapsed()});
+    silences.tell("    its ten longest silences");
 }
 
 /// The program from its first instruction to its end after one picture: the window is there, has drawn the

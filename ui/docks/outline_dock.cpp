@@ -10,6 +10,8 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace carom {
 
 OutlineDock::OutlineDock(const Theme& theme, QWidget* parent)
@@ -27,7 +29,7 @@ OutlineDock::OutlineDock(const Theme& theme, QWidget* parent)
     m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionResizeMode(OutlineModel::Name, QHeaderView::Stretch);
     for (const int column : {OutlineModel::Type, OutlineModel::Line})
-        m_view->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+        m_view->header()->setSectionResizeMode(column, QHeaderView::Fixed);
     m_filter->setObjectName(QStringLiteral("outlineFilter"));
     m_filter->setPlaceholderText(tr("Find a declaration"));
     m_filter->setAccessibleName(tr("Find a declaration"));
@@ -61,7 +63,18 @@ OutlineDock::OutlineDock(const Theme& theme, QWidget* parent)
 void OutlineDock::show(const SharedBuild& result) {
     m_model->show(result);
     m_state->setEmpty(m_model->rowCount() == 0);
+    fitColumns();
     markRow();
+}
+
+/// To what is longest in them. The view itself would measure a thousand rows, and not the last ones.
+void OutlineDock::fitColumns() {
+    constexpr int margins = 14; // [px]
+    for (const int column : {OutlineModel::Type, OutlineModel::Line}) {
+        const QHeaderView& header = *m_view->header();
+        const int width = m_view->fontMetrics().horizontalAdvance(m_model->longestText(column)) + margins;
+        m_view->header()->resizeSection(column, std::max(width, header.sectionSizeHint(column)));
+    }
 }
 
 void OutlineDock::setTheme(const Theme& theme) { m_model->setTheme(theme); }

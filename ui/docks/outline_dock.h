@@ -31,6 +31,7 @@ class OutlineDock : public QDockWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void fitColumns();
     void markRow();
 
     OutlineModel* m_model;

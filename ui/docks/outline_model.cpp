@@ -29,7 +29,6 @@ OutlineModel::OutlineModel(const Theme& theme, QObject* parent) : QAbstractTable
 void OutlineModel::show(const SharedBuild& result) {
     beginResetModel();
     m_result = result;
-    m_entries = outlineOf(result->build.analysis);
     endResetModel();
 }
 
@@ -40,21 +39,33 @@ void OutlineModel::setTheme(const Theme& theme) {
 }
 
 int OutlineModel::rowAt(std::uint32_t offset) const {
-    const auto behind = std::upper_bound(
-        m_entries.begin(), m_entries.end(), offset,
-        [](std::uint32_t place, const OutlineEntry& entry) { return place < entry.range.offset; });
-    if (behind == m_entries.begin() || offset > std::prev(behind)->range.end()) return -1;
-    return static_cast<int>(behind - m_entries.begin()) - 1;
+    const std::vector<OutlineEntry>& all = entries();
+    const auto behind =
+        std::upper_bound(all.begin(), all.end(), offset, [](std::uint32_t place, const OutlineEntry& entry) {
+            return place < entry.range.offset;
+        });
+    if (behind == all.begin() || offset > std::prev(behind)->range.end()) return -1;
+    return static_cast<int>(behind - all.begin()) - 1;
+}
+
+QString OutlineModel::longestText(int column) const {
+    const std::vector<OutlineEntry>& all = entries();
+    if (all.empty()) return {};
+    if (column == Line) return text(all.back(), Line).toString();
+    const auto letters = [column](const OutlineEntry& entry) {
+        return (column == Type ? entry.type : entry.label).size();
+    };
+    return text(*std::ranges::max_element(all, {}, letters), column).toString();
 }
 
 int OutlineModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
+    return parent.isValid() ? 0 : static_cast<int>(entries().size());
 }
 
 int OutlineModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
 QVariant OutlineModel::data(const QModelIndex& index, int role) const {
-    const OutlineEntry& entry = m_entries[static_cast<std::size_t>(index.row())];
+    const OutlineEntry& entry = entries()[static_cast<std::size_t>(index.row())];
     switch (role) {
     case Qt::DisplayRole:
         return text(entry, index.column());
@@ -72,6 +83,11 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     default:
         return {};
     }
+}
+
+const std::vector<OutlineEntry>& OutlineModel::entries() const {
+    static const std::vector<OutlineEntry> none;
+    return m_result ? m_result->outline : none;
 }
 
 /// The label, else the name messages give the body.

@@ -23,7 +23,9 @@ class OutlineModel : public QAbstractTableModel {
 
     void show(const SharedBuild& result);
     void setTheme(const Theme& theme);
-    SourceRange rangeAt(int row) const { return m_entries[static_cast<std::size_t>(row)].name; }
+    SourceRange rangeAt(int row) const { return entries()[static_cast<std::size_t>(row)].name; }
+    /// Of a column, by the number of its letters.
+    QString longestText(int column) const;
     /// The row whose declaration holds the place, or -1.
     int rowAt(std::uint32_t offset) const;
 
@@ -33,12 +35,12 @@ class OutlineModel : public QAbstractTableModel {
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
+    const std::vector<OutlineEntry>& entries() const;
     QString nameOf(const OutlineEntry& entry) const;
     QVariant text(const OutlineEntry& entry, int column) const;
     QVariant swatch(const OutlineEntry& entry) const;
 
-    SharedBuild m_result; ///< the entries point into its text
-    std::vector<OutlineEntry> m_entries;
+    SharedBuild m_result;
     QColor m_broken, m_muted;
 };
 

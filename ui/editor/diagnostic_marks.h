@@ -38,6 +38,7 @@ class DiagnosticMarks : public QObject {
     SceneEditor& m_editor;
     SharedBuild m_result;
     bool m_inline = true;
+    bool m_annotated = false; ///< messages stand in the text
 };
 
 } // namespace carom

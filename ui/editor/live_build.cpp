@@ -1,24 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/live_build.h"
 
-#include "core/base/clock.h"
+#include "core/base/hash.h"
 
 #include <QMetaObject>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace carom {
 namespace {
 
 constexpr int idleTime = 150;                 // [ms] without a keystroke
+constexpr int lookInterval = 100;             // [ms] between two looks at how far a build is
 constexpr qsizetype builtAtOnce = 256 * 1024; // [bytes]; at 30 MB/s this takes less than 10 ms
 
-SharedBuild buildRevision(const QByteArray& text, std::int64_t revision, bool fresh, int threads) {
+/// What is built of which text.
+struct Request {
+    QByteArray text;
+    std::int64_t revision = 0;
+    bool fresh = false;
+    int threads = 0;
+};
+
+std::uint64_t meaningOf(const Analysis& analysis) {
+    Hash64 hash;
+    for (const Token& token : analysis.tokens)
+        if (token.kind != TokenKind::Comment)
+            hash.add(std::uint64_t{std::hash<std::string_view>()(textOf(analysis.text, token.range))});
+    return hash.value();
+}
+
+/// Freeing 200,000 bodies takes a while, and whoever lets go of them last is mostly the GUI's thread.
+void release(BuildResult* result) {
+    if (result->build.analysis.text.size() <= builtAtOnce)
+        delete result;
+    else
+        QThreadPool::globalInstance()->start([result] { delete result; });
+}
+
+/// Null where `goOn` ended it.
+SharedBuild buildOf(const Request& request, const GoOn& goOn) {
     const Stopwatch watch;
-    std::shared_ptr<BuildResult> result = std::make_shared<BuildResult>();
-    result->revision = revision;
-    result->fresh = fresh;
     SimulationSettings settings;
-    if (threads > 0) settings.threads = threads;
-    result->build = build(text.toStdString(), settings);
+    if (request.threads > 0) settings.threads = request.threads;
+    std::optional<Build> built = buildWhile(goOn, request.text.toStdString(), settings);
+    if (!built) return nullptr;
+    const std::shared_ptr<BuildResult> result(new BuildResult, release);
+    result->revision = request.revision;
+    result->fresh = request.fresh;
+    result->build = std::move(*built);
+    result->outline = outlineOf(result->build.analysis);
+    result->meaning = meaningOf(result->build.analysis);
     result->milliseconds = watch.elapsed();
     return result;
 }
@@ -29,13 +63,18 @@ LiveBuild::LiveBuild(std::function<QByteArray()> text, QObject* parent)
     : QObject(parent), m_text(std::move(text)) {
     m_idle.setSingleShot(true);
     connect(&m_idle, &QTimer::timeout, this, &LiveBuild::start);
+    connect(&m_look, &QTimer::timeout, this, &LiveBuild::tell);
     m_worker.setMaxThreadCount(1);
 }
 
-LiveBuild::~LiveBuild() { m_worker.waitForDone(); }
+LiveBuild::~LiveBuild() {
+    if (m_work) m_work->wanted = false;
+    m_worker.waitForDone();
+}
 
 void LiveBuild::textEdited(std::int64_t revision) {
     m_revision = revision;
+    stop();
     m_idle.start(idleTime);
 }
 
@@ -50,23 +89,56 @@ void LiveBuild::textReplaced(std::int64_t revision) {
     start();
 }
 
+void LiveBuild::cancel() {
+    if (!m_work) return;
+    stop();
+    Q_EMIT cancelled();
+}
+
 void LiveBuild::start() {
-    const QByteArray text = m_text();
-    const std::int64_t revision = m_revision;
-    const bool fresh = m_fresh;
-    if (text.size() <= builtAtOnce) {
-        deliver(buildRevision(text, revision, fresh, m_threads));
+    stop();
+    const Request request{m_text(), m_revision, m_fresh, m_threads};
+    if (request.text.size() <= builtAtOnce) {
+        deliver(buildOf(request, [](double) { return true; }));
         return;
     }
-    m_worker.start([this, text, revision, fresh, threads = m_threads] {
-        SharedBuild result = buildRevision(text, revision, fresh, threads);
+    m_work = std::make_shared<Work>();
+    m_since.lap();
+    m_look.start(std::min(m_patience, lookInterval));
+    m_worker.start([this, request, work = m_work] {
+        SharedBuild result = buildOf(request, [&work](double done) {
+            work->done = done;
+            return work->wanted.load();
+        });
         QMetaObject::invokeMethod(
-            this, [this, result] { deliver(result); }, Qt::QueuedConnection);
+            this,
+            [this, work, result] {
+                if (work != m_work) return; // overtaken or cancelled
+                stop();
+                deliver(result);
+            },
+            Qt::QueuedConnection);
     });
 }
 
+void LiveBuild::tell() {
+    const double elapsed = m_since.elapsed();
+    const double done = m_work->done;
+    if (elapsed < m_patience || done <= 0) return;
+    constexpr double milliseconds = 1e-3; // [s]
+    Q_EMIT progressed(done, milliseconds * elapsed * (1 - done) / done);
+}
+
+/// Lets go of the build under way, which ends as soon as it asks, within milliseconds.
+void LiveBuild::stop() {
+    if (!m_work) return;
+    m_work->wanted = false;
+    m_work.reset();
+    m_look.stop();
+    Q_EMIT ended();
+}
+
 void LiveBuild::deliver(SharedBuild result) {
-    if (result->revision != m_revision) return;
     m_fresh = false;
     m_latest = std::move(result);
     Q_EMIT built(m_latest);

@@ -78,8 +78,8 @@ class Viewport : public QWidget {
 
     /// The scene as it is looked at now, without what is marked in it, to be drawn elsewhere.
     PictureJob view(const QSize& pixels) const;
-    /// The view as a picture of any size [px], with what the overlays draw. Null where OpenGL does not work or
-    /// the size is too much for it.
+    /// The view as a picture of any size [px], with what the overlays draw. Null where OpenGL does not work
+    /// or the size is too much for it.
     QImage picture(const QSize& size);
 
     /// What belongs on the screen now, drawn anew and waited for; in device pixels.

@@ -123,7 +123,7 @@ void addFront(const AccuracyStudy& study, ChartSpec& chart) {
                       .x = {},
                       .y = {},
                       .style = SeriesStyle::Line,
-                      .colour = QColor(0x90, 0x90, 0x90),
+                      .colour = QColor(0x60, 0x60, 0x60),
                       .dashed = true,
                       .inOrder = true};
     for (const AccuracyPoint* point : paretoFront(study)) {

@@ -202,7 +202,8 @@ void TimingStrip::paintEvent(QPaintEvent*) {
     paintLines(painter);
     if (m_samples.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignCenter, tr("Run the simulation to see the time of every frame"));
+        painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom,
+                         tr("Run the simulation to see the time of every frame"));
     }
     if (hasFocus()) {
         painter.setPen(palette().color(QPalette::Highlight));

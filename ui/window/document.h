@@ -72,7 +72,7 @@ class Document : public QObject {
     TextBuffer& m_buffer;
     QString m_path;
     std::int64_t m_revision = 0;
-    QByteArray m_onDisk; ///< hash of what we last read or wrote
+    std::uint64_t m_onDisk = 0; ///< hash of what we last read or wrote
     QFileSystemWatcher m_watcher;
 };
 

@@ -16,18 +16,6 @@ int errorCount(const SharedBuild& result) {
         all.begin(), all.end(), [](const Diagnostic& d) { return d.severity() == Severity::Error; }));
 }
 
-/// Whether two texts differ in comments and white space at most.
-bool sayTheSame(const Analysis& a, const Analysis& b) {
-    const auto isComment = [](const Token& token) { return token.kind == TokenKind::Comment; };
-    std::size_t i = 0, k = 0;
-    for (;; ++i, ++k) {
-        while (i < a.tokens.size() && isComment(a.tokens[i])) ++i;
-        while (k < b.tokens.size() && isComment(b.tokens[k])) ++k;
-        if (i == a.tokens.size() || k == b.tokens.size()) return i == a.tokens.size() && k == b.tokens.size();
-        if (textOf(a.text, a.tokens[i].range) != textOf(b.text, b.tokens[k].range)) return false;
-    }
-}
-
 } // namespace
 
 LivePreview::LivePreview(Simulation& simulation, Viewport& viewport, QObject* parent)
@@ -46,7 +34,7 @@ void LivePreview::take(const SharedBuild& result) {
     }
     m_viewport.setDimmed(false, {});
     const SharedBuild& newest = m_coming ? m_coming : m_shown;
-    if (!result->fresh && newest && sayTheSame(newest->build.analysis, result->build.analysis)) {
+    if (!result->fresh && newest && newest->meaning == result->meaning) {
         if (!m_coming) Q_EMIT noticeChanged({});
         return;
     }
@@ -61,6 +49,12 @@ void LivePreview::take(const SharedBuild& result) {
     m_coming = result;
     Q_EMIT noticeChanged(tr("Simulating the changed scene to %1 s…").arg(m_simulation.time(), 0, 'f', 3));
     m_simulation.exchange(result->build.pipeline);
+}
+
+void LivePreview::noteCancelled() {
+    const QString badge = tr("Building was cancelled: this is the scene before it");
+    m_viewport.setDimmed(true, badge);
+    Q_EMIT noticeChanged(badge);
 }
 
 void LivePreview::reset() {

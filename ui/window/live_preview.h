@@ -20,6 +20,8 @@ class LivePreview : public QObject {
     LivePreview(Simulation& simulation, Viewport& viewport, QObject* parent);
 
     void take(const SharedBuild& result);
+    /// The newest text is not built: what is on screen is older.
+    void noteCancelled();
     /// Back to frame 0, with the newest scene.
     void reset();
 

@@ -15,6 +15,7 @@
 #include "ui/editor/find_bar.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/progress_strip.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/actions.h"
@@ -53,7 +54,9 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
       m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
       m_accuracy(new AccuracyDock), m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)),
       m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
-      m_output(new OutputDock), m_stability(new StabilityDock(theme)), m_caret(new QLabel) {
+      m_output(new OutputDock), m_stability(new StabilityDock(theme)),
+      m_buildProgress(new ProgressStrip(tr("Building"), (*m_actions)[ActionId::CancelBuild])),
+      m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -69,6 +72,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     addWorkspaceButtons(*toolbar);
     m_caret->setProperty("role", QStringLiteral("muted"));
     m_caret->setContentsMargins(0, 0, 8, 0);
+    statusBar()->addPermanentWidget(m_buildProgress);
     statusBar()->addPermanentWidget(m_caret);
     statusBar()->setSizeGripEnabled(false);
     releaseKeys();

@@ -23,6 +23,7 @@ class OutlineDock;
 class InspectorDock;
 class OutputDock;
 class PlotsDock;
+class ProgressStrip;
 class ProblemsDock;
 class SceneEditor;
 class Settings;
@@ -64,6 +65,8 @@ class MainWindow : public QMainWindow {
     PlotsDock& plots() const { return *m_plots; }
     OutputDock& output() const { return *m_output; }
     StabilityDock& stability() const { return *m_stability; }
+    /// Of a build that takes its time.
+    ProgressStrip& buildProgress() const { return *m_buildProgress; }
 
     void setTheme(const Theme& theme);
     /// Takes up the actions' keys anew: the editor gives up its own use of them.
@@ -110,6 +113,7 @@ class MainWindow : public QMainWindow {
     StabilityDock* m_stability;
     QSplitter* m_splitter = nullptr;
     Workspaces* m_workspaces = nullptr;
+    ProgressStrip* m_buildProgress;
     QLabel* m_caret;
     std::function<bool()> m_mayClose;
 };

@@ -17,6 +17,7 @@
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/progress_strip.h"
 #include "ui/widgets/resources.h"
 #include "ui/window/actions.h"
 #include "ui/window/body_drag.h"
@@ -60,6 +61,7 @@ Workbench::Workbench()
     new BodyDrag(m_window->editor(), m_window->viewport(), *m_simulation, *m_builds, *m_preview);
     m_pictures = new PictureCommands(*m_window, *m_simulation, *m_builds, *m_preview);
     connectText();
+    connectProgress();
     connectAccuracy();
     connectReports();
     connectTheme();
@@ -131,6 +133,19 @@ void Workbench::connectText() {
     connect(&m_window->effects(), &EffectsDock::placeActivated, &editor, goTo);
     connect(&m_window->outline(), &OutlineDock::placeActivated, &editor, goTo);
     connect(&editor, &SceneEditor::caretMoved, &m_window->outline(), &OutlineDock::followCaret);
+}
+
+/// Of builds that take their time.
+void Workbench::connectProgress() {
+    ProgressStrip& strip = m_window->buildProgress();
+    QAction& cancel = m_window->actions()[ActionId::CancelBuild];
+    cancel.setEnabled(false);
+    connect(m_builds.get(), &LiveBuild::progressed, &strip, &ProgressStrip::showProgress);
+    connect(m_builds.get(), &LiveBuild::progressed, &cancel, [&cancel] { cancel.setEnabled(true); });
+    connect(m_builds.get(), &LiveBuild::ended, &strip, &QWidget::hide);
+    connect(m_builds.get(), &LiveBuild::ended, &cancel, [&cancel] { cancel.setEnabled(false); });
+    connect(m_builds.get(), &LiveBuild::cancelled, m_preview, &LivePreview::noteCancelled);
+    connect(&cancel, &QAction::triggered, m_builds.get(), &LiveBuild::cancel);
 }
 
 void Workbench::connectAccuracy() {

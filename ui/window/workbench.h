@@ -34,7 +34,7 @@ class Workbench : public QObject {
 
     MainWindow& window() const { return *m_window; }
     Document& document() const { return *m_document; }
-    const LiveBuild& builds() const { return *m_builds; }
+    LiveBuild& builds() const { return *m_builds; }
     Simulation& simulation() const { return *m_simulation; }
     FrameLog& frames() const { return *m_frames; }
     FileCommands& files() const { return *m_files; }
@@ -53,6 +53,7 @@ class Workbench : public QObject {
 
   private:
     void connectText();
+    void connectProgress();
     void connectAccuracy();
     void connectReports();
     void showBuild(const SharedBuild& result);
