@@ -71,6 +71,7 @@ void spaceOut(QTextDocument& document) {
     constexpr double lineHeight = 130;                        // [%]
     constexpr double above = 22, aboveLesser = 16, below = 6; // [px] of a heading
     QTextCursor cursor(&document);
+    cursor.beginEditBlock(); // laid out once, not at every line
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         if (format.headingLevel() > 0) {
@@ -82,6 +83,20 @@ void spaceOut(QTextDocument& document) {
         cursor.setPosition(block.position());
         cursor.setBlockFormat(format);
     }
+    cursor.endEditBlock();
+}
+
+/// The import begins a table's first cell with an empty line, and forgets that it is a heading.
+void straightenHead(const QTextTable& table) {
+    const QTextTableCell first = table.cellAt(0, 0);
+    QTextCursor cursor = first.firstCursorPosition();
+    if (cursor.block().text().isEmpty() && cursor.block() != first.lastCursorPosition().block())
+        cursor.deleteChar();
+    cursor = first.firstCursorPosition();
+    cursor.setPosition(first.lastCursorPosition().position(), QTextCursor::KeepAnchor);
+    QTextCharFormat bold;
+    bold.setFontWeight(QFont::Bold);
+    cursor.mergeCharFormat(bold);
 }
 
 /// Text and tables need more air than the import gives them.
@@ -92,7 +107,9 @@ void layOut(QTextDocument& document) {
         QTextTable* table = qobject_cast<QTextTable*>(frame);
         if (table == nullptr) continue;
         QTextTableFormat format = table->format();
+        straightenHead(*table);
         format.setCellPadding(5);
+        format.setWidth(QTextLength(QTextLength::PercentageLength, 99)); // the frame stands outside of it
         format.setBorder(1);
         format.setBorderCollapse(true);
         format.setBorderBrush(document.defaultTextOption().flags() ? QBrush() : QBrush(Qt::gray));

@@ -25,12 +25,14 @@
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextTable>
 #include <QTreeWidget>
 
 #include <utility>
@@ -268,6 +270,13 @@ class ShellTest : public QObject {
         placeCaretBehind(ide.editor, "wal");
         ide.trigger(ActionId::Manual);
         QCOMPARE(text->textCursor().selectedText(), QStringLiteral("wall"));
+        QTRY_COMPARE_WITH_TIMEOUT(text->horizontalScrollBar()->maximum(), 0, patience); // the page fits
+        int tables = 0;
+        for (const QTextFrame* frame : text->document()->rootFrame()->childFrames())
+            if (const QTextTable* table = qobject_cast<const QTextTable*>(frame);
+                table != nullptr && ++tables)
+                QVERIFY(!table->cellAt(0, 0).firstCursorPosition().block().text().isEmpty());
+        QVERIFY(tables > 5);
     }
 
     void theManualNamesEveryActionAndItsKeys() {
