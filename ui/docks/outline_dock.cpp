@@ -70,11 +70,15 @@ void OutlineDock::show(const SharedBuild& result) {
 /// To what is longest in them. The view itself would measure a thousand rows, and not the last ones.
 void OutlineDock::fitColumns() {
     constexpr int margins = 14; // [px]
-    for (const int column : {OutlineModel::Type, OutlineModel::Line}) {
-        const QHeaderView& header = *m_view->header();
-        const int width = m_view->fontMetrics().horizontalAdvance(m_model->longestText(column)) + margins;
-        m_view->header()->resizeSection(column, std::max(width, header.sectionSizeHint(column)));
-    }
+    const auto fit = [this](int column, const QStringList& texts) {
+        int width = m_view->header()->sectionSizeHint(column);
+        for (const QString& text : texts)
+            width = std::max(width, m_view->fontMetrics().horizontalAdvance(text) + margins);
+        m_view->header()->resizeSection(column, width);
+    };
+    const int last = m_model->rowCount() - 1;
+    fit(OutlineModel::Type, m_model->typesWritten());
+    if (last >= 0) fit(OutlineModel::Line, {m_model->index(last, OutlineModel::Line).data().toString()});
 }
 
 void OutlineDock::setTheme(const Theme& theme) { m_model->setTheme(theme); }

@@ -13,7 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr int swatchSize = 12; // [px]
+constexpr int swatchSize = 12;         // [px]
+constexpr std::size_t mostTypes = 100; // more than there are: every other one is a mistake
 
 /// Numbers end below each other.
 QVariant alignmentOf(int column) {
@@ -48,14 +49,15 @@ int OutlineModel::rowAt(std::uint32_t offset) const {
     return static_cast<int>(behind - all.begin()) - 1;
 }
 
-QString OutlineModel::longestText(int column) const {
-    const std::vector<OutlineEntry>& all = entries();
-    if (all.empty()) return {};
-    if (column == Line) return text(all.back(), Line).toString();
-    const auto letters = [column](const OutlineEntry& entry) {
-        return (column == Type ? entry.type : entry.label).size();
-    };
-    return text(*std::ranges::max_element(all, {}, letters), column).toString();
+QStringList OutlineModel::typesWritten() const {
+    std::vector<std::string_view> types;
+    for (const OutlineEntry& entry : entries()) {
+        if (types.size() == mostTypes) break;
+        if (std::find(types.rbegin(), types.rend(), entry.type) == types.rend()) types.push_back(entry.type);
+    }
+    QStringList texts;
+    for (const std::string_view type : types) texts.append(textOf(type));
+    return texts;
 }
 
 int OutlineModel::rowCount(const QModelIndex& parent) const {

@@ -24,8 +24,8 @@ class OutlineModel : public QAbstractTableModel {
     void show(const SharedBuild& result);
     void setTheme(const Theme& theme);
     SourceRange rangeAt(int row) const { return entries()[static_cast<std::size_t>(row)].name; }
-    /// Of a column, by the number of its letters.
-    QString longestText(int column) const;
+    /// Each once.
+    QStringList typesWritten() const;
     /// The row whose declaration holds the place, or -1.
     int rowAt(std::uint32_t offset) const;
 
