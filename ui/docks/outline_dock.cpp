@@ -69,7 +69,7 @@ void OutlineDock::show(const SharedBuild& result) {
 
 /// To what is longest in them. The view itself would measure a thousand rows, and not the last ones.
 void OutlineDock::fitColumns() {
-    constexpr int margins = 14; // [px]
+    constexpr int margins = 24; // [px], with what the theme adds
     const auto fit = [this](int column, const QStringList& texts) {
         int width = m_view->header()->sectionSizeHint(column);
         for (const QString& text : texts)
