@@ -10,19 +10,20 @@ fail() {
     exit 1
 }
 
-# The packages of packaging/packages that this machine lacks, one a line.
+# missing_packages PRESET: the packages of packaging/packages that this machine lacks for it, one a line.
 missing_packages() {
     local wanted installed
-    wanted=$(sed 's/#.*//; s/[[:space:]]//g; /^$/d' "$top/packaging/packages" | sort -u)
+    wanted=$(sed 's/#.*//' "$top/packaging/packages" | awk -v preset="$1" 'NF == 1 || $2 == preset {print $1}' | sort -u)
     installed=$(dpkg-query -W -f '${binary:Package} ${db:Status-Status}\n' 2>/dev/null |
         sed -n 's/^\([^: ]*\)[^ ]* installed$/\1/p' | sort -u)
     comm -23 <(printf '%s\n' "$wanted") <(printf '%s\n' "$installed")
 }
 
+# install_missing [PRESET]
 install_missing() {
     command -v dpkg-query >/dev/null || fail "this needs Debian 12 (dpkg-query was not found)"
     local missing
-    missing=$(missing_packages)
+    missing=$(missing_packages "${1:-release}")
     [ -n "$missing" ] || return 0
     say "installing: $(printf '%s' "$missing" | tr '\n' ' ')"
     local as_root=()

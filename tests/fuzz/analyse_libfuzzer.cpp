@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-// The entry point libFuzzer calls. Dictionary and corpus are not needed to begin: the scenes of the
-// repository serve as seeds (`analyse_libfuzzer CORPUS scenes/gallery`).
+// The entry point libFuzzer calls. The scenes of the repository serve as seeds (`packaging/test fuzz`).
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string broken = carom::test::brokenProperty({reinterpret_cast<const char*>(data), size});
