@@ -1880,12 +1880,12 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
 <context>
     <name>carom::LivePreview</name>
     <message>
-        <source>1 error: the last scene without is shown</source>
-        <translation>1 Fehler: die letzte Szene ohne wird gezeigt</translation>
+        <source>1 error: the last scene without errors is shown</source>
+        <translation>1 Fehler: die letzte fehlerfreie Szene wird gezeigt</translation>
     </message>
     <message>
-        <source>%1 errors: the last scene without is shown</source>
-        <translation>%1 Fehler: die letzte Szene ohne wird gezeigt</translation>
+        <source>%1 errors: the last scene without errors is shown</source>
+        <translation>%1 Fehler: die letzte fehlerfreie Szene wird gezeigt</translation>
     </message>
     <message>
         <source>1 error: the declaration it is in is left out</source>

@@ -4,6 +4,14 @@
 #include "ui/widgets/text_of.h"
 
 namespace carom {
+namespace {
+
+QVariant alignmentOf(int column) {
+    const bool figures = column == ProblemsModel::Line || column == ProblemsModel::Column;
+    return figures ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+}
+
+} // namespace
 
 ProblemsModel::ProblemsModel(const Theme& theme, QObject* parent) : QAbstractTableModel(parent) {
     setTheme(theme);
@@ -45,6 +53,8 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
         return sortKey(diagnostic, index.column());
     case Qt::DecorationRole:
         return index.column() == Message ? QVariant(iconOf(diagnostic.severity())) : QVariant();
+    case Qt::TextAlignmentRole:
+        return alignmentOf(index.column());
     default:
         return {};
     }
@@ -72,6 +82,7 @@ QVariant ProblemsModel::sortKey(const Diagnostic& diagnostic, int column) const 
 }
 
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) return alignmentOf(section);
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
     case Message:

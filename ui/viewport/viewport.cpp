@@ -42,9 +42,7 @@ Viewport::Viewport(QWidget* parent)
     setMinimumSize(120, 90);
     setAccessibleName(tr("Viewport"));
     m_badge->setObjectName(QStringLiteral("viewportBadge"));
-    m_badge->setStyleSheet(
-        QStringLiteral("background: rgba(170, 60, 30, 220); color: white; padding: 5px 10px;"
-                       "border-radius: 4px;"));
+    m_badge->setProperty("role", QStringLiteral("badge"));
     m_badge->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_badge->hide();
     m_rest.setSingleShot(true);

@@ -26,8 +26,9 @@ LivePreview::LivePreview(Simulation& simulation, Viewport& viewport, QObject* pa
 void LivePreview::take(const SharedBuild& result) {
     const int errors = errorCount(result);
     if (errors > 0 && !result->fresh) {
-        const QString badge = errors == 1 ? tr("1 error: the last scene without is shown")
-                                          : tr("%1 errors: the last scene without is shown").arg(errors);
+        const QString badge = errors == 1
+                                  ? tr("1 error: the last scene without errors is shown")
+                                  : tr("%1 errors: the last scene without errors is shown").arg(errors);
         m_viewport.setDimmed(true, badge);
         Q_EMIT noticeChanged(badge);
         return;

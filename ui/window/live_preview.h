@@ -12,8 +12,8 @@ class Viewport;
 
 /// Decides which build is on screen and in motion. At frame 0 an edit shows its scene at once; later in a run
 /// the new scene is simulated to the time on screen and takes the place of the old one there, which stays as
-/// a ghost. While the text has errors the last scene without stays, dimmed; a file that is opened with errors
-/// shows what could be built. An edit that means the same, such as a comment, changes nothing.
+/// a ghost. While the text has errors the last scene without errors stays, dimmed; a file that is opened with
+/// errors shows what could be built. An edit that means the same, such as a comment, changes nothing.
 class LivePreview : public QObject {
     Q_OBJECT
   public:

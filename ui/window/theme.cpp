@@ -133,6 +133,7 @@ QScrollBar::handle:hover { background: @disabledText; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QFrame[role="popup"] { background: @panel; border: 1px solid @accent; border-radius: 5px; }
+QLabel[role="badge"] { background: @error; color: @accentText; padding: 5px 10px; border-radius: 4px; }
 *[role="muted"] { color: @mutedText; }
 *[role="error"] { color: @error; }
 )";

@@ -68,7 +68,7 @@ class ThemeTest : public QObject {
         holds({t.error, t.warning, t.hint, t.good, t.accent, t.mutedText}, panels, readable);
         holds({t.text}, panels, readable);
         holds({t.text}, {t.button, t.hover, t.selection}, readable);
-        holds({t.accentText}, {t.accent}, readable);
+        holds({t.accentText}, {t.accent, t.error}, readable);
         holds({t.lineNumber, t.fold}, {t.editor, t.currentLine}, visible);
         holds({t.disabledText}, panels, visible);
     }
