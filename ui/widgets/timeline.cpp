@@ -180,7 +180,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     small.setPointSizeF(small.pointSizeF() * 0.8);
     painter.setFont(small);
     painter.setPen(m_theme.mutedText);
-    const QRectF below(margin - 4, lineY + 6, width() - 2 * margin + 8, height() - lineY - 6);
+    const QRectF below(margin - 4, lineY + 8, width() - 2 * margin + 8, height() - lineY - 8);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, tr("0 s"));
     painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
                      tr("%1 s").arg(static_cast<double>(end()) * m_step, 0, 'g', 4));

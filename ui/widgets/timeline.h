@@ -45,8 +45,8 @@ class Timeline : public ScrubStrip {
     double xOf(std::int64_t frame) const; ///< [px]
     std::int64_t frameAt(double x) const;
 
-    QSize sizeHint() const override { return {600, 34}; }
-    QSize minimumSizeHint() const override { return {160, 34}; }
+    QSize sizeHint() const override { return {600, 38}; }
+    QSize minimumSizeHint() const override { return {160, 38}; }
 
   Q_SIGNALS:
     void seeked(std::int64_t frame);
