@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/export_menu.h"
 
+#include "ui/widgets/save_dialog.h"
+
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -33,11 +34,8 @@ ExportMenu::ExportMenu(QWidget* parent) : QToolButton(parent) {
 QAction& ExportMenu::addEntry(const QString& text) { return *menu()->addAction(text); }
 
 QString askForExportPath(QWidget* parent, const QString& name, const QString& ending) {
-    QString path =
-        QFileDialog::getSaveFileName(parent, ExportTexts::tr("Export"), name + u'.' + ending,
-                                     ExportTexts::tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
-    if (!path.isEmpty() && QFileInfo(path).suffix().isEmpty()) path += u'.' + ending;
-    return path;
+    return askWhereToSave(parent, ExportTexts::tr("Export"), name + u'.' + ending,
+                          ExportTexts::tr("%1 files (*.%2)").arg(ending.toUpper(), ending));
 }
 
 bool isCsv(const QString& path) {

@@ -2,6 +2,7 @@
 #include "ui/window/file_commands.h"
 
 #include "ui/editor/scene_editor.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/window/actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/new_scene_dialog.h"
@@ -45,6 +46,9 @@ FileCommands::FileCommands(Document& document, MainWindow& window, Settings& set
     fillRecent();
 
     connect(&document, &Document::pathChanged, this, &FileCommands::updateTitle);
+    connect(&document, &Document::pathChanged, this, [this] {
+        if (!m_document.path().isEmpty()) rememberFolderOf(m_document.path());
+    });
     connect(&document, &Document::changedOutside, this, &FileCommands::reactToOutsideChange);
     connect(&window.editor(), &SceneEditor::savedStateChanged, this, &FileCommands::updateTitle);
     const auto openDropped = [this](const QString& path) { open(path); };
@@ -149,8 +153,8 @@ void FileCommands::reactToOutsideChange() {
 }
 
 void FileCommands::savePicture() {
-    const QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the window as a picture"),
-                                                      QStringLiteral("carom.png"), tr("Pictures (*.png)"));
+    const QString path = askWhereToSave(&m_window, tr("Save the window as a picture"),
+                                        QStringLiteral("carom.png"), tr("Pictures (*.png)"));
     if (path.isEmpty()) return;
     const bool saved = m_window.grab().save(path, "PNG");
     finish(saved ? std::optional<QString>() : tr("“%1” cannot be written").arg(path),

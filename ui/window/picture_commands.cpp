@@ -6,6 +6,7 @@
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/film.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/save_dialog.h"
 #include "ui/window/actions.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
@@ -15,7 +16,6 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QImage>
 #include <QProgressDialog>
@@ -88,8 +88,8 @@ void PictureCommands::savePicture() {
     form.addRow(tr("Width"), width);
     form.addRow(tr("Height"), height);
     if (!accepted(dialog, form)) return;
-    const QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the view"),
-                                                      QStringLiteral("view.png"), tr("Pictures (*.png)"));
+    const QString path =
+        askWhereToSave(&m_window, tr("Save the view"), QStringLiteral("view.png"), tr("Pictures (*.png)"));
     if (path.isEmpty()) return;
     const bool saved = m_window.viewport().picture({width->value(), height->value()}).save(path, "PNG");
     Q_EMIT reported(saved ? tr("saved %1").arg(path) : tr("“%1” cannot be written").arg(path));
@@ -114,9 +114,9 @@ void PictureCommands::askForFilm() {
     form.addRow(tr("Rate"), rate);
     form.addRow(tr("Speed"), speed);
     if (!accepted(dialog, form)) return;
-    const QString path = QFileDialog::getSaveFileName(
-        &m_window, tr("Record a film"), QStringLiteral("run.gif"),
-        tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"));
+    const QString path =
+        askWhereToSave(&m_window, tr("Record a film"), QStringLiteral("run.gif"),
+                       tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"));
     if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
     const Viewport& viewport = m_window.viewport();

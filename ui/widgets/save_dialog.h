@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace carom {
+
+/// Asks where to write a file that is to be called `name`; `filters` are as QFileDialog has them, the usual
+/// one first. Begins where the user opened or wrote a file last. The path always has an ending, at need the
+/// chosen filter's; it is empty if the user changed their mind.
+QString askWhereToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters);
+
+/// The next question begins in the folder of this file.
+void rememberFolderOf(const QString& path);
+
+} // namespace carom
