@@ -6,6 +6,7 @@
 namespace carom {
 namespace {
 
+/// Of the cells: in the heads the arrow of the order stands at the right.
 QVariant alignmentOf(int column) {
     const bool figures = column == ProblemsModel::Line || column == ProblemsModel::Column;
     return figures ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
@@ -82,7 +83,6 @@ QVariant ProblemsModel::sortKey(const Diagnostic& diagnostic, int column) const 
 }
 
 QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole) return alignmentOf(section);
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
     case Message:

@@ -97,9 +97,6 @@ QTreeView::item:alternate, QListView::item:alternate { background: @alternate; }
 QTreeView::item:selected, QTableView::item:selected, QListView::item:selected { background: @selection; color: @text; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none; padding: 0 4px; }
-QHeaderView::up-arrow, QHeaderView::down-arrow { subcontrol-position: top center; width: 9px; height: 7px; }
-QHeaderView::up-arrow { image: url(:/icons/arrow_up.svg); }
-QHeaderView::down-arrow { image: url(:/icons/arrow_down.svg); }
 QHeaderView::section:horizontal { border-bottom: 1px solid @border; padding: 5px 4px; }
 QTableCornerButton::section { background: @panel; border: none; border-bottom: 1px solid @border; }
 QAbstractScrollArea::corner { background: transparent; border: none; }
