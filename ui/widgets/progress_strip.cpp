@@ -26,6 +26,7 @@ ProgressStrip::ProgressStrip(const QString& what, QAction& cancel, QWidget* pare
     m_bar->setAccessibleName(what);
     QToolButton* button = new QToolButton;
     button->setText(tr("Cancel"));
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
     button->setToolTip(cancel.toolTip());
     button->setAutoRaise(true);
     connect(button, &QToolButton::clicked, &cancel, &QAction::trigger);

@@ -44,6 +44,7 @@ constexpr QSize firstSize{1500, 940};        // [px] of a window nobody has resi
 constexpr const char* iconName = "iconName"; // property of a panel's action; `icon` is one of Qt's
 
 constexpr int bottomHeight = 230; // [px] of the docks below
+constexpr int statusRim = 12;     // [px] above and below the words of the status bar
 constexpr int rightWidth = 300;   // [px] of the docks at the right
 
 } // namespace
@@ -75,6 +76,8 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     statusBar()->addPermanentWidget(m_buildProgress);
     statusBar()->addPermanentWidget(m_caret);
     statusBar()->setSizeGripEnabled(false);
+    // Else it grows when it first asks what it may show one day, and the picture shrinks.
+    statusBar()->setFixedHeight(statusBar()->fontMetrics().height() + statusRim);
     releaseKeys();
     setTheme(theme);
 

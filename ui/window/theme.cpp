@@ -82,6 +82,7 @@ QToolButton[role="words"]:checked { background: @selection; }
 QToolButton:disabled { color: @disabledText; }
 QStatusBar { background: @window; border-top: 1px solid @border; color: @mutedText; }
 QStatusBar::item { border: none; }
+QStatusBar QToolButton { padding: 0 6px; }
 QDockWidget { titlebar-close-icon: none; titlebar-normal-icon: none; }
 QDockWidget::title { background: @window; padding: 6px 8px; border-bottom: 1px solid @border; text-align: left; }
 QTabBar { qproperty-drawBase: 0; background: @window; }

@@ -9,6 +9,7 @@
 #include <QProgressBar>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QToolButton>
 
 using namespace carom;
@@ -75,6 +76,24 @@ class LongWorkTest : public QObject {
         QVERIFY(!ide.strip.isVisible());
         QVERIFY(!ide.cancel.isEnabled());
         QCOMPARE(ide.bodiesShown(), std::size_t{balls});
+    }
+
+    // It once grew by six pixels when it first made room for the button, and the picture shrank by them.
+    void theStatusBarKeepsItsHeight() {
+        const Ide ide;
+        const QStatusBar& bar = *ide.bench.window().statusBar();
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const int height = bar.height();
+        QVERIFY2(bar.minimumSizeHint().height() <= height, qPrintable(QString::number(height)));
+        ProgressStrip& strip = ide.bench.window().buildProgress();
+        strip.showProgress(0.5, 3);
+        const QToolButton* cancel = strip.findChild<QToolButton*>();
+        QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible() && cancel->height() > 0, patience);
+        QCOMPARE(bar.height(), height);
+        QVERIFY2(
+            cancel->height() >= cancel->minimumSizeHint().height(), // nothing is cut off
+            qPrintable(
+                QStringLiteral("%1 of %2").arg(cancel->height()).arg(cancel->minimumSizeHint().height())));
     }
 
     void theButtonCancelsALongBuildAndTheNextEditBuildsAgain() {
