@@ -57,9 +57,7 @@ std::string generatePile(const GeneratorRequest& request) {
     scene.camera(toMillionths(Vec3(2.2 * half, 0.8 * top, 1.4 * top + 4 * half)),
                  toMillionths(Vec3(0, 0.4 * top, 0)), 40);
     scene.blankLine();
-    scene.wall(Vec3::UnitY(), 0, elastic, "gray", friction);
-    for (const Vec3& side : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-        scene.wall(side, half, elastic, "silver", friction);
+    scene.openBox(half, elastic, friction);
     scene.blankLine();
     Random random(request.seed);
     for (std::int64_t i = 0; i < n; ++i) {

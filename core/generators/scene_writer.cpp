@@ -61,6 +61,12 @@ void SceneWriter::wall(const Vec3& normal, double toOrigin, double elastic, std:
     close();
 }
 
+void SceneWriter::openBox(double half, double elastic, double friction) {
+    wall(Vec3::UnitY(), 0, elastic, "gray", friction);
+    for (const Vec3& side : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+        wall(side, half, elastic, "silver", friction);
+}
+
 void SceneWriter::sphere(double radius, const WrittenBody& body) {
     open("sphere", body.label);
     parameter("radius", radius);

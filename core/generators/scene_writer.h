@@ -53,6 +53,8 @@ class SceneWriter {
     void camera(const Vec3& position, const Vec3& target, double fieldOfView);
     void wall(const Vec3& normal, double toOrigin, double elastic, std::string_view colour,
               double friction = 0);
+    /// A floor at height 0 and four upright walls around it, `half` [m] from the middle.
+    void openBox(double half, double elastic, double friction);
     void sphere(double radius, const WrittenBody& body);
     void cylinder(double radius, double height, const Vec3& axis, const Vec3& spin, const WrittenBody& body);
 

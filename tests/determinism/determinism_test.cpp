@@ -61,6 +61,7 @@ void addScenes() {
         QTest::newRow(qPrintable(path)) << q(test::textOfScene(path));
     // Every other generator's scene is shipped.
     QTest::newRow("pool_breaks") << q(generate(*findGenerator("pool_breaks"), GeneratorRequest{}));
+    QTest::newRow("heap") << q(generate(*findGenerator("heap"), {.n = 4, .options = {}}));
 }
 
 } // namespace

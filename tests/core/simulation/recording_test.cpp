@@ -62,6 +62,8 @@ class RecordingTest : public QObject {
             // Every other generator's scene is shipped.
             QTest::newRow(qPrintable(QStringLiteral("pool_breaks ") + q(row.name)))
                 << q(generate(*findGenerator("pool_breaks"), GeneratorRequest{})) << q(row.name);
+            QTest::newRow(qPrintable(QStringLiteral("heap ") + q(row.name)))
+                << q(generate(*findGenerator("heap"), {.n = 4, .options = {}})) << q(row.name);
         }
     }
 
