@@ -24,6 +24,8 @@ class PeerWorld {
     virtual void step() = 0;
     /// Poses and velocities of all bodies, in our numbering, so that one code keeps the accounts of all.
     virtual void read(State& state) const = 0;
+    /// Bodies that the last step left alone because they rest.
+    virtual std::uint64_t resting() const { return 0; }
 };
 
 /// Both use the settings an informed user would choose for these scenes: friction and restitution combined as

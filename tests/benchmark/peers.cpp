@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/benchmark/overlaps.h"
 #include "tests/benchmark/peer.h"
 
 #include "app/errors.h"
@@ -8,7 +9,6 @@
 #include "core/dynamics/energy.h"
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"
-#include "core/simulation/touching.h"
 #include "core/simulation/world.h"
 
 #include "core/base/clock.h"
@@ -18,11 +18,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <sstream>
 
-// carom-peers [--scene LIST] [-n LIST] [--frames F]: our scenes, read by our own parser, in our methods, in
-// Bullet and in ODE, taking turns on one machine, in processor time; then the broad-phases alone on the
-// motion of the gas.
+// carom-peers [--scene LIST] [-n LIST] [--frames F] [--seconds S]: our scenes, read by our own parser, in our
+// methods, in Bullet and in ODE, taking turns on one machine, in processor time; before that the broad-phases
+// alone on the motion of the first scene.
 
 namespace carom {
 namespace {
@@ -37,6 +37,7 @@ class CaromWorld final : public PeerWorld {
     }
     void step() override { m_world.step(); }
     void read(State& state) const override { state = m_world.state(); }
+    std::uint64_t resting() const override { return m_world.statistics().resting; }
 
   private:
     World m_world;
@@ -44,10 +45,12 @@ class CaromWorld final : public PeerWorld {
 
 /// What is said about one engine.
 struct Account {
-    std::vector<double> milliseconds;
+    std::vector<double> milliseconds; ///< of each frame
+    double used = 0;                  ///< their sum [ms]
+    Overlaps onTheWay;                ///< of every state looked at
+    Overlaps atTheEnd;
     double energyDrift = 0;  ///< relative to the energy at the start
-    double deepest = 0;      ///< overlap over the thinner body's half thickness, the worst met
-    double meanDepth = 0;    ///< the same, mean over touching pairs at the end
+    double speed = 0;        ///< mean of the mobile bodies at the end [m/s]
     std::size_t escaped = 0; ///< bodies whose centres are behind a wall at the end
 };
 
@@ -56,25 +59,10 @@ double energyOf(const Pipeline& pipeline, const State& state) {
     return invariants.kinetic + invariants.potential;
 }
 
-double thicknessOf(const Bodies& bodies, const BodyPair& pair) {
-    double least = std::numeric_limits<double>::max();
-    for (const BodyIndex i : {pair.a, pair.b})
-        if (!isWall(bodies.shape[i])) least = std::min(least, halfThicknessOf(bodies.shape[i]));
-    return least;
-}
-
-void lookAtOverlaps(const Bodies& bodies, const State& state, Account& account) {
+double meanSpeedOf(const Bodies& bodies, const State& state) {
     double sum = 0;
-    const std::vector<TouchingPair> touching = touchingPairs(bodies, state);
-    for (const TouchingPair& pair : touching) {
-        double depth = 0;
-        for (int k = 0; k < pair.manifold.count; ++k)
-            depth = std::max(depth, -pair.manifold.points[static_cast<std::size_t>(k)].separation);
-        depth /= thicknessOf(bodies, pair.pair);
-        account.deepest = std::max(account.deepest, depth);
-        sum += depth;
-    }
-    account.meanDepth = touching.empty() ? 0 : sum / static_cast<double>(touching.size());
+    for (const BodyIndex i : bodies.mobileBodies) sum += state.velocity[i].norm();
+    return bodies.mobileBodies.empty() ? 0 : sum / static_cast<double>(bodies.mobileBodies.size());
 }
 
 std::size_t escapedFrom(const Bodies& bodies, const State& state) {
@@ -90,11 +78,34 @@ std::string column(const std::string& text, std::size_t width) {
     return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
 }
 
-std::string textOf(const GeneratorRow& scene, std::int64_t n) {
+/// A generator with options: `heap:cuboids=0`.
+struct ComparedScene {
+    std::string name; ///< as it was asked for
+    const GeneratorRow* generator = nullptr;
     GeneratorRequest request;
-    request.n = n;
-    if (const std::optional<std::string> reason = checkRequest(scene, request)) throw UsageError(*reason);
-    return generate(scene, request);
+};
+
+ComparedScene sceneNamed(const std::string& name) {
+    ComparedScene scene{.name = name, .request = {}};
+    std::istringstream parts(name);
+    std::string part;
+    std::getline(parts, part, ':');
+    scene.generator = findGenerator(part);
+    if (!scene.generator) throw UsageError("there is no generator `" + part + "`");
+    while (std::getline(parts, part, ':')) {
+        const std::size_t equals = std::min(part.find('='), part.size());
+        const std::optional<double> value = numberIn(part.substr(std::min(equals + 1, part.size())));
+        if (!value) throw UsageError("`" + part + "` is no option of a generator; write `cuboids=0.5`");
+        scene.request.options[part.substr(0, equals)] = *value;
+    }
+    return scene;
+}
+
+std::string textOf(ComparedScene scene, std::int64_t n) {
+    scene.request.n = n;
+    if (const std::optional<std::string> reason = checkRequest(*scene.generator, scene.request))
+        throw UsageError(*reason);
+    return generate(*scene.generator, scene.request);
 }
 
 /// Our pipeline once for each method that takes the scene; the first is also what the peers are built from.
@@ -109,7 +120,53 @@ std::vector<std::shared_ptr<const Pipeline>> pipelinesOf(const std::string& text
     return pipelines;
 }
 
-void compareEngines(const GeneratorRow& scene, std::int64_t n, std::int64_t frames) {
+/// Advances a world by a turn, and looks at it once.
+void takeTurn(PeerWorld& world, const Bodies& bodies, std::int64_t frames, State& state, Account& account) {
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        const double start = processorTimeOfThread();
+        world.step();
+        account.milliseconds.push_back(processorTimeOfThread() - start);
+        account.used += account.milliseconds.back();
+    }
+    world.read(state);
+    account.atTheEnd = overlapsAt(bodies, state);
+    account.onTheWay.add(account.atTheEnd);
+}
+
+/// One line a world. The first frame is given apart: engines allocate in it.
+std::string rowOf(const PeerWorld& world, const Account& account, std::size_t nameWidth) {
+    const std::span<const double> later = std::span(account.milliseconds).subspan(1);
+    const Summary summary = summarise(later);
+    std::string row = "  " + world.name();
+    row.resize(std::max(row.size(), nameWidth), ' ');
+    row += column(std::to_string(account.milliseconds.size()), 8);
+    for (const double time : {account.milliseconds.front(), summary.mean, summary.median, summary.maximum})
+        row += column(figure(time), 9);
+    row += column(figure(summary.maximum / summary.median, 2), 8);
+    for (const double part : {account.energyDrift, account.onTheWay.mean(), account.onTheWay.largest,
+                              account.atTheEnd.largest, account.speed})
+        row += column(figure(part, 2), 10);
+    return row + column(std::to_string(world.resting()), 8) + column(std::to_string(account.escaped), 8) +
+           "\n";
+}
+
+std::string headingOf(const ComparedScene& scene, std::int64_t n, std::size_t nameWidth) {
+    std::string heading = scene.name + ", N = " + std::to_string(n);
+    heading.resize(std::max(heading.size(), nameWidth), ' ');
+    heading += column("frames", 8);
+    for (const char* time : {"first", "mean", "median", "worst"}) heading += column(time, 9);
+    heading += column("/median", 8);
+    for (const char* part : {"energy", "overlap", "largest", "at end", "speed"}) heading += column(part, 10);
+    return heading + column("asleep", 8) + column("escaped", 8) + "\n";
+}
+
+struct Limits {
+    std::int64_t frames = 120;
+    double seconds = 0; ///< of processor time, for each engine
+};
+
+void compareEngines(const ComparedScene& scene, std::int64_t n, const Limits& limits) {
+    constexpr std::size_t nameWidth = 30;
     const std::vector<std::shared_ptr<const Pipeline>> pipelines = pipelinesOf(textOf(scene, n));
     const Pipeline& pipeline = *pipelines.front();
     std::vector<std::unique_ptr<PeerWorld>> worlds;
@@ -120,34 +177,20 @@ void compareEngines(const GeneratorRow& scene, std::int64_t n, std::int64_t fram
 
     std::vector<Account> accounts(worlds.size());
     State state = pipeline.initialState();
-    for (std::int64_t begin = 0; begin < frames; begin += turn) {
-        for (std::size_t k = 0; k < worlds.size(); ++k) {
-            for (std::int64_t frame = begin; frame < std::min(begin + turn, frames); ++frame) {
-                const double start = processorTimeOfThread();
-                worlds[k]->step();
-                accounts[k].milliseconds.push_back(processorTimeOfThread() - start);
-            }
-            worlds[k]->read(state);
-            lookAtOverlaps(pipeline.bodies(), state, accounts[k]);
-        }
-    }
+    for (std::int64_t begin = 0; begin < limits.frames; begin += turn)
+        for (std::size_t k = 0; k < worlds.size(); ++k)
+            if (accounts[k].used < 1e3 * limits.seconds)
+                takeTurn(*worlds[k], pipeline.bodies(), std::min(turn, limits.frames - begin), state,
+                         accounts[k]);
+
     const double energy = energyOf(pipeline, pipeline.initialState());
-    std::string table = std::string(scene.name) + ", N = " + std::to_string(n) + ", " +
-                        std::to_string(frames) + " frames" + column("ms/frame", 12) + column("mean ms", 10) +
-                        column("energy", 12) + column("deepest", 10) + column("mean", 10) +
-                        column("escaped", 9) + "\n";
-    const std::size_t first = table.find("ms/frame") - 12 + std::string("ms/frame").size();
+    std::string table = headingOf(scene, n, nameWidth);
     for (std::size_t k = 0; k < worlds.size(); ++k) {
         worlds[k]->read(state);
-        Account& account = accounts[k];
-        account.energyDrift = energyOf(pipeline, state) / energy - 1;
-        account.escaped = escapedFrom(pipeline.bodies(), state);
-        const Summary summary = summarise(account.milliseconds);
-        std::string row = "  " + worlds[k]->name();
-        row.resize(std::max(row.size(), first - 4), ' ');
-        table += row + column(figure(summary.median), 12) + column(figure(summary.mean), 10) +
-                 column(figure(account.energyDrift, 2), 12) + column(figure(account.deepest, 2), 10) +
-                 column(figure(account.meanDepth, 2), 10) + column(std::to_string(account.escaped), 9) + "\n";
+        accounts[k].energyDrift = energyOf(pipeline, state) / energy - 1;
+        accounts[k].speed = meanSpeedOf(pipeline.bodies(), state);
+        accounts[k].escaped = escapedFrom(pipeline.bodies(), state);
+        table += rowOf(*worlds[k], accounts[k], nameWidth);
     }
     printOut(table + "\n");
 }
@@ -165,7 +208,7 @@ std::vector<std::vector<Aabb>> trajectoryOf(const std::shared_ptr<const Pipeline
     return trajectory;
 }
 
-void compareBroadphases(const GeneratorRow& scene, std::int64_t n) {
+void compareBroadphases(const ComparedScene& scene, std::int64_t n) {
     constexpr int frames = 40;
     const std::shared_ptr<const Pipeline> pipeline = build(textOf(scene, n)).pipeline;
     const std::vector<std::vector<Aabb>> trajectory = trajectoryOf(pipeline, frames);
@@ -189,8 +232,8 @@ void compareBroadphases(const GeneratorRow& scene, std::int64_t n) {
         return summarise(std::span(times[k]).subspan(1)).median;
     };
     const double tree = medianOf(algorithms.size() - 2), sweep = medianOf(algorithms.size() - 1);
-    std::string table = "Broad-phases alone, " + std::string(scene.name) + ", N = " + std::to_string(n) +
-                        "\n" + column("ms", 38) + column("/ tree", 12) + column("/ sweep", 12) +
+    std::string table = "Broad-phases alone, " + scene.name + ", N = " + std::to_string(n) + "\n" +
+                        column("ms", 38) + column("/ tree", 12) + column("/ sweep", 12) +
                         column("pairs", 10) + "\n";
     for (std::size_t k = 0; k < algorithms.size(); ++k) {
         std::string row = "  " + algorithms[k].first;
@@ -204,13 +247,19 @@ void compareBroadphases(const GeneratorRow& scene, std::int64_t n) {
 
 int comparePeers(std::span<const std::string> words) {
     const std::vector<OptionRow> options = {
-        {"scene", 0, "LIST", "generators, separated by commas (default brownian,pool_breaks,pyramid,pile)"},
+        {"scene", 0, "LIST",
+         "generators, separated by commas, with options behind colons, as in heap:cuboids=0 (default "
+         "brownian,pool_breaks,pyramid,pile)"},
         {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 1000,2000,10000)"},
         {"frames", 0, "F", "frames of each run (default 120)"},
+        {"seconds", 0, "S",
+         "an engine that has used so much processor time on a scene takes no more turns (default 60)"},
     };
     const Arguments arguments = readArguments(words, options);
     if (arguments.has("help")) return printOut(describe(options)), exitcode::done;
-    const std::int64_t frames = arguments.wholeNumber("frames", 1, 100'000).value_or(120);
+    Limits limits;
+    limits.frames = arguments.wholeNumber("frames", 1, 100'000).value_or(120);
+    limits.seconds = arguments.positiveNumber("seconds").value_or(60);
     std::vector<std::int64_t> counts;
     for (const std::string& word : wordsOf(arguments.text("n").value_or("1000,2000,10000"))) {
         const std::optional<long long> count = wholeNumberIn(word);
@@ -218,15 +267,13 @@ int comparePeers(std::span<const std::string> words) {
             throw UsageError("`-n` has `" + word + "`; it must be a whole number from 1 on");
         counts.push_back(*count);
     }
-    std::vector<const GeneratorRow*> scenes;
+    std::vector<ComparedScene> scenes;
     for (const std::string& name :
-         wordsOf(arguments.text("scene").value_or("brownian,pool_breaks,pyramid,pile"))) {
-        scenes.push_back(findGenerator(name));
-        if (!scenes.back()) throw UsageError("there is no generator `" + name + "`");
-    }
-    for (const std::int64_t n : counts) compareBroadphases(*scenes.front(), n);
-    for (const GeneratorRow* scene : scenes)
-        for (const std::int64_t n : counts) compareEngines(*scene, n, frames);
+         wordsOf(arguments.text("scene").value_or("brownian,pool_breaks,pyramid,pile")))
+        scenes.push_back(sceneNamed(name));
+    for (const std::int64_t n : counts) compareBroadphases(scenes.front(), n);
+    for (const ComparedScene& scene : scenes)
+        for (const std::int64_t n : counts) compareEngines(scene, n, limits);
     return exitcode::done;
 }
 
