@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -170,5 +172,5 @@ class HouseTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(HouseTest)
+CAROM_TEST_WITH(QCoreApplication, house_test, HouseTest)
 #include "house_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QDir>
 #include <QTest>
@@ -83,5 +84,5 @@ class BenchTest : public QObject {
 
 } // namespace carom::test
 
-QTEST_APPLESS_MAIN(carom::test::BenchTest)
+CAROM_TEST(bench_test, carom::test::BenchTest)
 #include "bench_test.moc"

@@ -2,6 +2,7 @@
 #include "core/math/random.h"
 
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -173,5 +174,5 @@ void CheckTest::randomBytesEndWithZeroOrOne() {
     }
 }
 
-QTEST_APPLESS_MAIN(CheckTest)
+CAROM_TEST(check_test, CheckTest)
 #include "check_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -101,5 +102,5 @@ void FormatTest::whatCannotBeReadEndsWithThree() {
     QCOMPARE(test::shell("$carom format " + test::source("scenes/tour.sdl") + " > /dev/full").exitCode, 3);
 }
 
-QTEST_APPLESS_MAIN(FormatTest)
+CAROM_TEST(format_test, FormatTest)
 #include "format_test.moc"

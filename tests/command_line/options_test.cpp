@@ -3,6 +3,7 @@
 #include "app/errors.h"
 
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -204,5 +205,5 @@ void OptionsTest::theShippedManualPageIsMadeFromTheTables() {
              "this test writes it anew when CAROM_UPDATE is set");
 }
 
-QTEST_APPLESS_MAIN(OptionsTest)
+CAROM_TEST(options_test, OptionsTest)
 #include "options_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -312,5 +313,5 @@ void RunTest::aReaderThatGoesAwayIsNoDisaster() {
     QCOMPARE(ended.err, QString("code 3\n"));
 }
 
-QTEST_APPLESS_MAIN(RunTest)
+CAROM_TEST(run_test, RunTest)
 #include "run_test.moc"

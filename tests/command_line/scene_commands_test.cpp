@@ -2,6 +2,7 @@
 #include "core/generators/generator.h"
 
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -133,5 +134,5 @@ void SceneCommandsTest::fullDisksAndMissingFilesEndWithThree() {
     }
 }
 
-QTEST_APPLESS_MAIN(SceneCommandsTest)
+CAROM_TEST(scene_commands_test, SceneCommandsTest)
 #include "scene_commands_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -129,5 +130,5 @@ class StudyAccuracyTest : public QObject {
 
 } // namespace carom::test
 
-QTEST_GUILESS_MAIN(carom::test::StudyAccuracyTest)
+CAROM_TEST_WITH(QCoreApplication, study_accuracy_test, carom::test::StudyAccuracyTest)
 #include "study_accuracy_test.moc"

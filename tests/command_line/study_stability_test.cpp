@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include "core/study/stability.h"
 
@@ -58,5 +59,5 @@ class StudyStabilityTest : public QObject {
 
 } // namespace carom::test
 
-QTEST_GUILESS_MAIN(carom::test::StudyStabilityTest)
+CAROM_TEST_WITH(QCoreApplication, study_stability_test, carom::test::StudyStabilityTest)
 #include "study_stability_test.moc"

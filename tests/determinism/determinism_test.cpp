@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"
@@ -120,5 +121,5 @@ class DeterminismTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::DeterminismTest)
+CAROM_TEST(determinism_test, carom::DeterminismTest)
 #include "determinism_test.moc"

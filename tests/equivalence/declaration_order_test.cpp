@@ -2,6 +2,7 @@
 #include "core/language/analysis.h"
 
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -162,5 +163,5 @@ class DeclarationOrderTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::DeclarationOrderTest)
+CAROM_TEST(declaration_order_test, carom::DeclarationOrderTest)
 #include "declaration_order_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include "core/simulation/build.h"
 
@@ -231,5 +232,5 @@ class SpecialisedTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::SpecialisedTest)
+CAROM_TEST(specialised_test, carom::SpecialisedTest)
 #include "specialised_test.moc"

@@ -3,6 +3,7 @@
 #include "core/study/units.h"
 
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -108,5 +109,5 @@ class UnitsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::UnitsTest)
+CAROM_TEST_WITH(QCoreApplication, units_test, carom::UnitsTest)
 #include "units_test.moc"

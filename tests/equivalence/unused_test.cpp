@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include "core/simulation/build.h"
 
@@ -241,5 +242,5 @@ class UnusedTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::UnusedTest)
+CAROM_TEST_WITH(QCoreApplication, unused_test, carom::UnusedTest)
 #include "unused_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 
@@ -184,5 +185,5 @@ class ClosedFormsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ClosedFormsTest)
+CAROM_TEST(closed_forms_test, carom::ClosedFormsTest)
 #include "closed_forms_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -202,5 +203,5 @@ class ContactsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::ContactsTest)
+CAROM_TEST_WITH(QCoreApplication, contacts_test, carom::ContactsTest)
 #include "contacts_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/solvers/bounce_train.h"
 
@@ -172,5 +173,5 @@ class ImpactsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::ImpactsTest)
+CAROM_TEST_WITH(QCoreApplication, impacts_test, carom::ImpactsTest)
 #include "impacts_test.moc"

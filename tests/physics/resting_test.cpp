@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 
@@ -163,5 +164,5 @@ class RestingTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::RestingTest)
+CAROM_TEST_WITH(QCoreApplication, resting_test, carom::RestingTest)
 #include "resting_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -167,5 +168,5 @@ class SpringsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::SpringsTest)
+CAROM_TEST_WITH(QCoreApplication, springs_test, carom::SpringsTest)
 #include "springs_test.moc"

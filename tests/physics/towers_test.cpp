@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/math/random.h"
 
@@ -90,5 +91,5 @@ class TowersTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::TowersTest)
+CAROM_TEST_WITH(QCoreApplication, towers_test, carom::TowersTest)
 #include "towers_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 #include "core/math/random.h"
@@ -139,5 +140,5 @@ class TurningContactsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::TurningContactsTest)
+CAROM_TEST_WITH(QCoreApplication, turning_contacts_test, carom::TurningContactsTest)
 #include "turning_contacts_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/varied_scene.h"
 
 #include "core/simulation/build.h"
@@ -54,5 +55,5 @@ class VariedSceneTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(VariedSceneTest)
+CAROM_TEST(varied_scene_test, VariedSceneTest)
 #include "varied_scene_test.moc"

@@ -8,6 +8,7 @@
 #include "core/simulation/world.h"
 
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QDirIterator>
 #include <QTest>
@@ -119,5 +120,5 @@ void ScenesSmokeTest::theTourShowsEveryDeclarationAndParameter() {
     }
 }
 
-QTEST_APPLESS_MAIN(ScenesSmokeTest)
+CAROM_TEST(scenes_smoke_test, ScenesSmokeTest)
 #include "scenes_smoke_test.moc"

@@ -69,11 +69,3 @@ inline void answerNextDialog(std::function<void(QWidget&)> answer) {
 }
 
 } // namespace carom::test
-
-/// main() of a test of the IDE: `TestClass` needs a default constructor.
-#define CAROM_IDE_TEST_MAIN(TestClass)                                                                       \
-    int main(int argc, char** argv) {                                                                        \
-        carom::test::IdeApplication application(argc, argv);                                                 \
-        TestClass test;                                                                                      \
-        return QTest::qExec(&test, argc, argv);                                                              \
-    }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/catalogue.h"
 
 #include <QObject>
@@ -63,5 +65,5 @@ class CatalogueTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(CatalogueTest)
+CAROM_TEST(catalogue_test, CatalogueTest)
 #include "catalogue_test.moc"

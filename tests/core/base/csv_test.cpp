@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/csv.h"
 
 #include <QObject>
@@ -46,5 +48,5 @@ class CsvTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(CsvTest)
+CAROM_TEST(csv_test, CsvTest)
 #include "csv_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/diagnostic_list.h"
 
 #include <QObject>
@@ -55,5 +57,5 @@ class DiagnosticTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(DiagnosticTest)
+CAROM_TEST(diagnostic_test, DiagnosticTest)
 #include "diagnostic_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/math/random.h"
@@ -94,5 +96,5 @@ void JsonTest::illFormedUtf8IsReplacedByteByByte() {
     QCOMPARE(validUtf8("x\xE2\x82"), "x" + replacement + replacement);            // cut off
 }
 
-QTEST_APPLESS_MAIN(JsonTest)
+CAROM_TEST(json_test, JsonTest)
 #include "json_test.moc"

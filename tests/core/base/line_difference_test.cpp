@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/line_difference.h"
 
 #include <QObject>
@@ -105,5 +107,5 @@ class LineDifferenceTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(LineDifferenceTest)
+CAROM_TEST(line_difference_test, LineDifferenceTest)
 #include "line_difference_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/numeral.h"
 #include "core/base/text.h"
 #include "core/math/random.h"
@@ -75,5 +77,5 @@ class NumeralTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(NumeralTest)
+CAROM_TEST(numeral_test, NumeralTest)
 #include "numeral_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/base/source.h"
 #include "core/math/random.h"
 
@@ -90,5 +92,5 @@ class SourceTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(SourceTest)
+CAROM_TEST(source_test, SourceTest)
 #include "source_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/broadphase/moving_boxes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -57,5 +58,5 @@ class AllocationTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::AllocationTest)
+CAROM_TEST(allocation_test, carom::AllocationTest)
 #include "allocation_test.moc"

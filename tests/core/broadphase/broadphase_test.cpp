@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/broadphase/moving_boxes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -146,5 +147,5 @@ class BroadphaseTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::BroadphaseTest)
+CAROM_TEST(broadphase_test, carom::BroadphaseTest)
 #include "broadphase_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/broadphase/moving_boxes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -49,5 +50,5 @@ class ChooseTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ChooseTest)
+CAROM_TEST(choose_test, carom::ChooseTest)
 #include "choose_test.moc"

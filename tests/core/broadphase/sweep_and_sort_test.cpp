@@ -2,6 +2,7 @@
 #include "core/broadphase/sweep_and_sort.h"
 
 #include "tests/core/broadphase/moving_boxes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -112,5 +113,5 @@ class SweepAndSortTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::SweepAndSortTest)
+CAROM_TEST(sweep_and_sort_test, carom::SweepAndSortTest)
 #include "sweep_and_sort_test.moc"

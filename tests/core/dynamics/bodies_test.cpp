@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 
@@ -117,5 +118,5 @@ class BodiesTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::BodiesTest)
+CAROM_TEST(bodies_test, carom::BodiesTest)
 #include "bodies_test.moc"

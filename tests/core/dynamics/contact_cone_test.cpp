@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/dynamics/contact_constraint.h"
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
@@ -61,5 +63,5 @@ class ContactConeTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ContactConeTest)
+CAROM_TEST(contact_cone_test, carom::ContactConeTest)
 #include "contact_cone_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
 #include "core/shapes/cuboid.h"
@@ -180,5 +182,5 @@ class FreeRotationTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::FreeRotationTest)
+CAROM_TEST_WITH(QCoreApplication, free_rotation_test, carom::FreeRotationTest)
 #include "free_rotation_test.moc"

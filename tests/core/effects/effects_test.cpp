@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/effects/effect.h"
 #include "core/language/analysis.h"
@@ -168,5 +169,5 @@ class EffectsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::EffectsTest)
+CAROM_TEST(effects_test, carom::EffectsTest)
 #include "effects_test.moc"

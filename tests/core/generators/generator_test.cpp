@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/generators/generator.h"
 #include "core/generators/portable.h"
 
@@ -110,5 +112,5 @@ void GeneratorTest::theCubeRootIsExactOnCubesAndCloseElsewhere() {
     QCOMPARE(portableCubeRoot(27), 3.0);
 }
 
-QTEST_APPLESS_MAIN(GeneratorTest)
+CAROM_TEST(generator_test, GeneratorTest)
 #include "generator_test.moc"

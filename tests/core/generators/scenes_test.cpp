@@ -4,6 +4,7 @@
 #include "core/narrowphase/narrowphase.h"
 
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -285,5 +286,5 @@ void ScenesTest::theShippedScenesAreTheGeneratorsOwn() {
     QCOMPARE(test::contentOf(path), text);
 }
 
-QTEST_APPLESS_MAIN(ScenesTest)
+CAROM_TEST(scenes_test, ScenesTest)
 #include "scenes_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/integrators/integrator.h"
 
@@ -81,5 +82,5 @@ class EulerTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::EulerTest)
+CAROM_TEST(euler_test, carom::EulerTest)
 #include "euler_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/free_rotation.h"
 #include "core/integrators/integrator.h"
@@ -247,5 +248,5 @@ class OrdersTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::OrdersTest)
+CAROM_TEST(orders_test, carom::OrdersTest)
 #include "orders_test.moc"

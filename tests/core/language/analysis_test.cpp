@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/rotation.h"
 #include "tests/core/language/check.h"
+#include "tests/support/test_class.h"
 
 #include <QObject>
 #include <QTest>
@@ -320,5 +321,5 @@ class AnalysisTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(AnalysisTest)
+CAROM_TEST(analysis_test, AnalysisTest)
 #include "analysis_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/completion.h"
 #include "core/language/description.h"
 #include "core/scene/schema.h"
@@ -165,5 +167,5 @@ class CompletionTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(CompletionTest)
+CAROM_TEST(completion_test, CompletionTest)
 #include "completion_test.moc"

@@ -3,6 +3,7 @@
 #include "core/language/lexer.h"
 #include "core/language/parser.h"
 #include "tests/core/language/check.h"
+#include "tests/support/test_class.h"
 
 #include <QObject>
 #include <QTest>
@@ -305,5 +306,5 @@ class DiagnosticsTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(DiagnosticsTest)
+CAROM_TEST(diagnostics_test, DiagnosticsTest)
 #include "diagnostics_test.moc"

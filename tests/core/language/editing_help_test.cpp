@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/call_tip.h"
 #include "core/language/number_step.h"
 #include "core/language/snippet.h"
@@ -157,5 +159,5 @@ class EditingHelpTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(EditingHelpTest)
+CAROM_TEST(editing_help_test, EditingHelpTest)
 #include "editing_help_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/formatter.h"
 #include "core/scene/schema.h"
 
@@ -99,5 +101,5 @@ class FormatterTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(FormatterTest)
+CAROM_TEST(formatter_test, FormatterTest)
 #include "formatter_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/lexer.h"
 
 #include <QObject>
@@ -94,5 +96,5 @@ class LexerTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(LexerTest)
+CAROM_TEST(lexer_test, LexerTest)
 #include "lexer_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/analysis.h"
 #include "core/language/manual.h"
 #include "core/scene/schema.h"
@@ -60,5 +62,5 @@ class ManualTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(ManualTest)
+CAROM_TEST(manual_test, ManualTest)
 #include "manual_test.moc"

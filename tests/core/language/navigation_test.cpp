@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/navigation.h"
 
 #include <QObject>
@@ -91,5 +93,5 @@ class NavigationTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(NavigationTest)
+CAROM_TEST(navigation_test, NavigationTest)
 #include "navigation_test.moc"

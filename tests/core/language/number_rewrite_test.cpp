@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/number_rewrite.h"
 
 #include <QTest>
@@ -51,5 +53,5 @@ class NumberRewriteTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(NumberRewriteTest)
+CAROM_TEST(number_rewrite_test, NumberRewriteTest)
 #include "number_rewrite_test.moc"

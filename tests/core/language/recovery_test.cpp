@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/language/check.h"
+#include "tests/support/test_class.h"
 
 #include <QObject>
 #include <QTest>
@@ -117,5 +118,5 @@ sphere { radius 1 mass 1 centre 0, 17, 0 }
 
 } // namespace
 
-QTEST_APPLESS_MAIN(RecoveryTest)
+CAROM_TEST(recovery_test, RecoveryTest)
 #include "recovery_test.moc"

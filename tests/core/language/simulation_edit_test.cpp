@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/simulation_edit.h"
 
 #include <QTest>
@@ -53,5 +55,5 @@ class SimulationEditTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::SimulationEditTest)
+CAROM_TEST(simulation_edit_test, carom::SimulationEditTest)
 #include "simulation_edit_test.moc"

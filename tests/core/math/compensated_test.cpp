@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/compensated.h"
 
 #include "core/math/random.h"
@@ -86,5 +88,5 @@ class CompensatedTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_GUILESS_MAIN(carom::testing::CompensatedTest)
+CAROM_TEST_WITH(QCoreApplication, compensated_test, carom::testing::CompensatedTest)
 #include "compensated_test.moc"

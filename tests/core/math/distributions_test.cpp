@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/distributions.h"
 
 #include "core/math/random.h"
@@ -95,5 +97,5 @@ class DistributionsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::DistributionsTest)
+CAROM_TEST(distributions_test, carom::DistributionsTest)
 #include "distributions_test.moc"

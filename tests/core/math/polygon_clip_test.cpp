@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/polygon_clip.h"
 
 #include "core/math/random.h"
@@ -77,5 +79,5 @@ class PolygonClipTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::PolygonClipTest)
+CAROM_TEST(polygon_clip_test, carom::testing::PolygonClipTest)
 #include "polygon_clip_test.moc"

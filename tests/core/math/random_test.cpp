@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 
 #include <QObject>
@@ -98,5 +100,5 @@ class RandomTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(RandomTest)
+CAROM_TEST(random_test, RandomTest)
 #include "random_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 #include "core/math/rotation.h"
 
@@ -115,5 +117,5 @@ class RotationTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(RotationTest)
+CAROM_TEST(rotation_test, RotationTest)
 #include "rotation_test.moc"

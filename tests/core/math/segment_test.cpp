@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/segment.h"
 
 #include "core/math/random.h"
@@ -60,5 +62,5 @@ class SegmentTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::SegmentTest)
+CAROM_TEST(segment_test, carom::testing::SegmentTest)
 #include "segment_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 #include "core/math/statistics.h"
 
@@ -85,5 +87,5 @@ class StatisticsTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(StatisticsTest)
+CAROM_TEST(statistics_test, StatisticsTest)
 #include "statistics_test.moc"

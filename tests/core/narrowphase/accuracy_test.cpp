@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/narrowphase/point_distance.h"
 #include "core/study/cases/random_pairs.h"
 #include "core/study/cases/support_oracle.h"
@@ -216,5 +218,5 @@ class AccuracyTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::AccuracyTest)
+CAROM_TEST(accuracy_test, carom::testing::AccuracyTest)
 #include "accuracy_test.moc"

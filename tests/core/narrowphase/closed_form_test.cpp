@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/rotation.h"
 #include "core/narrowphase/narrowphase.h"
 
@@ -252,5 +254,5 @@ class ClosedFormTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::ClosedFormTest)
+CAROM_TEST(closed_form_test, carom::testing::ClosedFormTest)
 #include "closed_form_test.moc"

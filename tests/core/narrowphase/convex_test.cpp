@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/narrowphase/convex.h"
 
 #include "core/study/cases/random_pairs.h"
@@ -56,5 +58,5 @@ class ConvexTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::ConvexTest)
+CAROM_TEST(convex_test, carom::testing::ConvexTest)
 #include "convex_test.moc"

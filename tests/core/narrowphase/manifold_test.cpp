@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/narrowphase/point_distance.h"
 #include "core/study/cases/random_pairs.h"
 
@@ -199,5 +201,5 @@ class ManifoldTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::ManifoldTest)
+CAROM_TEST(manifold_test, carom::testing::ManifoldTest)
 #include "manifold_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/narrowphase/separating_axis.h"
 
 #include "core/study/cases/random_pairs.h"
@@ -81,5 +83,5 @@ class SeparatingAxisTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::SeparatingAxisTest)
+CAROM_TEST(separating_axis_test, carom::testing::SeparatingAxisTest)
 #include "separating_axis_test.moc"

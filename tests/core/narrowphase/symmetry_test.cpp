@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/study/cases/random_pairs.h"
 
 #include <QtTest/QTest>
@@ -159,5 +161,5 @@ class SymmetryTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::SymmetryTest)
+CAROM_TEST(symmetry_test, carom::testing::SymmetryTest)
 #include "symmetry_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/narrowphase/time_of_impact.h"
 
 #include "core/study/cases/random_pairs.h"
@@ -179,5 +181,5 @@ class TimeOfImpactTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::TimeOfImpactTest)
+CAROM_TEST(time_of_impact_test, carom::testing::TimeOfImpactTest)
 #include "time_of_impact_test.moc"

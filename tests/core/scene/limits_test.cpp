@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/scene/limits.h"
 
 #include <QObject>
@@ -71,5 +73,5 @@ class LimitsTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(LimitsTest)
+CAROM_TEST(limits_test, LimitsTest)
 #include "limits_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/scene/scene.h"
 
 #include <QObject>
@@ -66,5 +68,5 @@ class SceneTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(SceneTest)
+CAROM_TEST(scene_test, SceneTest)
 #include "scene_test.moc"

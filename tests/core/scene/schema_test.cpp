@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/language/analysis.h"
 #include "core/scene/schema.h"
 
@@ -142,5 +144,5 @@ class SchemaTest : public QObject {
 
 } // namespace
 
-QTEST_APPLESS_MAIN(SchemaTest)
+CAROM_TEST(schema_test, SchemaTest)
 #include "schema_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/shapes/shape.h"
 
 #include "core/math/random.h"
@@ -109,5 +111,5 @@ class ShapeTest : public QObject {
 
 } // namespace carom::testing
 
-QTEST_APPLESS_MAIN(carom::testing::ShapeTest)
+CAROM_TEST(shape_test, carom::testing::ShapeTest)
 #include "shape_test.moc"

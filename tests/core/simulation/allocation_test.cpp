@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/generators/generator.h"
 #include "core/math/random.h"
@@ -140,5 +141,5 @@ class AllocationTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::AllocationTest)
+CAROM_TEST(allocation_test, carom::AllocationTest)
 #include "allocation_test.moc"

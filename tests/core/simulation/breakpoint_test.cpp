@@ -2,6 +2,7 @@
 #include "core/simulation/breakpoint.h"
 
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -107,5 +108,5 @@ class BreakpointTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(BreakpointTest)
+CAROM_TEST(breakpoint_test, BreakpointTest)
 #include "breakpoint_test.moc"

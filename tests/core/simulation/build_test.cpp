@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/simulation/build.h"
 
 #include <QTest>
@@ -79,5 +81,5 @@ class BuildTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(BuildTest)
+CAROM_TEST(build_test, BuildTest)
 #include "build_test.moc"

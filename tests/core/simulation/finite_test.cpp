@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -104,5 +105,5 @@ class FiniteTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::FiniteTest)
+CAROM_TEST(finite_test, carom::FiniteTest)
 #include "finite_test.moc"

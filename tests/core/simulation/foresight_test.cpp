@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/simulation/build.h"
 
 #include <QTest>
@@ -246,5 +248,5 @@ class ForesightTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ForesightTest)
+CAROM_TEST(foresight_test, carom::ForesightTest)
 #include "foresight_test.moc"

@@ -4,6 +4,7 @@
 
 #include "tests/support/contact_scenes.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -139,5 +140,5 @@ class LedgerTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::LedgerTest)
+CAROM_TEST_WITH(QCoreApplication, ledger_test, carom::LedgerTest)
 #include "ledger_test.moc"

@@ -2,6 +2,7 @@
 #include "core/simulation/quantities.h"
 
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -149,5 +150,5 @@ class QuantitiesTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(QuantitiesTest)
+CAROM_TEST(quantities_test, QuantitiesTest)
 #include "quantities_test.moc"

@@ -5,6 +5,7 @@
 #include "core/simulation/build.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -167,5 +168,5 @@ class RecordingTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(RecordingTest)
+CAROM_TEST(recording_test, RecordingTest)
 #include "recording_test.moc"

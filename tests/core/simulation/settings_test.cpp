@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/base/catalogue.h"
 #include "core/broadphase/broadphase.h"
@@ -218,5 +219,5 @@ class SettingsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::SettingsTest)
+CAROM_TEST(settings_test, carom::SettingsTest)
 #include "settings_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/broadphase/broadphase.h"
 #include "core/integrators/integrator.h"
 #include "core/scene/schema.h"
@@ -48,5 +50,5 @@ class WordsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::WordsTest)
+CAROM_TEST(words_test, carom::WordsTest)
 #include "words_test.moc"

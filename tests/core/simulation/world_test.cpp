@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 
@@ -205,5 +206,5 @@ class WorldTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::WorldTest)
+CAROM_TEST(world_test, carom::WorldTest)
 #include "world_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 #include "core/math/rotation.h"
 #include "core/solvers/gauss_seidel.h"
@@ -227,5 +229,5 @@ class ContactProblemTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::ContactProblemTest)
+CAROM_TEST_WITH(QCoreApplication, contact_problem_test, carom::ContactProblemTest)
 #include "contact_problem_test.moc"

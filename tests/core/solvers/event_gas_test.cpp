@@ -2,6 +2,7 @@
 #include "core/solvers/event_gas.h"
 
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/math/random.h"
 
@@ -235,5 +236,5 @@ class EventGasTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::EventGasTest)
+CAROM_TEST_WITH(QCoreApplication, event_gas_test, carom::EventGasTest)
 #include "event_gas_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/solvers/event_times.h"
 
 #include "core/math/random.h"
@@ -139,5 +141,5 @@ class EventTimesTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::EventTimesTest)
+CAROM_TEST_WITH(QCoreApplication, event_times_test, carom::EventTimesTest)
 #include "event_times_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/math/random.h"
 
@@ -279,5 +280,5 @@ class EventsTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::EventsTest)
+CAROM_TEST_WITH(QCoreApplication, events_test, carom::EventsTest)
 #include "events_test.moc"

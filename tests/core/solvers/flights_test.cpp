@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/broadphase/broadphase.h"
 #include "core/generators/generator.h"
@@ -260,5 +261,5 @@ void FlightsTest::aPileOfSpheresComesToRestWithoutOverlap() {
 } // namespace
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::FlightsTest)
+CAROM_TEST_WITH(QCoreApplication, flights_test, carom::FlightsTest)
 #include "flights_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 #include "core/math/random.h"
@@ -145,5 +146,5 @@ class ImpulseTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ImpulseTest)
+CAROM_TEST(impulse_test, carom::ImpulseTest)
 #include "impulse_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/dynamics/energy.h"
 
@@ -215,5 +216,5 @@ class MicrocollisionsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::MicrocollisionsTest)
+CAROM_TEST(microcollisions_test, carom::MicrocollisionsTest)
 #include "microcollisions_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/integrators/integrator.h"
 #include "core/math/rotation.h"
@@ -221,5 +222,5 @@ class AccuracyTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::AccuracyTest)
+CAROM_TEST_WITH(QCoreApplication, accuracy_test, carom::AccuracyTest)
 #include "accuracy_test.moc"

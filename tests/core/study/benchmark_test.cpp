@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/study/benchmark_report.h"
 
 #include "core/simulation/build.h"
@@ -187,5 +189,5 @@ class BenchmarkTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::BenchmarkTest)
+CAROM_TEST(benchmark_test, carom::BenchmarkTest)
 #include "benchmark_test.moc"

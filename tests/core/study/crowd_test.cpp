@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
@@ -117,5 +119,5 @@ class CrowdTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::CrowdTest)
+CAROM_TEST(crowd_test, carom::CrowdTest)
 #include "crowd_test.moc"

@@ -3,6 +3,7 @@
 #include "core/study/gas_report.h"
 
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 
 #include "core/math/random.h"
 
@@ -144,5 +145,5 @@ class GasTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::GasTest)
+CAROM_TEST(gas_test, carom::GasTest)
 #include "gas_test.moc"

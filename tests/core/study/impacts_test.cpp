@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
 #include "core/study/impacts.h"
@@ -106,5 +108,5 @@ class ImpactsTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ImpactsTest)
+CAROM_TEST(impacts_test, carom::ImpactsTest)
 #include "impacts_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/study/references.h"
 
 #include <QTest>
@@ -110,5 +112,5 @@ class ReferencesTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::ReferencesTest)
+CAROM_TEST(references_test, carom::ReferencesTest)
 #include "references_test.moc"

@@ -3,6 +3,7 @@
 #include "core/study/stability_report.h"
 
 #include "tests/core/study/cases/hard_cases.h"
+#include "tests/support/test_class.h"
 
 #include <QTest>
 
@@ -117,5 +118,5 @@ class StabilityTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::StabilityTest)
+CAROM_TEST_WITH(QCoreApplication, stability_test, carom::StabilityTest)
 #include "stability_test.moc"

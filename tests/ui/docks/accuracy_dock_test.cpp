@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/study/accuracy_csv.h"
@@ -207,5 +209,5 @@ class AccuracyDockTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::AccuracyDockTest)
+CAROM_TEST_WITH(QApplication, accuracy_dock_test, carom::AccuracyDockTest)
 #include "accuracy_dock_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/docks/broadphase_comparison.h"
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/value_table.h"
@@ -174,5 +176,5 @@ class BroadphaseComparisonTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::BroadphaseComparisonTest)
+CAROM_TEST_WITH(QApplication, broadphase_comparison_test, carom::BroadphaseComparisonTest)
 #include "broadphase_comparison_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/docks/broadphase_dock.h"
 
 #include "core/simulation/build.h"
@@ -73,5 +75,5 @@ class BroadphaseDockTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::BroadphaseDockTest)
+CAROM_TEST_WITH(QApplication, broadphase_dock_test, carom::BroadphaseDockTest)
 #include "broadphase_dock_test.moc"

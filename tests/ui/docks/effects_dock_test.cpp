@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/docks/effects_dock.h"
 
 #include "core/effects/effect.h"
@@ -64,5 +66,5 @@ class EffectsDockTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::EffectsDockTest)
+CAROM_TEST_WITH(QApplication, effects_dock_test, carom::EffectsDockTest)
 #include "effects_dock_test.moc"

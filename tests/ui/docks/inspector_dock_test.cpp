@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/docks/inspector_dock.h"
 
 #include "core/simulation/build.h"
@@ -64,5 +66,5 @@ class InspectorDockTest : public QObject {
     }
 };
 
-QTEST_MAIN(InspectorDockTest)
+CAROM_TEST_WITH(QApplication, inspector_dock_test, InspectorDockTest)
 #include "inspector_dock_test.moc"

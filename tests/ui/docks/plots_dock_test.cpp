@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/docks/plots_dock.h"
 
 #include "core/simulation/build.h"
@@ -127,5 +129,5 @@ class PlotsDockTest : public QObject {
     }
 };
 
-QTEST_MAIN(PlotsDockTest)
+CAROM_TEST_WITH(QApplication, plots_dock_test, PlotsDockTest)
 #include "plots_dock_test.moc"

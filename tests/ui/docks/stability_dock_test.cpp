@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/simulation/build.h"
 #include "ui/docks/stability_dock.h"
 
@@ -88,5 +90,5 @@ class StabilityDockTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::StabilityDockTest)
+CAROM_TEST_WITH(QApplication, stability_dock_test, carom::StabilityDockTest)
 #include "stability_dock_test.moc"

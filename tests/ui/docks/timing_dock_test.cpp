@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/statistics.h"
 #include "ui/docks/run_comparison.h"
 #include "ui/docks/timing_dock.h"
@@ -215,5 +217,5 @@ class TimingDockTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::TimingDockTest)
+CAROM_TEST_WITH(QApplication, timing_dock_test, carom::TimingDockTest)
 #include "timing_dock_test.moc"

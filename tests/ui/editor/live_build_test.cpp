@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
+#include "tests/support/test_class.h"
 
 #include "ui/editor/live_build.h"
 
@@ -123,5 +124,5 @@ class LiveBuildTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(LiveBuildTest)
+CAROM_TEST_WITH(IdeApplication, live_build_test, LiveBuildTest)
 #include "live_build_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
+#include "tests/support/test_class.h"
 
 #include "ui/editor/completer.h"
 #include "ui/editor/diagnostic_marks.h"
@@ -345,5 +346,5 @@ class SceneEditorTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(SceneEditorTest)
+CAROM_TEST_WITH(IdeApplication, scene_editor_test, SceneEditorTest)
 #include "scene_editor_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/simulation/frame_log.h"
 #include "ui/simulation/simulation.h"
 
@@ -376,5 +378,5 @@ class SimulationTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(SimulationTest)
+CAROM_TEST_WITH(QCoreApplication, simulation_test, SimulationTest)
 #include "simulation_test.moc"

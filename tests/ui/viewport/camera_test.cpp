@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 #include "ui/viewport/camera.h"
 
@@ -170,5 +172,5 @@ class CameraTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::CameraTest)
+CAROM_TEST(camera_test, carom::CameraTest)
 #include "camera_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/viewport/gif_writer.h"
 
 #include "core/math/random.h"
@@ -98,5 +100,5 @@ class GifWriterTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(GifWriterTest)
+CAROM_TEST_WITH(QCoreApplication, gif_writer_test, GifWriterTest)
 #include "gif_writer_test.moc"

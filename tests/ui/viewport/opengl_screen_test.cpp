@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pictures.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 #include "ui/viewport/viewport.h"
 
 #include <QImage>
@@ -98,5 +99,5 @@ class OpenGLScreenTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::OpenGLScreenTest)
+CAROM_TEST_WITH(QApplication, opengl_screen_test, carom::OpenGLScreenTest)
 #include "opengl_screen_test.moc"

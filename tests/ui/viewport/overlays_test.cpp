@@ -2,6 +2,7 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/world.h"
 #include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
 #include "ui/viewport/overlays.h"
 
 #include <QTest>
@@ -227,5 +228,5 @@ class OverlaysTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::OverlaysTest)
+CAROM_TEST(overlays_test, carom::OverlaysTest)
 #include "overlays_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 #include "ui/viewport/instances.h"
 #include "ui/viewport/picking.h"
 
@@ -208,5 +209,5 @@ class PickingTest : public QObject {
 
 } // namespace carom
 
-QTEST_APPLESS_MAIN(carom::PickingTest)
+CAROM_TEST(picking_test, carom::PickingTest)
 #include "picking_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/viewport/picture_pace.h"
 
 #include <QTest>
@@ -37,5 +39,5 @@ class PicturePaceTest : public QObject {
     }
 };
 
-QTEST_APPLESS_MAIN(PicturePaceTest)
+CAROM_TEST(picture_pace_test, PicturePaceTest)
 #include "picture_pace_test.moc"

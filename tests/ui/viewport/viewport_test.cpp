@@ -2,6 +2,7 @@
 #include "core/math/rotation.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/test_class.h"
 #include "ui/viewport/viewport.h"
 
 #include <QApplication>
@@ -491,5 +492,5 @@ class ViewportTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::ViewportTest)
+CAROM_TEST_WITH(QApplication, viewport_test, carom::ViewportTest)
 #include "viewport_test.moc"

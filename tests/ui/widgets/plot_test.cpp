@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/widgets/plot.h"
 
 #include <QFile>
@@ -141,5 +143,5 @@ class PlotTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::PlotTest)
+CAROM_TEST_WITH(QApplication, plot_test, carom::PlotTest)
 #include "plot_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/widgets/save_dialog.h"
 
 #include <QApplication>
@@ -63,5 +65,5 @@ class SaveDialogTest : public QObject {
     void whoeverChangesTheirMindGetsNoPath() { QVERIFY(Asked(QString()).path.isEmpty()); }
 };
 
-QTEST_MAIN(SaveDialogTest)
+CAROM_TEST_WITH(QApplication, save_dialog_test, SaveDialogTest)
 #include "save_dialog_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "ui/widgets/timeline.h"
 
 #include <QApplication>
@@ -114,9 +116,5 @@ class TimelineTest : public QObject {
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication application(argc, argv);
-    TimelineTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAROM_TEST_WITH(QApplication, timeline_test, TimelineTest)
 #include "timeline_test.moc"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
 #include "core/math/random.h"
 #include "ui/widgets/timing_strip.h"
 
@@ -159,5 +161,5 @@ class TimingStripTest : public QObject {
 
 } // namespace carom
 
-QTEST_MAIN(carom::TimingStripTest)
+CAROM_TEST_WITH(QApplication, timing_strip_test, carom::TimingStripTest)
 #include "timing_strip_test.moc"

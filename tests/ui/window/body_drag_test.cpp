@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/window/live_preview.h"
@@ -115,5 +116,5 @@ class BodyDragTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(BodyDragTest)
+CAROM_TEST_WITH(IdeApplication, body_drag_test, BodyDragTest)
 #include "body_drag_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/docks/breakpoints_dock.h"
@@ -101,5 +102,5 @@ class BreakpointsTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(BreakpointsTest)
+CAROM_TEST_WITH(IdeApplication, breakpoints_test, BreakpointsTest)
 #include "breakpoints_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include "ui/window/recovery.h"
 
@@ -161,5 +162,5 @@ class CrashTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(CrashTest)
+CAROM_TEST_WITH(QCoreApplication, crash_test, CrashTest)
 #include "crash_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
+#include "tests/support/test_class.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -111,5 +112,5 @@ class DocumentTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(DocumentTest)
+CAROM_TEST_WITH(IdeApplication, document_test, DocumentTest)
 #include "document_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/docks/outline_dock.h"
@@ -226,5 +227,5 @@ class LanguageTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(LanguageTest)
+CAROM_TEST_WITH(IdeApplication, language_test, LanguageTest)
 #include "language_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/window/translation.h"
@@ -119,5 +120,5 @@ class LayoutTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(LayoutTest)
+CAROM_TEST_WITH(IdeApplication, layout_test, LayoutTest)
 #include "layout_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/editor/live_build.h"
@@ -138,5 +139,5 @@ class LongWorkTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(LongWorkTest)
+CAROM_TEST_WITH(IdeApplication, long_work_test, LongWorkTest)
 #include "long_work_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/viewport/film.h"
@@ -248,5 +249,5 @@ class PicturesTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(PicturesTest)
+CAROM_TEST_WITH(IdeApplication, pictures_test, PicturesTest)
 #include "pictures_test.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.h"
+#include "tests/support/test_class.h"
 
 #include <QDir>
 #include <QImage>
@@ -86,5 +87,5 @@ class ProgramTest : public QObject {
     }
 };
 
-QTEST_GUILESS_MAIN(ProgramTest)
+CAROM_TEST_WITH(QCoreApplication, program_test, ProgramTest)
 #include "program_test.moc"

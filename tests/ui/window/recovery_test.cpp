@@ -39,7 +39,8 @@ class RecoveryTest : public QObject {
         // A second process types and is killed, as by a crash; the text must be there byte for byte.
         QTemporaryDir folder;
         QProcess victim;
-        victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("victim"), folder.path()});
+        victim.start(QCoreApplication::applicationFilePath(),
+                     {QStringLiteral("recovery_test"), QStringLiteral("victim"), folder.path()});
         QVERIFY(victim.waitForReadyRead(patience));
         QVERIFY(Recovery::lostTexts(folder.path()).empty());
         victim.kill();
@@ -93,7 +94,12 @@ int beVictim(const QString& folder) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+namespace carom::test {
+int recovery_test(int argc, char** argv);
+}
+
+// The program's second instance is the one that is killed.
+int carom::test::recovery_test(int argc, char** argv) {
     IdeApplication application(argc, argv);
     if (argc == 3 && QByteArray(argv[1]) == "victim") return beVictim(QString::fromLocal8Bit(argv[2]));
     RecoveryTest test;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/docks/broadphase_dock.h"
@@ -439,5 +440,5 @@ class ShellTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(ShellTest)
+CAROM_TEST_WITH(IdeApplication, shell_test, ShellTest)
 #include "shell_test.moc"

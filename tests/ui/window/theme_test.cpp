@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/ide.h"
+#include "tests/support/test_class.h"
 
 #include <QListWidget>
 #include <QSet>
@@ -121,5 +122,5 @@ class ThemeTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(ThemeTest)
+CAROM_TEST_WITH(IdeApplication, theme_test, ThemeTest)
 #include "theme_test.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/docks/timing_dock.h"
@@ -198,5 +199,5 @@ class TimeTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(TimeTest)
+CAROM_TEST_WITH(IdeApplication, time_test, TimeTest)
 #include "time_test.moc"

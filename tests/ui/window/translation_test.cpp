@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "core/integrators/integrator.h"
@@ -124,5 +125,5 @@ class TranslationTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(TranslationTest)
+CAROM_TEST_WITH(IdeApplication, translation_test, TranslationTest)
 #include "translation_test.moc"

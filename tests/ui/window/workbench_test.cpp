@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/docks/accuracy_dock.h"
@@ -265,5 +266,5 @@ class WorkbenchTest : public QObject {
     }
 };
 
-CAROM_IDE_TEST_MAIN(WorkbenchTest)
+CAROM_TEST_WITH(IdeApplication, workbench_test, WorkbenchTest)
 #include "workbench_test.moc"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/study/cases/hard_cases.h"
+#include "tests/support/test_class.h"
 
 namespace carom {
 
-class HardCasesTest : public QObject {
+class HardCases43To50Test : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
@@ -13,5 +14,5 @@ class HardCasesTest : public QObject {
 
 } // namespace carom
 
-QTEST_GUILESS_MAIN(carom::HardCasesTest)
+CAROM_TEST_WITH(QCoreApplication, hard_cases_43_to_50_test, carom::HardCases43To50Test)
 #include "hard_cases_43_to_50_test.moc"

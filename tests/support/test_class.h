@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTest>
+
+// A folder's tests are one program. Each file holds one test class and ends in CAROM_TEST, which makes it
+// known to the program under the file's name; CMake writes the program's table of classes from its list of
+// files.
+
+/// The last line but one of x_test.cpp: CAROM_TEST(x_test, XTest).
+#define CAROM_TEST(name, TestClass)                                                                          \
+    namespace carom::test {                                                                                  \
+    int name(int argc, char** argv);                                                                         \
+    int name(int argc, char** argv) {                                                                        \
+        TestClass test;                                                                                      \
+        return QTest::qExec(&test, argc, argv);                                                              \
+    }                                                                                                        \
+    }
+
+/// The same for a class that needs an application object: QCoreApplication, QApplication or IdeApplication.
+#define CAROM_TEST_WITH(Application, name, TestClass)                                                        \
+    namespace carom::test {                                                                                  \
+    int name(int argc, char** argv);                                                                         \
+    int name(int argc, char** argv) {                                                                        \
+        const Application application(argc, argv);                                                           \
+        TestClass test;                                                                                      \
+        return QTest::qExec(&test, argc, argv);                                                              \
+    }                                                                                                        \
+    }
