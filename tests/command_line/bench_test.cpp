@@ -17,13 +17,13 @@ class BenchTest : public QObject {
         const Ended ended = carom({"bench", "--scene", "brownian", "pyramid", "-n", "30,15", "--broadphase",
                                    "all_pairs,sweep_and_sort", "--frames", "6", "-o", results});
         QCOMPARE(ended.exitCode, 0);
-        const QStringList points = linesOf(QString::fromUtf8(contentOf(results + "/performance.csv")));
+        const QStringList points = linesOf(QString::fromUtf8(readFile(results + "/performance.csv")));
         QCOMPARE(points.size(), 1 + 2 * 2 * 2);
         QVERIFY(points[1].startsWith("brownian,15,20,all_pairs,6,"));
         QVERIFY(points[8].startsWith("pyramid,30,37,sweep_and_sort,6,"));
         for (const QString& row : points) QCOMPARE(row.count(','), points[0].count(','));
-        QCOMPARE(linesOf(QString::fromUtf8(contentOf(results + "/trace.csv"))).size(), 1 + 2 * 6);
-        QCOMPARE(QString::fromUtf8(contentOf(results + "/summary.txt")), ended.out);
+        QCOMPARE(linesOf(QString::fromUtf8(readFile(results + "/trace.csv"))).size(), 1 + 2 * 6);
+        QCOMPARE(QString::fromUtf8(readFile(results + "/summary.txt")), ended.out);
         QVERIFY(ended.out.contains("sweep_and_sort"));
     }
 
@@ -38,10 +38,10 @@ class BenchTest : public QObject {
         for (const char* name : {"frame_rate_pyramid", "naive_and_baraff_pyramid", "trace_all_pairs",
                                  "trace_first_frame", "trace_sweep_and_sort", "trace"}) {
             const QString path = folder.filePath(name);
-            QVERIFY2(contentOf(path + ".svg").contains("</svg>"), name);
-            QVERIFY2(contentOf(path + ".png").startsWith("\x89PNG"), name);
+            QVERIFY2(readFile(path + ".svg").contains("</svg>"), name);
+            QVERIFY2(readFile(path + ".png").startsWith("\x89PNG"), name);
         }
-        QVERIFY(contentOf(folder.filePath("naive_and_baraff_pyramid.svg")).contains("parabola"));
+        QVERIFY(readFile(folder.filePath("naive_and_baraff_pyramid.svg")).contains("parabola"));
     }
 #endif
 
@@ -77,8 +77,8 @@ class BenchTest : public QObject {
         process.terminate();
         const Ended ended = finish(process);
         QCOMPARE(ended.exitCode, 130);
-        QVERIFY(contentOf(results + "/summary.txt").contains("Stopped early"));
-        QVERIFY(contentOf(results + "/performance.csv").startsWith("scene,n,bodies,"));
+        QVERIFY(readFile(results + "/summary.txt").contains("Stopped early"));
+        QVERIFY(readFile(results + "/performance.csv").startsWith("scene,n,bodies,"));
     }
 };
 

@@ -155,7 +155,7 @@ void CheckTest::randomBytesEndWithZeroOrOne() {
     // A few dozen through the whole program; the analysis itself meets a hundred thousand elsewhere.
     constexpr std::uint64_t seed = 20261121;
     Random random(seed);
-    const QByteArray scene = test::contentOf(test::source("scenes/tour.sdl"));
+    const QByteArray scene = test::readFile(test::source("scenes/tour.sdl"));
     for (int round = 0; round < 40; ++round) {
         QByteArray bytes;
         if (round % 2 == 0) {

@@ -49,7 +49,7 @@ void FormatTest::inPlaceReplacesTheFileAndKeepsItsPermissions() {
     const test::Ended ended = test::carom({"format", "--in-place", file});
     QCOMPARE(ended.exitCode, 0);
     QCOMPARE(ended.out, QString());
-    QCOMPARE(test::contentOf(file), QByteArray("wall { normal 0, 1, 0  toOrig 0 }\n"));
+    QCOMPARE(test::readFile(file), QByteArray("wall { normal 0, 1, 0  toOrig 0 }\n"));
     struct stat status {};
     QCOMPARE(::stat(file.toUtf8().constData(), &status), 0);
     QCOMPARE(status.st_mode & 07777U, 0640U);
@@ -60,7 +60,7 @@ void FormatTest::inPlaceFollowsALinkAndLeavesItALink() {
     QVERIFY(QFile::link("target.sdl", path("link.sdl")));
     QCOMPARE(test::carom({"format", "-i", path("link.sdl")}).exitCode, 0);
     QVERIFY(QFileInfo(path("link.sdl")).isSymLink());
-    QCOMPARE(test::contentOf(path("target.sdl")), QByteArray("wall { normal 0, 1, 0  toOrig 0 }\n"));
+    QCOMPARE(test::readFile(path("target.sdl")), QByteArray("wall { normal 0, 1, 0  toOrig 0 }\n"));
 }
 
 void FormatTest::inPlaceLeavesAFormattedFileUntouched() {

@@ -201,7 +201,7 @@ void OptionsTest::theShippedManualPageIsMadeFromTheTables() {
     const QString path = test::source("packaging/carom.1");
     if (qEnvironmentVariableIsSet("CAROM_UPDATE"))
         test::writeFile(path, QByteArray::fromStdString(manualPage()));
-    QVERIFY2(test::contentOf(path) == QByteArray::fromStdString(manualPage()),
+    QVERIFY2(test::readFile(path) == QByteArray::fromStdString(manualPage()),
              "this test writes it anew when CAROM_UPDATE is set");
 }
 

@@ -121,7 +121,7 @@ void RunTest::theTextSummarySaysTheSame() {
 void RunTest::aTraceHoldsEveryMobileBodyEveryKthFrame() {
     const QString file = path("trace.csv");
     QCOMPARE(test::carom({"run", "-", "-n", "5", "--trace", file, "--every", "2"}, glide).exitCode, 0);
-    const QStringList rows = test::linesOf(test::contentOf(file));
+    const QStringList rows = test::linesOf(test::readFile(file));
     QCOMPARE(rows.first(), QString(traceColumns));
     QCOMPARE(rows.size(), 1 + 3 * 2); // frames 0, 2 and 4 of two mobile bodies; the wall is body 0
     QCOMPARE(rows[1], QString("0,0,1,,0,0,0,1,0,0,0,1,0,0,0,0,0"));
@@ -132,7 +132,7 @@ void RunTest::aTraceHoldsEveryMobileBodyEveryKthFrame() {
 void RunTest::statisticsHoldARowAFrame() {
     const QString file = path("stats.csv");
     QCOMPARE(test::carom({"run", "-", "-n", "3", "--stats", file}, glide).exitCode, 0);
-    const QStringList rows = test::linesOf(test::contentOf(file));
+    const QStringList rows = test::linesOf(test::readFile(file));
     QCOMPARE(rows.size(), 4);
     QCOMPARE(rows.first(), QString(statsColumns));
     for (int frame = 1; frame <= 3; ++frame) {
@@ -153,7 +153,7 @@ void RunTest::figuresReadBackExactly() {
     QCOMPARE(test::carom({"run", test::source("scenes/spinning_cylinder.sdl"), "-n", "60", "--trace", file})
                  .exitCode,
              0);
-    const QStringList rows = test::linesOf(test::contentOf(file));
+    const QStringList rows = test::linesOf(test::readFile(file));
     QCOMPARE(rows.size(), 1 + 61 * 3);
     for (const QString& row : rows.mid(1)) {
         const QStringList fields = fieldsOf(row);
@@ -175,7 +175,7 @@ void RunTest::summaryAndStatisticsAgree() {
     const QJsonObject run = QJsonDocument::fromJson(ended.out.toUtf8()).object();
     double total = 0, deepest = 0, residual = 0, pairs = 0, contacts = 0;
     QStringList last;
-    const QStringList rows = test::linesOf(test::contentOf(file)).mid(1);
+    const QStringList rows = test::linesOf(test::readFile(file)).mid(1);
     for (const QString& row : rows) {
         last = fieldsOf(row);
         total += last[2].toDouble();
@@ -262,7 +262,7 @@ void RunTest::aLostStateEndsWithFourAndSaysWhere() {
     // What was computed before is there, and finite.
     const int frames = QJsonDocument::fromJson(ended.out.toUtf8()).object()["frames"].toInt(-1);
     QVERIFY(frames >= 0 && frames < 10);
-    const QString trace = test::contentOf(file);
+    const QString trace = test::readFile(file);
     QCOMPARE(test::linesOf(trace).size(), 1 + 1 + frames);
     QVERIFY(!trace.contains("inf") && !trace.contains("nan"));
 }
@@ -301,7 +301,7 @@ void RunTest::anInterruptedRunWritesWhatItComputed() {
     QCOMPARE(ended.exitCode, 130);
     const QJsonObject run = QJsonDocument::fromJson(ended.out.toUtf8()).object();
     QVERIFY(run["frames"].toInt() > 0);
-    const QByteArray stats = test::contentOf(file);
+    const QByteArray stats = test::readFile(file);
     QVERIFY(stats.endsWith('\n'));
     QCOMPARE(stats.count('\n'), 1 + run["frames"].toInt());
 }

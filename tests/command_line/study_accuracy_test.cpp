@@ -36,9 +36,9 @@ class StudyAccuracyTest : public QObject {
         const QString folder = m_folder.filePath("new");
         const Ended ended = study({"-o", folder, "--chart", m_folder.filePath("one.svg")});
         QCOMPARE(ended.exitCode, 0);
-        QCOMPARE(QString::fromUtf8(contentOf(folder + "/summary.txt")), ended.out);
+        QCOMPARE(QString::fromUtf8(readFile(folder + "/summary.txt")), ended.out);
         QVERIFY(ended.out.startsWith("Errors are against the exact events"));
-        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         QVERIFY(rows.size() > 4);
         for (const QString& cell : column(rows, "impacts_true")) QCOMPARE(cell, "2");
         QVERIFY(ended.out.contains("2 of 2"));
@@ -46,7 +46,7 @@ class StudyAccuracyTest : public QObject {
 #ifdef CAROM_CHARTS
         for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
             QVERIFY2(QFile(folder + "/" + name).size() > 1000, name);
-        QVERIFY(contentOf(m_folder.filePath("one.svg")).contains("<svg"));
+        QVERIFY(readFile(m_folder.filePath("one.svg")).contains("<svg"));
 #endif
     }
 
@@ -60,15 +60,15 @@ class StudyAccuracyTest : public QObject {
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         const Ended first = finish(process);
         QCOMPARE(first.exitCode, 130);
-        const QStringList before = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const QStringList before = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         QVERIFY2(before.size() >= 1, qPrintable(first.out));
 
         const Ended whole = study({"-o", folder});
         QCOMPARE(whole.exitCode, 0);
-        const QStringList measured = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const QStringList measured = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         const Ended resumed = study({"-o", folder, "--resume"});
         QCOMPARE(resumed.exitCode, 0);
-        const QStringList after = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const QStringList after = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         // Nothing was measured again: the times of the runs are those of before.
         QCOMPARE(column(after, "runs_ms"), column(measured, "runs_ms"));
     }
@@ -112,7 +112,7 @@ class StudyAccuracyTest : public QObject {
                                  "--substeps=1,2 --runs=1 --instructions -o '%3'")
                       .arg(tools, m_scene, folder));
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
-        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder + "/accuracy.csv")));
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         for (const QString& cell : column(rows, "instructions")) QCOMPARE(qRound(cell.toDouble()), 3600);
         QVERIFY(ended.out.contains("instructions"));
     }

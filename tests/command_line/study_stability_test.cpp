@@ -17,10 +17,10 @@ class StudyStabilityTest : public QObject {
         const QTemporaryDir folder;
         const Ended ended = carom({"study", "stability", "elastic_ball", "7", "-o", folder.filePath("new")});
         QCOMPARE(ended.exitCode, 0);
-        const QStringList rows = linesOf(QString::fromUtf8(contentOf(folder.filePath("new/stability.csv"))));
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(folder.filePath("new/stability.csv"))));
         QVERIFY(rows[1].startsWith("1,elastic_ball,default,energy error,"));
         QVERIFY(rows[1].contains("carom study stability elastic_ball 7 --output="));
-        QCOMPARE(QString::fromUtf8(contentOf(folder.filePath("new/summary.txt"))), ended.out);
+        QCOMPARE(QString::fromUtf8(readFile(folder.filePath("new/summary.txt"))), ended.out);
         QVERIFY(ended.out.contains("default: 2 of 2 hold\naccurate: 2 of 2 hold\nexact: 1 of 1 hold\n"));
         QCOMPARE(ended.err, QString());
     }

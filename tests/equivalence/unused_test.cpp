@@ -41,7 +41,7 @@ Profile readProfile(const QString& path) {
     QMap<int, QString> objects;
     bool ours = true, total = false;
     quint64 all = 0, told = 0;
-    for (const QString& line : linesOf(QString::fromUtf8(contentOf(path)))) {
+    for (const QString& line : linesOf(QString::fromUtf8(readFile(path)))) {
         if (line.startsWith(QStringLiteral("totals: ")))
             told = line.section(QLatin1Char(' '), 1, 1).toULongLong();
         const QRegularExpressionMatch match = entry.match(line);

@@ -47,7 +47,7 @@ class ScenesSmokeTest : public QObject {
         }
     }
     static Build built(const QString& path, const SimulationSettings& options = {}) {
-        return build(test::contentOf(path).toStdString(), options);
+        return build(test::readFile(path).toStdString(), options);
     }
 };
 
@@ -74,7 +74,7 @@ void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
 
 void ScenesSmokeTest::everySceneIsInTheCanonicalLayout() {
     QFETCH(QString, path);
-    const Analysis analysis = analyse(test::contentOf(path).toStdString());
+    const Analysis analysis = analyse(test::readFile(path).toStdString());
     QCOMPARE(QString::fromStdString(formatText(analysis)), QString::fromStdString(analysis.text));
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/files.h"
+#include "tests/support/test_class.h"
+
 #include "ui/editor/scene_editor.h"
 #include "ui/simulation/simulation.h"
 #include "ui/window/actions.h"
@@ -8,7 +11,6 @@
 #include "ui/window/workbench.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -17,9 +19,6 @@
 // The whole IDE in a test, with settings of its own, driven by events as a user's hands would.
 
 namespace carom::test {
-
-/// Longest wait for something that needs a thread, a timer or a picture [ms]; a machine under load is slow.
-inline constexpr int patience = 20000;
 
 /// A QApplication as the program makes it, with an empty home.
 class IdeApplication {
@@ -36,16 +35,6 @@ class IdeApplication {
     QTemporaryDir m_home;
     std::unique_ptr<QApplication> m_application;
 };
-
-inline bool writeFile(const QString& path, const QByteArray& bytes) {
-    QFile file(path);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-}
-
-inline QByteArray readFile(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<cannot be read>");
-}
 
 /// Puts the caret behind the first place that says `text`.
 inline void placeCaretBehind(SceneEditor& editor, const QByteArray& text) {

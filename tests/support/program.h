@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFile>
+#include "tests/support/files.h"
+
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -16,8 +17,6 @@ struct Ended {
     QString out;
     QString err;
 };
-
-inline constexpr int patience = 120'000; ///< [ms] a program may take; only a hang takes that long
 
 inline Ended finish(QProcess& process) {
     if (!process.waitForFinished(patience)) {
@@ -47,17 +46,6 @@ inline Ended carom(const QStringList& words, const QByteArray& input = {}) {
 inline Ended shell(const QString& line) {
     return runCommand(QStringLiteral("/bin/sh"),
                       {QStringLiteral("-c"), QStringLiteral("carom='" CAROM_PROGRAM "'; ") + line});
-}
-
-inline QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-inline void writeFile(const QString& path, const QByteArray& content) {
-    QFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
-        qFatal("cannot write the test's file");
 }
 
 /// The lines of a text without their ends; nothing behind the last end.

@@ -283,7 +283,7 @@ void ScenesTest::theShippedScenesAreTheGeneratorsOwn() {
     QFETCH(QString, path);
     const QByteArray text = QByteArray::fromStdString(generate(*findGenerator(QTest::currentDataTag()), {}));
     if (qEnvironmentVariableIsSet("CAROM_UPDATE")) test::writeFile(path, text);
-    QCOMPARE(test::contentOf(path), text);
+    QCOMPARE(test::readFile(path), text);
 }
 
 CAROM_TEST(scenes_test, ScenesTest)

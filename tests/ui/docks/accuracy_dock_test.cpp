@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "core/integrators/integrator.h"
@@ -25,7 +26,7 @@
 namespace carom {
 namespace {
 
-constexpr int patience = 120'000; // [ms], only a hang takes that long
+using test::patience;
 
 SharedBuild built(const char* text) {
     auto result = std::make_shared<BuildResult>();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/docks/broadphase_comparison.h"
@@ -21,19 +22,15 @@
 namespace carom {
 namespace {
 
+using test::patience;
+using test::readFile;
+
 // By a method that searches in every frame.
 std::shared_ptr<const Pipeline> gasOf(std::int64_t n) {
     const GeneratorRow& brownian = *findGenerator("brownian");
     SimulationSettings options;
     options.method = "microcollisions";
     return build(generate(brownian, requestFor(brownian, n)), options).pipeline;
-}
-
-constexpr int patience = 60'000; // [ms], only a hang takes that long
-
-QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 } // namespace
@@ -99,10 +96,10 @@ class BroadphaseComparisonTest : public QObject {
         QCOMPARE(m_comparison->exportTo(csv), QString());
         QCOMPARE(m_comparison->exportFramesTo(frames), QString());
         QVERIFY(QImage(png).width() > 500);
-        QVERIFY(contentOf(svg).contains("Sweep and sort"));
+        QVERIFY(readFile(svg).contains("Sweep and sort"));
         const qsizetype algorithms = std::ssize(broadphases());
-        QCOMPARE(contentOf(csv).count('\n'), 1 + algorithms);
-        QCOMPARE(contentOf(frames).count('\n'), 1 + 120 * algorithms);
+        QCOMPARE(readFile(csv).count('\n'), 1 + algorithms);
+        QCOMPARE(readFile(frames).count('\n'), 1 + 120 * algorithms);
         QVERIFY(m_comparison->exportTo(m_folder.filePath(QStringLiteral("no/such/c.csv")))
                     .contains(QLatin1StringView("cannot be written")));
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/docks/effects_dock.h"
@@ -12,6 +13,8 @@
 
 namespace carom {
 namespace {
+
+using test::patience;
 
 /// A ball over a floor, built.
 SharedBuild ballOverFloor() {
@@ -55,12 +58,14 @@ class EffectsDockTest : public QObject {
         dock.QWidget::show();
         dock.addSamples(countingSamples(20));
         const QTextBrowser* text = dock.findChild<QTextBrowser*>();
-        QTRY_VERIFY(text->toPlainText().contains(QStringLiteral("A frame takes 10.500 ms")));
+        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 10.500 ms")),
+                                 patience);
         QVERIFY(text->toPlainText().contains(QStringLiteral("respond 10.500")));
         dock.addSamples(countingSamples(100)); // of which the last sixty count
-        QTRY_VERIFY(text->toPlainText().contains(QStringLiteral("A frame takes 70.500 ms")));
+        QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 70.500 ms")),
+                                 patience);
         dock.clear();
-        QTRY_VERIFY(!text->toPlainText().contains(QStringLiteral("A frame takes")));
+        QTRY_VERIFY_WITH_TIMEOUT(!text->toPlainText().contains(QStringLiteral("A frame takes")), patience);
     }
 };
 

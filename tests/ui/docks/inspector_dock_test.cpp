@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/docks/inspector_dock.h"
@@ -13,7 +14,7 @@ using namespace carom;
 
 namespace {
 
-constexpr int patience = 20000; // [ms]
+using carom::test::patience;
 
 const char* const scene = "gravity { accel 0,-10,0 } wall { normal 0,1,0 toOrig 0 }\n"
                           "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 elastic .5 }\n"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/docks/plots_dock.h"
@@ -18,7 +19,7 @@ using namespace carom;
 
 namespace {
 
-constexpr int patience = 20000; // [ms]
+using carom::test::patience;
 
 const std::string falling = "gravity { accel 0,-10,0 }\n"
                             "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 }\n"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "core/simulation/build.h"
@@ -16,8 +17,7 @@
 namespace carom {
 namespace {
 
-/// Longest wait for a short case [ms]; a machine under load is slow.
-constexpr int patience = 60'000;
+using test::patience;
 
 } // namespace
 

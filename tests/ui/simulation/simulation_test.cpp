@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/simulation/frame_log.h"
@@ -15,7 +16,7 @@ using namespace carom;
 
 namespace {
 
-constexpr int patience = 20000; // [ms], for a loaded machine
+using carom::test::patience;
 
 /// Balls that meet each other and the floor again and again, so that a wrong broad-phase would show.
 std::string jostling() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
@@ -42,9 +43,9 @@ class OpenGLScreenTest : public QObject {
         };
         viewport.showPipeline(pipelineOf(scene));
         viewport.setCamera(frontCamera());
-        QTRY_VERIFY(viewport.framesRendered() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > 0, patience);
         QVERIFY(viewport.lastRenderTime() > 0);
-        QTRY_VERIFY(matches());
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
         QVERIFY(leads(viewport.grab().toImage().pixel(side / 2, side / 2), red));
 
         const std::int64_t before = viewport.framesRendered();
@@ -52,22 +53,22 @@ class OpenGLScreenTest : public QObject {
         moved->pose[0].position = Vec3(-2, 1, 0);
         viewport.showSnapshot(moved);
         viewport.setSelectedBody(1);
-        QTRY_VERIFY(viewport.framesRendered() > before);
-        QTRY_VERIFY(matches());
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > before, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
         QVERIFY(!leads(viewport.grab().toImage().pixel(side / 2, side / 2), red));
 
         // Letters are painted over it by another engine, which must leave OpenGL as it was.
         const QImage plain = viewport.grab().toImage();
         viewport.setOverlay(Overlay::Labels, true);
-        QTRY_VERIFY(viewport.grab().toImage() != plain && !matches());
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.grab().toImage() != plain && !matches(), patience);
         viewport.resize(side + 60, side - 40);
         viewport.setOverlay(Overlay::Labels, false);
-        QTRY_VERIFY(matches());
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
 
         viewport.hide();
         viewport.showSnapshot(startOf(scene));
         viewport.show();
-        QTRY_VERIFY(matches());
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
         QVERIFY(viewport.childAt(side / 2, side / 2) == nullptr); // the mouse belongs to the viewport
         QVERIFY(failed.isEmpty());
     }
@@ -83,7 +84,7 @@ class OpenGLScreenTest : public QObject {
             const QRgb middle = viewport->grab().toImage().pixel(side / 2, side / 2);
             return qRed(middle) > 150 && qRed(middle) > 2 * qGreen(middle);
         };
-        QTRY_VERIFY(showsRed());
+        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), patience);
         QWidget window;
         window.resize(side, side);
         viewport->setParent(&window);
@@ -92,8 +93,8 @@ class OpenGLScreenTest : public QObject {
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         const std::int64_t before = viewport->framesRendered();
         viewport->setCamera(frontCamera(true));
-        QTRY_VERIFY(viewport->framesRendered() > before);
-        QTRY_VERIFY(showsRed());
+        QTRY_VERIFY_WITH_TIMEOUT(viewport->framesRendered() > before, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), patience);
     }
 };
 

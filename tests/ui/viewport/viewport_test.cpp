@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/rotation.h"
+#include "tests/support/files.h"
 #include "tests/support/pictures.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
@@ -90,7 +91,7 @@ class ViewportTest : public QObject {
         m_viewport->resize(side, side);
         m_viewport->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
-        QTRY_VERIFY(m_viewport->framesRendered() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_viewport->framesRendered() > 0, patience);
         QVERIFY(failed.isEmpty());
         m_viewport->setDarkTheme(false);
     }
@@ -400,7 +401,7 @@ class ViewportTest : public QObject {
             return colours.size();
         };
         const std::size_t moving = shades();
-        QTRY_VERIFY(shades() > moving + 10); // mixtures along the edges
+        QTRY_VERIFY_WITH_TIMEOUT(shades() > moving + 10, patience); // mixtures along the edges
         m_viewport->setCamera(camera);
         QCOMPARE(shades(), moving);
     }
@@ -471,7 +472,7 @@ class ViewportTest : public QObject {
                        .lines = std::make_shared<const std::vector<LineVertex>>(),
                        .options = {.size = {40, 30}, .camera = frontCamera(), .theme = viewTheme(true)}};
         drawing.post(job);
-        QTRY_VERIFY(drawer != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(drawer != nullptr, patience);
         QCOMPARE(drawer != QThread::currentThread(), QOpenGLContext::supportsThreadedOpenGL());
         QCOMPARE(ready.size(), 1);
         QCOMPARE(drawing.draw(job).size(), QSize(40, 30));
@@ -484,7 +485,7 @@ class ViewportTest : public QObject {
         QSignalSpy rendered(m_viewport.get(), &Viewport::frameRendered);
         const std::int64_t before = m_viewport->framesRendered();
         m_viewport->setCamera(frontCamera(true));
-        QTRY_VERIFY(rendered.size() > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(rendered.size() > 0, patience);
         QVERIFY(m_viewport->framesRendered() > before);
         QVERIFY(m_viewport->lastRenderTime() > 0);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/widgets/plot.h"
@@ -14,6 +15,9 @@
 
 namespace carom {
 namespace {
+
+using test::patience;
+using test::readFile;
 
 ChartSpec example(SeriesStyle style) {
     ChartSpec spec;
@@ -34,14 +38,9 @@ int pixelsOf(const QImage& image, const QColor& colour) {
     return count;
 }
 
-QByteArray contentOf(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 /// All text of a well-formed XML file; nothing where it is not well formed.
 QString textOfXml(const QString& path) {
-    QXmlStreamReader xml(contentOf(path));
+    QXmlStreamReader xml(readFile(path));
     QString text;
     while (!xml.atEnd())
         if (xml.readNext() == QXmlStreamReader::Characters) text += xml.text();
@@ -93,7 +92,7 @@ class PlotTest : public QObject {
     void aPdfHasItsHeadAndItsEnd() {
         const QString path = m_folder.filePath(QStringLiteral("chart.pdf"));
         QCOMPARE(writeChart(example(SeriesStyle::LineAndMarks), path), QString());
-        const QByteArray content = contentOf(path);
+        const QByteArray content = readFile(path);
         QVERIFY(content.startsWith("%PDF-"));
         QVERIFY(content.trimmed().endsWith("%%EOF"));
     }
@@ -104,7 +103,7 @@ class PlotTest : public QObject {
         spec.series[0].x = {0, 10, 100, 1000, 10000};
         spec.series[0].y = {5, -1, std::nan(""), 0.1, std::numeric_limits<double>::infinity()};
         QCOMPARE(writeChart(spec, m_folder.filePath(QStringLiteral("log.svg"))), QString());
-        QVERIFY(!contentOf(m_folder.filePath(QStringLiteral("log.svg"))).contains("nan"));
+        QVERIFY(!readFile(m_folder.filePath(QStringLiteral("log.svg"))).contains("nan"));
     }
 
     void anEmptyChartIsStillAFile() {
@@ -135,8 +134,9 @@ class PlotTest : public QObject {
         other.series.resize(1);
         for (const ChartSpec& spec : {example(SeriesStyle::Stacked), other, example(SeriesStyle::Stacked)}) {
             plot.setChart(spec);
-            QTRY_VERIFY(pixelsOf(plot.grab().toImage(), seriesColour(0)) > 500);
-            QTRY_COMPARE(pixelsOf(plot.grab().toImage(), seriesColour(1)) > 500, spec.series.size() > 1);
+            QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(plot.grab().toImage(), seriesColour(0)) > 500, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(pixelsOf(plot.grab().toImage(), seriesColour(1)) > 500,
+                                      spec.series.size() > 1, patience);
         }
     }
 };

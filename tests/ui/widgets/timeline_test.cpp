@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/widgets/timeline.h"
@@ -10,6 +11,8 @@
 using namespace carom;
 
 namespace {
+
+using carom::test::patience;
 
 constexpr double step = 0.01; // [s]
 
@@ -58,7 +61,7 @@ class TimelineTest : public QObject {
         QTest::mousePress(&shown.timeline, Qt::LeftButton, {}, shown.at(25));
         QCOMPARE(shown.lastSeek(), std::int64_t{25});
         QTest::mouseMove(&shown.timeline, shown.at(60));
-        QTRY_COMPARE(shown.lastSeek(), std::int64_t{60});
+        QTRY_COMPARE_WITH_TIMEOUT(shown.lastSeek(), std::int64_t{60}, patience);
         QTest::mouseRelease(&shown.timeline, Qt::LeftButton, {}, shown.at(60));
         QCOMPARE(shown.timeline.frame(), std::int64_t{60});
     }

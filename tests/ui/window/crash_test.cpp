@@ -108,7 +108,7 @@ class CrashTest : public QObject {
             QTest::qWait(behind + 500);
             session.kill();
         }
-        QCOMPARE(contentOf(desk.scene), original);
+        QCOMPARE(readFile(desk.scene), original);
         QCOMPARE(desk.lost(), original + typed);
 
         Session next(desk.home.path(), desk.scene);
@@ -118,14 +118,14 @@ class CrashTest : public QObject {
                                  starting);
         QVERIFY(next.focus(QStringLiteral("scene.sdl")));
         next.press("ctrl+s");
-        QTRY_COMPARE_WITH_TIMEOUT(contentOf(desk.scene), original + typed, starting);
+        QTRY_COMPARE_WITH_TIMEOUT(readFile(desk.scene), original + typed, starting);
     }
 
     void aKillWhileSavingLeavesAWholeFileAndNothingTypedIsLost() {
         QRandomGenerator random(seed);
         Desk desk;
         for (int turn = 0; turn < 4; ++turn) {
-            const QByteArray before = contentOf(desk.scene);
+            const QByteArray before = readFile(desk.scene);
             QByteArray typed;
             qsizetype oldEnough = 0; // of `typed`: longer ago than the swap file may be behind
             {
@@ -150,7 +150,7 @@ class CrashTest : public QObject {
                 for (const auto& [time, size] : history)
                     if (killed - time > behind) oldEnough = size;
             }
-            const QByteArray onDisk = contentOf(desk.scene);
+            const QByteArray onDisk = readFile(desk.scene);
             QVERIFY2(onDisk.startsWith(before) && (before + typed).startsWith(onDisk),
                      onDisk.constData()); // a whole version, never half of one
             const QByteArray best =

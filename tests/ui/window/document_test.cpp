@@ -34,7 +34,7 @@ class DocumentTest : public QObject {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl")),
                       copy = folder.filePath(QStringLiteral("b.sdl"));
-        QVERIFY(writeFile(path, awkward));
+        writeFile(path, awkward);
         SceneEditor editor(loadTheme(true));
         Document document(editor);
         QVERIFY(!document.open(path));
@@ -48,7 +48,7 @@ class DocumentTest : public QObject {
     void aFailedSaveLeavesTheOldFileAndTheUnsavedState() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        QVERIFY(writeFile(path, "old"));
+        writeFile(path, "old");
         PlainBuffer buffer;
         Document document(buffer);
         QVERIFY(!document.open(path));
@@ -83,7 +83,7 @@ class DocumentTest : public QObject {
     void openingIsOneChangeAndRaisesTheRevision() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        QVERIFY(writeFile(path, "sphere;"));
+        writeFile(path, "sphere;");
         SceneEditor editor(loadTheme(true));
         Document document(editor);
         connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
@@ -98,7 +98,7 @@ class DocumentTest : public QObject {
     void aChangeByAnotherProgramIsNoticedAndOurOwnIsNot() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        QVERIFY(writeFile(path, "one"));
+        writeFile(path, "one");
         PlainBuffer buffer;
         Document document(buffer);
         QVERIFY(!document.open(path));
@@ -107,7 +107,7 @@ class DocumentTest : public QObject {
         QVERIFY(!document.save());
         QTest::qWait(200);
         QCOMPARE(outside.count(), 0);
-        QVERIFY(writeFile(path, "three"));
+        writeFile(path, "three");
         QTRY_VERIFY_WITH_TIMEOUT(outside.count() > 0, patience);
     }
 };

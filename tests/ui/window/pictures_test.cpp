@@ -127,7 +127,7 @@ class PicturesTest : public QObject {
 
         // Stands in for the encoder: notes what it is told.
         const QString encoder = ide.folder.filePath(QStringLiteral("ffmpeg"));
-        QVERIFY(writeFile(encoder, "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"$last\"\n"));
+        writeFile(encoder, "#!/bin/sh\nfor last; do :; done\necho \"$@\" > \"$last\"\n");
         QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner);
         QCOMPARE(objectionTo(plan), QString());
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
@@ -142,7 +142,7 @@ class PicturesTest : public QObject {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
-        QVERIFY(writeFile(path, "the film before"));
+        writeFile(path, "the film before");
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden);
         QCOMPARE(cancelledAfter(3, ide, path),
                  QStringLiteral("it was cancelled, and half a film is not kept"));
@@ -166,8 +166,8 @@ class PicturesTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         // Stands in for the encoder: writes half a film and never ends.
         const QByteArray before = qgetenv("PATH");
-        QVERIFY(writeFile(ide.folder.filePath(QStringLiteral("ffmpeg")),
-                          "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\nexec sleep 100000\n"));
+        writeFile(ide.folder.filePath(QStringLiteral("ffmpeg")),
+                  "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\nexec sleep 100000\n");
         QFile::setPermissions(ide.folder.filePath(QStringLiteral("ffmpeg")),
                               QFile::ReadOwner | QFile::ExeOwner);
         qputenv("PATH", ide.folder.path().toLocal8Bit() + ":" + before);

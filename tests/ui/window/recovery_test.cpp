@@ -57,7 +57,7 @@ class RecoveryTest : public QObject {
     void filesThatAreNoSwapFilesAreLeftAlone() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("other.swap"));
-        QVERIFY(writeFile(path, "not ours"));
+        writeFile(path, "not ours");
         QVERIFY(Recovery::lostTexts(folder.path()).empty());
         QCOMPARE(readFile(path), QByteArray("not ours"));
     }
@@ -65,7 +65,7 @@ class RecoveryTest : public QObject {
     void aRecoveredTextIsUnsavedAndBelongsToItsFile() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        QVERIFY(writeFile(path, "wall;"));
+        writeFile(path, "wall;");
         SceneEditor editor(loadTheme(true));
         Document document(editor);
         document.recover(path, "sphere;");

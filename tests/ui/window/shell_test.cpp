@@ -183,7 +183,7 @@ class ShellTest : public QObject {
     void theSessionGoesOnWhereItWasLeft() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("long.sdl"));
-        QVERIFY(writeFile(path, QByteArray("// line\n").repeated(400)));
+        writeFile(path, QByteArray("// line\n").repeated(400));
         {
             Workbench bench;
             bench.window().show();
@@ -202,7 +202,7 @@ class ShellTest : public QObject {
         Ide ide;
         placeCaretBehind(ide.editor, "sphere left");
         const std::uint32_t caret = ide.editor.caret();
-        QVERIFY(writeFile(ide.path, twoBalls + "// by somebody else\n"));
+        writeFile(ide.path, twoBalls + "// by somebody else\n");
         QTRY_VERIFY_WITH_TIMEOUT(ide.editor.bytes().endsWith("else\n"), patience);
         QCOMPARE(ide.editor.caret(), caret);
     }
@@ -249,7 +249,7 @@ class ShellTest : public QObject {
     void theRecoveryDialogMarksWhatDiffersFromTheFile() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        QVERIFY(writeFile(path, "one\ntwo\nthree\n"));
+        writeFile(path, "one\ntwo\nthree\n");
         const LostText lost{QString(), path, "one\n2\nthree\nfour\n", QDateTime::currentDateTime()};
         RecoveryDialog dialog({lost}, loadTheme(true), nullptr);
         QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText(),
