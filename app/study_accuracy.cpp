@@ -104,6 +104,7 @@ int runStudy(const Arguments& arguments) {
     const AccuracyPlan plan = planFrom(arguments, scene);
     const std::string hash = hashOfScene(built.analysis.text);
     const std::optional<std::string> folder = arguments.text("output");
+    catchInterrupts(); // once the folder is there, an interrupted study is written into it
     if (folder) makeFolder(*folder);
     std::vector<AccuracyPoint> known;
     if (arguments.has("resume")) {
@@ -111,7 +112,6 @@ int runStudy(const Arguments& arguments) {
         known = pointsFromCsv(readText((std::filesystem::path(*folder) / figuresFile).string()), hash,
                               plan.duration);
     }
-    catchInterrupts();
 
     auto progress = std::make_unique<Progress>(progressParts, "parts in a thousand");
     AccuracyListener listener;

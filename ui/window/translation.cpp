@@ -16,15 +16,19 @@ namespace {
 
 constexpr std::array rows = {LanguageRow{"en", "English"}, LanguageRow{"de", "Deutsch"}};
 
+const QString translatorName = QStringLiteral("carom-translator");
+
 } // namespace
 
 std::span<const LanguageRow> languages() { return rows; }
 
 void installTranslation(QCoreApplication& application, const QString& code) {
     registerTranslations();
+    qDeleteAll(application.findChildren<QTranslator*>(translatorName, Qt::FindDirectChildrenOnly));
     const QLocale locale = code.isEmpty() ? QLocale() : QLocale(code);
     const auto load = [&](const QString& name, const QString& folder) {
         QTranslator* translator = new QTranslator(&application);
+        translator->setObjectName(translatorName);
         if (translator->load(locale, name, QStringLiteral("_"), folder))
             application.installTranslator(translator);
         else

@@ -19,6 +19,7 @@ struct LanguageRow {
 std::span<const LanguageRow> languages();
 
 /// Makes the application speak the language of that code; empty: the system's, where there is a translation.
+/// What was installed before is given up; texts that are shown already stay as they are.
 void installTranslation(QCoreApplication& application, const QString& code);
 
 } // namespace carom

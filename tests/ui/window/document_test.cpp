@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include <QDir>
+#include <QFileSystemWatcher>
 #include <QSignalSpy>
 
 using namespace carom;
@@ -105,7 +106,14 @@ class DocumentTest : public QObject {
         QSignalSpy outside(&document, &Document::changedOutside);
         buffer.content = "two";
         QVERIFY(!document.save());
-        QTest::qWait(200);
+        // The system tells of changes in their order: when it has told of a later one, it has of this.
+        const QString later = folder.filePath(QStringLiteral("later"));
+        writeFile(later, "one");
+        QFileSystemWatcher watcher({later});
+        QSignalSpy told(&watcher, &QFileSystemWatcher::fileChanged);
+        writeFile(later, "two");
+        QTRY_VERIFY_WITH_TIMEOUT(told.count() > 0, patience);
+        QCoreApplication::processEvents();
         QCOMPARE(outside.count(), 0);
         writeFile(path, "three");
         QTRY_VERIFY_WITH_TIMEOUT(outside.count() > 0, patience);

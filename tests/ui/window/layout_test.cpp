@@ -27,6 +27,9 @@ QString nameOf(const QWidget& widget, const QString& text) {
     return text + QStringLiteral(" (") + name + QStringLiteral(")");
 }
 
+/// What the layout may take to follow where it does not fit at once [ms]; nothing waits where it does.
+constexpr int settling = 1000;
+
 /// What is not shown whole, each text with where it stands.
 class CutOff {
   public:
@@ -86,7 +89,7 @@ class LayoutTest : public QObject {
     void noTextIsCutOff_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QSize>("size");
-        for (const char* language : {"en", "de"}) { // a translation stays, once it is installed
+        for (const char* language : {"en", "de"}) {
             QTest::addRow("%s, desk", language) << QString::fromLatin1(language) << QSize(1600, 950);
             QTest::addRow("%s, laptop", language) << QString::fromLatin1(language) << QSize(1280, 740);
         }
@@ -111,7 +114,8 @@ class LayoutTest : public QObject {
             for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
                 if (!dock->isVisible()) continue;
                 window.open(*dock);
-                QTest::qWait(50);
+                QCoreApplication::processEvents(); // the layout follows with the events that wait
+                (void)QTest::qWaitFor([&] { return CutOff().of(window).isEmpty(); }, settling);
                 cut += CutOff().of(window);
             }
         }

@@ -135,7 +135,14 @@ class LongWorkTest : public QObject {
 
     void theWindowCanBeClosedInTheMiddleOfABuild() {
         LongIde ide;
-        ide.openAnd([] {});
+        bool building = false, closed = false;
+        ide.openAnd([&] {
+            building = !ide.current();
+            closed = ide.bench.window().close();
+        });
+        QVERIFY(building);
+        QVERIFY(closed);
+        QVERIFY(!ide.bench.window().isVisible());
     }
 };
 
