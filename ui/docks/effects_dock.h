@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/editor/live_build.h"
-#include "ui/simulation/sample_queue.h"
+#include "core/player/sample_queue.h"
 #include "ui/window/theme.h"
 
 #include <QDockWidget>

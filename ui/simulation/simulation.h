@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/simulation/sample_queue.h"
-#include "ui/simulation/simulation_thread.h"
+#include "core/player/sample_queue.h"
+#include "core/player/simulation_thread.h"
 
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"

@@ -3,7 +3,7 @@
 
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
-#include "ui/simulation/ghost.h"
+#include "core/player/ghost.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/overlays.h"
 

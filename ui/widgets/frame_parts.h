@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/simulation/sample_queue.h"
+#include "core/player/sample_queue.h"
 
 #include <QColor>
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/transport_bar.h"
 
-#include "ui/simulation/simulation_thread.h"
+#include "core/player/simulation_thread.h"
 #include "ui/window/actions.h"
 
 #include <QFontDatabase>

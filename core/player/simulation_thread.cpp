@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/simulation/simulation_thread.h"
+#include "core/player/simulation_thread.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/simulation/ghost.h"
-#include "ui/simulation/latest.h"
-#include "ui/simulation/sample_queue.h"
+#include "core/player/ghost.h"
+#include "core/player/latest.h"
+#include "core/player/sample_queue.h"
 
 #include "core/broadphase/broadphase.h"
 #include "core/simulation/breakpoint.h"

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
+#include "tests/support/test_class.h"
+
+#include "core/player/simulation_thread.h"
+#include "core/simulation/build.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+
+// The thread of the simulation with two others: one that commands, and one that takes what it sends, as the
+// IDE does with its events. Here no Qt lies between them, so that the thread sanitizer sees all of it.
+
+namespace carom::test {
+namespace {
+
+std::shared_ptr<const Pipeline> threeBalls() {
+    return build("wall { normal 0,1,0 toOrig 0 }\n"
+                 "sphere { radius .1 mass 1 centre 0,1,0 elastic .9 }\n"
+                 "sphere { radius .1 mass 1 centre .15,2,0 elastic .9 }\n"
+                 "sphere { radius .1 mass 1 centre 0,3,.1 elastic .9 }\n")
+        .pipeline;
+}
+
+/// Collects what a SimulationThread sends, on a thread of its own.
+class Player {
+  public:
+    Player() {
+        post(SpeedCommand{std::nullopt});
+        m_collector = std::jthread([this](const std::stop_token& stop) {
+            while (!stop.stop_requested()) {
+                collect();
+                std::this_thread::yield();
+            }
+        });
+    }
+    ~Player() {
+        m_collector.request_stop();
+        m_collector.join();
+    }
+
+    void post(SimulationCommand command) { m_thread.post(std::move(command)); }
+
+    /// Waits until this holds of what has come; false where it never does.
+    template<class Condition>
+    bool waitFor(Condition condition) {
+        std::unique_lock lock(m_mutex);
+        return m_changed.wait_for(lock, std::chrono::milliseconds(patience), condition);
+    }
+
+    // What has come; read in a condition of waitFor, or when nothing moves.
+    std::shared_ptr<const Snapshot> newest;
+    Ghost ghost;
+    std::vector<std::int64_t> frames; ///< of the run of the last batch
+    std::uint64_t run = 0;
+    RunState state = RunState::Paused;
+    std::vector<BreakHit> hits;
+
+    std::int64_t frame() const { return newest ? newest->frame : -1; }
+
+  private:
+    void collect() {
+        std::optional<PublishedSnapshot> published = m_thread.snapshots().take();
+        SampleQueue::Batch batch = m_thread.samples().takeAll(); // with the frames up to the snapshot
+        if (batch.frames.empty() && !published) return;
+        const std::lock_guard lock(m_mutex);
+        if (batch.run != run) frames.clear();
+        run = batch.run;
+        for (const FrameStatistics& sample : batch.frames) frames.push_back(sample.frame);
+        if (published) {
+            newest = published->snapshot;
+            ghost = published->ghost;
+        }
+        m_changed.notify_all();
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    SimulationThread m_thread{{[this](RunStatus status) {
+                                   const std::lock_guard lock(m_mutex);
+                                   state = status.state;
+                                   m_changed.notify_all();
+                               },
+                               [this](std::optional<BreakHit> hit) {
+                                   const std::lock_guard lock(m_mutex);
+                                   if (hit) hits.push_back(*hit);
+                                   m_changed.notify_all();
+                               },
+                               [] {}}};
+    std::jthread m_collector;
+};
+
+bool areSame(const Snapshot& snapshot, const World& world) {
+    for (std::size_t body = 0; body < snapshot.pose.size(); ++body)
+        if (snapshot.pose[body].position != world.state().pose[body].position ||
+            snapshot.velocity[body] != world.state().velocity[body])
+            return false;
+    return snapshot.frame == world.state().frame;
+}
+
+} // namespace
+
+class SimulationThreadTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void everyFrameOfARunArrivesAndItsStatesAreTheWorlds() {
+        const std::shared_ptr<const Pipeline> pipeline = threeBalls();
+        Player player;
+        player.post(LoadCommand{pipeline, 1, 0});
+        player.post(RunCommand{});
+        QVERIFY(player.waitFor([&] { return player.frame() > 200; }));
+        player.post(PauseCommand{});
+        player.post(SeekCommand{150});
+        QVERIFY(player.waitFor([&] { return player.state == RunState::Paused && player.frame() == 150; }));
+        for (std::size_t k = 0; k < player.frames.size(); ++k)
+            QCOMPARE(player.frames[k], static_cast<std::int64_t>(k) + 1);
+        QVERIFY(player.frames.size() > 200);
+        World world(pipeline);
+        while (world.state().frame < 150) world.step();
+        QVERIFY(areSame(*player.newest, world));
+    }
+
+    void commandsInTheMiddleOfARunAreFollowedInTheirOrder() {
+        const std::shared_ptr<const Pipeline> pipeline = threeBalls();
+        Player player;
+        for (std::uint64_t run = 1; run <= 20; ++run) {
+            player.post(LoadCommand{pipeline, run, 0});
+            player.post(BroadphaseCommand{&broadphases()[run % broadphases().size()]});
+            player.post(StructureCommand{run % 2 == 0});
+            player.post(RunCommand{});
+            QVERIFY(player.waitFor([&] { return player.run == run && player.frames.size() > 5; }));
+        }
+        player.post(PauseCommand{});
+        player.post(SeekCommand{40});
+        player.post(StepCommand{-3});
+        QVERIFY(player.waitFor([&] { return player.state == RunState::Paused && player.frame() == 37; }));
+        World world(pipeline);
+        while (world.state().frame < 37) world.step();
+        QVERIFY(areSame(*player.newest, world));
+    }
+
+    void anExchangedSceneGoesOnWithTheRunBeforeAsItsGhost() {
+        Player player;
+        player.post(LoadCommand{threeBalls(), 1, 0});
+        player.post(SeekCommand{30});
+        QVERIFY(player.waitFor([&] { return player.frame() == 30; }));
+        player.post(LoadCommand{threeBalls(), 2, 20});
+        QVERIFY(player.waitFor([&] { return player.frame() == 20 && player.ghost.snapshot != nullptr; }));
+        QCOMPARE(player.ghost.snapshot->frame, std::int64_t{20});
+        player.post(GhostCommand{false});
+        QVERIFY(player.waitFor([&] { return player.ghost.snapshot == nullptr; }));
+    }
+
+    void aRunStopsAtABreakpointAndIsFoundBackThere() {
+        Player player;
+        player.post(BreakpointsCommand{{Breakpoint{}}}); // any contact
+        player.post(LoadCommand{threeBalls(), 1, 0});
+        player.post(RunCommand{});
+        QVERIFY(player.waitFor(
+            [&] { return player.hits.size() == 1 && player.frame() == player.hits[0].frame; }));
+        QCOMPARE(player.state, RunState::Paused);
+        player.post(SeekCommand{player.hits[0].frame + 1});
+        player.post(FindBackCommand{});
+        QVERIFY(player.waitFor(
+            [&] { return player.hits.size() == 2 && player.frame() == player.hits[0].frame; }));
+        QCOMPARE(player.hits[1].frame, player.hits[0].frame);
+    }
+};
+
+} // namespace carom::test
+
+CAROM_TEST(simulation_thread_test, carom::test::SimulationThreadTest)
+#include "simulation_thread_test.moc"
