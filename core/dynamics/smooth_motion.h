@@ -5,7 +5,6 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/spring_network.h"
 #include "core/dynamics/state.h"
-#include "core/math/rotation.h"
 
 #include <span>
 
@@ -28,27 +27,13 @@ struct SmoothMotion {
 
 /// Moves bodies by the mean of the velocities at both ends: SmoothMotion::move of every scheme that is exact
 /// in free fall.
-inline void moveOnParabola(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
-                           State& state) {
-    const Vec3 change = h * acceleration;
-    for (const BodyIndex i : bodies) {
-        state.pose[i].position += h * (state.velocity[i] + 0.5 * change);
-        state.velocity[i] += change;
-    }
-}
+void moveOnParabola(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h, State& state);
 
 /// Whether several substeps of free fall are one, but for rounding.
 inline bool fallsExactly(const SmoothMotion& motion) { return motion.move == moveOnParabola; }
 
 /// Turns bodies by exactly h|ω| about ω, which stays as it is: the SmoothMotion::turn of every scheme better
 /// than the reference's. A body without spin keeps its orientation to the bit.
-inline void turnBySpin(std::span<const BodyIndex> bodies, double h, State& state) {
-    for (const BodyIndex i : bodies) {
-        const Vec3& spin = state.angularVelocity[i];
-        if (spin == Vec3::Zero()) continue;
-        Quat& q = state.pose[i].orientation;
-        q = (fromRotationVector(h * spin) * q).normalized();
-    }
-}
+void turnBySpin(std::span<const BodyIndex> bodies, double h, State& state);
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #include "core/integrators/integrator.h"
 
 #include "core/dynamics/free_rotation.h"
+#include "core/math/rotation.h"
 
 #include <array>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include "core/dynamics/free_rotation.h"
+#include "core/math/rotation.h"
 #include "core/integrators/integrator.h"
 
 #include <QTest>
