@@ -104,19 +104,6 @@ class DeterminismTest : public QObject {
             }
         }
     }
-
-    // Enough bodies that the loops over them are really shared out, and enough collisions to tell.
-    void manyBodiesMoveTheSameOnAnyNumberOfThreads() {
-        Random random(seed);
-        Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
-        for (int i = 0; i < 10000; ++i) scene.bodies.push_back(test::randomBody(random, 8));
-        World one = worldOf(scene, with("sweep_and_sort", 1, "microcollisions"));
-        run(one, 15);
-        QVERIFY(one.statistics().contacts > 100);
-        for (const int threads : {2, 3, 8})
-            QCOMPARE(hashAfter(scene, 15, with("sweep_and_sort", threads, "microcollisions")),
-                     one.stateHash());
-    }
 };
 
 } // namespace carom

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
+#include "core/dynamics/parallel.h"
+
+#include <array>
+#include <atomic>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace carom::test {
+
+// Elements are plain numbers: that two threads never write one, and that the caller sees what they wrote, is
+// what the thread sanitizer holds.
+class ParallelTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void rangesCoverEveryElementOnce_data() { addCases(); }
+    void rangesCoverEveryElementOnce() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        std::vector<int> calls(static_cast<std::size_t>(count), 0);
+        for (int turn = 1; turn <= 20; ++turn) {
+            workers.forRanges(calls.size(), [&calls](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) ++calls[i];
+            });
+            QCOMPARE(calls, std::vector<int>(calls.size(), turn));
+        }
+    }
+
+    void everyElementIsCalledOnceAndNoTwoAtATimeByOneThread_data() { addCases(); }
+    void everyElementIsCalledOnceAndNoTwoAtATimeByOneThread() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        std::vector<int> calls(static_cast<std::size_t>(count), 0);
+        std::vector<std::atomic<int>> busy(static_cast<std::size_t>(workers.threads()));
+        std::atomic<int> wrong = 0;
+        workers.forEach(calls.size(), [&](std::size_t thread, std::size_t i) {
+            if (thread >= busy.size() || busy[thread].exchange(1) != 0) {
+                ++wrong;
+                return;
+            }
+            ++calls[i];
+            busy[thread] = 0;
+        });
+        QCOMPARE(wrong.load(), 0);
+        QCOMPARE(calls, std::vector<int>(calls.size(), 1));
+    }
+
+    void thereAreNeverFewerThanOneThread() {
+        QCOMPARE(Workers(0).threads(), 1);
+        QCOMPARE(Workers(-3).threads(), 1);
+        QCOMPARE(Workers(1).threads(), 1);
+        QVERIFY(Workers(1000).threads() <= 1000);
+    }
+
+    void workersThatWereMovedWorkOn() {
+        Workers first(2);
+        Workers second(std::move(first));
+        std::vector<int> numbers(100'000);
+        std::iota(numbers.begin(), numbers.end(), 0);
+        second.forRanges(numbers.size(), [&numbers](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) numbers[i] *= 2;
+        });
+        QCOMPARE(numbers.back(), 199'998);
+    }
+
+  private:
+    static void addCases() {
+        QTest::addColumn<int>("threads");
+        QTest::addColumn<int>("count");
+        for (const int threads : {1, 2, 5})
+            for (const int count : {0, 1, 2, 1000, 5000, 100'000})
+                QTest::addRow("%d threads, %d elements", threads, count) << threads << count;
+    }
+};
+
+} // namespace carom::test
+
+CAROM_TEST(parallel_test, carom::test::ParallelTest)
+#include "parallel_test.moc"
