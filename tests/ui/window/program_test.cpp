@@ -82,7 +82,7 @@ class ProgramTest : public QObject {
 
     void everyShippedSceneOpensAndRuns() {
         QFETCH(QString, path);
-        const Ended ended = runCommand(program, {path, QStringLiteral("-n"), QStringLiteral("30")});
+        const Ended ended = runCommand(program, {path, QStringLiteral("-n"), QStringLiteral("5")});
         QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
     }
 };
