@@ -11,3 +11,43 @@
 #else
 #    define CAROM_WIDE
 #endif
+
+#include <cmath>
+
+// Four doubles that are computed with together. Loops over rows of a solver are written with them outright:
+// the compiler does not find them by itself. Everything here is inlined into its caller, so the version for
+// wide registers has wide code throughout. No operation mixes lanes but transpose, so a lane's bits do not
+// depend on what is beside it.
+
+namespace carom {
+
+using Wide = double __attribute__((vector_size(32)));
+inline constexpr int wideLanes = 4;
+
+/// Four doubles from memory that is aligned to 32 bytes, and back.
+[[gnu::always_inline]] inline Wide loadWide(const double* from) {
+    return *reinterpret_cast<const Wide*>(from);
+}
+[[gnu::always_inline]] inline void storeWide(double* to, const Wide& value) {
+    *reinterpret_cast<Wide*>(to) = value;
+}
+[[gnu::always_inline]] inline Wide wideOf(double value) { return Wide{value, value, value, value}; }
+[[gnu::always_inline]] inline Wide smaller(const Wide& a, const Wide& b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline Wide larger(const Wide& a, const Wide& b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Wide rootOf(const Wide& a) {
+    return Wide{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+
+/// Rows become columns.
+[[gnu::always_inline]] inline void transpose(Wide& a, Wide& b, Wide& c, Wide& d) {
+    const Wide ab02 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+               ab13 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Wide cd02 = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+               cd13 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    a = __builtin_shufflevector(ab02, cd02, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab13, cd13, 0, 1, 4, 5);
+    c = __builtin_shufflevector(ab02, cd02, 2, 3, 6, 7);
+    d = __builtin_shufflevector(ab13, cd13, 2, 3, 6, 7);
+}
+
+} // namespace carom

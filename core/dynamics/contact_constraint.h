@@ -42,7 +42,6 @@ struct ContactPair {
     double margin = 0;     ///< points up to this separation are kept [m]
     double resolution = 0; ///< gaps cannot be told apart below this, by the rounding of coordinates [m]
     std::uint32_t first = 0, count = 0; ///< into ContactSet::points
-    std::uint16_t patience = 0;         ///< substeps for which sweeps must do in its island
 
     BodyPair bodies() const { return {a, b}; }
 };

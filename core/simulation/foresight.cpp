@@ -159,7 +159,7 @@ class Touches {
 
     // Small islands are solved exactly by `contacts`, larger ones only to the accurate tolerance.
     void sayRatios() {
-        const bool sweeps = m_settings.iterations > 0 && m_points > mostNewtonMoving &&
+        const bool sweeps = m_settings.iterations > 0 && m_points > pointsRefined &&
                             m_settings.tolerance >= accurateTolerance;
         const bool pairByPair = m_settings.iterations == 0 && !m_settings.method->abilities.locatesImpacts;
         if (!sweeps && !pairByPair) return;

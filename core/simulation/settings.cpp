@@ -63,11 +63,12 @@ constexpr int sweeps = 20;
 
 std::span<const PresetRow> presets() {
     static constexpr std::array rows = {
-        PresetRow{"fast", "One substep a frame; contacts to a thousandth.", 1, 1, 1e-3},
-        PresetRow{"default", "One substep a frame as the reference did, four with `contacts`.", 1, 4, 1e-6},
+        PresetRow{"fast", "One substep a frame; contacts to a thousandth.", 1, 1, 1e-3, 0.25},
+        PresetRow{"default", "One substep a frame as the reference did, four with `contacts`.", 1, 4, 1e-6,
+                  1},
         PresetRow{"accurate",
                   "Eight substeps a frame; with `contacts` forces to 1e-10, and stops are located.", 8, 8,
-                  1e-10},
+                  1e-10, 1e5},
     };
     return rows;
 }
@@ -117,6 +118,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     settings.boxes = wanted.boxes == "cube" ? BoxKind::Cube : BoxKind::Tight;
     settings.simultaneousImpacts = wanted.impacts == "simultaneous";
     if (iterates) {
+        settings.effort = preset->effort;
         settings.iterations = std::max(1, wanted.iterations.value_or(sweeps));
         settings.tolerance = wanted.tolerance.value_or(preset->tolerance);
         return settings;

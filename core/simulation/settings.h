@@ -29,6 +29,7 @@ struct RunSettings {
     BoxKind boxes = BoxKind::Tight;
     int iterations = 0;   ///< 0: the method does not iterate
     double tolerance = 0; ///< 0: the method does not iterate
+    double effort = 1;    ///< times the work that method `contacts` may spend on refinement
     bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]
@@ -36,7 +37,7 @@ struct RunSettings {
     double substep() const { return step / substeps; } ///< [s]
     /// `resting`: whether anything in the scene can come to rest.
     SolverSettings solver(bool resting) const {
-        return {tolerance, iterations, simultaneousImpacts, resting};
+        return {tolerance, iterations, simultaneousImpacts, resting, effort};
     }
 };
 
@@ -47,6 +48,7 @@ struct PresetRow {
     int substeps = 1;        ///< of methods that do not iterate
     int contactSubsteps = 4; ///< of method `contacts`
     double tolerance = 1e-6; ///< of method `contacts`
+    double effort = 1;       ///< of method `contacts`: times the budget of refinement
 };
 std::span<const PresetRow> presets();
 

@@ -12,7 +12,8 @@ std::string_view statisticsColumns() {
                            "max_penetration,events,axes_tried,axes_spared";
         for (std::size_t i = 0; i < ledgerAccounts; ++i)
             text.append(",energy_by_").append(nameOf(static_cast<LedgerAccount>(i)));
-        return text + ",energy_unexplained,momentum_unexplained,residual,resting";
+        return text + ",energy_unexplained,momentum_unexplained,residual,resting,"
+                      "pairs_collided,rows_swept,factorisations,impacts,searches,islands,islands_unfinished";
     }();
     return columns;
 }
@@ -35,7 +36,10 @@ std::string statisticsRow(const FrameStatistics& frame) {
     add(frame.unexplained.energy);
     add(frame.unexplained.momentum.norm());
     add(frame.residual);
-    row.append(",").append(std::to_string(frame.resting));
+    const WorkCounters& work = frame.work;
+    for (const std::uint64_t count : {frame.resting, work.pairsCollided, work.rowsSwept, work.factorisations,
+                                      work.impacts, work.searches, work.islands, work.unfinished})
+        row.append(",").append(std::to_string(count));
     return row;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/ledger.h"
+#include "core/dynamics/work_counters.h"
 #include "core/math/types.h"
 
 #include <cstdint>
@@ -40,6 +41,8 @@ struct FrameStatistics {
     double residual = 0;
 
     double coneViolation = 0; ///< by how much the worst contact force was outside its cone, relative to it
+
+    WorkCounters work; ///< of method `contacts`
 
     /// Where the world keeps one (World::keepLedger): what each part of the motion gave and took in this
     /// frame.

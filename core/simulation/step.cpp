@@ -20,6 +20,7 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.axesTried += report.axesTried;
     frame.axesSpared += report.axesSpared;
     frame.resting = report.resting;
+    frame.work.add(report.work);
     frame.maxPenetration = std::max(frame.maxPenetration, report.maxPenetration);
     frame.residual = std::max(frame.residual, report.residual);
     frame.coneViolation = std::max(frame.coneViolation, report.coneViolation);

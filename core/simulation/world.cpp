@@ -46,7 +46,7 @@ std::vector<Aabb> World::broadphaseStructure() const {
 }
 
 std::vector<ContactForce> World::contactForces() const {
-    const ContactSet contacts = m_solver->contacts();
+    const ContactSet contacts = m_solver->contacts(m_state);
     const Bodies& bodies = m_pipeline->bodies();
     std::vector<ContactForce> forces;
     for (const ContactPair& pair : contacts.pairs) {

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace carom {
@@ -27,21 +28,45 @@ void eraseSorted(std::vector<int>& sorted, int value) {
 
 } // namespace
 
-void BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges) {
+bool BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges, std::size_t mostUpdates) {
     const std::size_t count = static_cast<std::size_t>(blocks);
     if (m_place.size() == count && std::equal(edges.begin(), edges.end(), m_edges.begin(), m_edges.end()))
-        return;
+        return m_updates.size() <= mostUpdates;
     m_edges.assign(edges.begin(), edges.end());
     m_place.assign(count, 0);
     m_block.assign(count, 0);
     m_columns.assign(count, {});
     m_diagonal.resize(count);
     m_scratch.resize(count);
-    eliminate(edges);
+    if (eliminate(edges, mostUpdates)) return true;
+    m_place.clear(); // nothing is prepared
+    m_edges.clear();
+    return false;
+}
+
+void BlockMatrix::makeRoom(std::size_t blocks) {
+    constexpr std::size_t couplings = 16; // of a block, with what fills in
+    m_edges.reserve(couplings * blocks);
+    m_place.reserve(blocks);
+    m_block.reserve(blocks);
+    m_columns.reserve(blocks);
+    m_rows.reserve(couplings * blocks);
+    m_updates.reserve(couplings * couplings / 2 * blocks);
+    m_edgePlace.reserve(couplings * blocks);
+    m_neighbours.resize(std::max(m_neighbours.size(), blocks));
+    m_structure.resize(std::max(m_structure.size(), blocks));
+    for (std::vector<int>& list : m_neighbours) list.reserve(2 * couplings);
+    for (std::vector<int>& list : m_structure) list.reserve(2 * couplings);
+    m_done.reserve(blocks);
+    m_heap.reserve(couplings * blocks);
+    m_diagonal.reserve(blocks);
+    m_lower.reserve(couplings * blocks);
+    m_upper.reserve(couplings * blocks);
+    m_scratch.reserve(blocks);
 }
 
 // Eliminates symbolically: the neighbours of an eliminated block become neighbours of each other.
-void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
+bool BlockMatrix::eliminate(std::span<const BlockEdge> edges, std::size_t mostUpdates) {
     const std::size_t count = m_place.size();
     if (m_neighbours.size() < count) {
         m_neighbours.resize(count);
@@ -54,13 +79,25 @@ void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
         insertSorted(m_neighbours[static_cast<std::size_t>(edge.second)], edge.first);
     }
     m_done.assign(count, 0);
+    m_heap.clear();
+    const auto wait = [&](std::size_t block) {
+        m_heap.emplace_back(m_neighbours[block].size(), static_cast<int>(block));
+        std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+    };
+    for (std::size_t block = 0; block < count; ++block) wait(block);
+    std::size_t updates = 0;
     for (std::size_t position = 0; position < count; ++position) {
         std::size_t best = count;
-        for (std::size_t block = 0; block < count; ++block)
-            if (m_done[block] == 0 &&
-                (best == count || m_neighbours[block].size() < m_neighbours[best].size()))
-                best = block;
+        while (best == count) { // an entry whose degree has changed since is passed over
+            const auto [degree, block] = m_heap.front();
+            std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+            m_heap.pop_back();
+            const std::size_t index = static_cast<std::size_t>(block);
+            if (m_done[index] == 0 && m_neighbours[index].size() == degree) best = index;
+        }
         m_done[best] = 1;
+        updates += m_neighbours[best].size() * (m_neighbours[best].size() + 1) / 2;
+        if (updates > mostUpdates) return false;
         m_place[best] = static_cast<int>(position);
         m_block[position] = static_cast<int>(best);
         std::swap(m_structure[position], m_neighbours[best]);
@@ -69,6 +106,7 @@ void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
             eraseSorted(list, static_cast<int>(best));
             for (const int k : m_structure[position])
                 if (k != i) insertSorted(list, k);
+            wait(static_cast<std::size_t>(i));
         }
     }
 
@@ -100,6 +138,7 @@ void BlockMatrix::eliminate(std::span<const BlockEdge> edges) {
         const int second = m_place[static_cast<std::size_t>(edge.second)];
         m_edgePlace.push_back({lowerIndex(std::max(first, second), std::min(first, second)), first < second});
     }
+    return true;
 }
 
 std::size_t BlockMatrix::lowerIndex(int row, int column) const {

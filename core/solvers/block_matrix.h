@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,8 +32,14 @@ using BlockEdge = std::pair<int, int>;
 class BlockMatrix {
   public:
     /// Prepares for `blocks` block rows and the given couplings (each once, either order). Does nothing if
-    /// they are the same as last time.
-    void analyse(int blocks, std::span<const BlockEdge> edges);
+    /// they are the same as last time. False, and nothing prepared, if a factorisation would take more than
+    /// `mostUpdates` products of blocks: fill-in is bounded before it is allocated.
+    bool analyse(int blocks, std::span<const BlockEdge> edges,
+                 std::size_t mostUpdates = std::numeric_limits<std::size_t>::max());
+    /// So that matrices of so many blocks, each coupled with some, allocate nothing.
+    void makeRoom(std::size_t blocks);
+    /// Products of blocks that one factorisation takes.
+    std::size_t updates() const { return m_updates.size(); }
 
     void setZero();
     void addToDiagonal(int block, const Mat6& value) { m_diagonal[place(block)] += value; }
@@ -63,7 +70,7 @@ class BlockMatrix {
     std::size_t place(int block) const {
         return static_cast<std::size_t>(m_place[static_cast<std::size_t>(block)]);
     }
-    void eliminate(std::span<const BlockEdge> edges);
+    bool eliminate(std::span<const BlockEdge> edges, std::size_t mostUpdates);
     std::size_t lowerIndex(int row, int column) const;
     void solveSymmetric(std::vector<Vec6>& y) const;
     void solveGeneral(std::vector<Vec6>& y) const;
@@ -80,6 +87,7 @@ class BlockMatrix {
     // done.
     std::vector<std::vector<int>> m_neighbours, m_structure;
     std::vector<std::uint8_t> m_done;
+    std::vector<std::pair<std::size_t, int>> m_heap; // degree and block, least first; may be out of date
 
     std::vector<Mat6> m_diagonal; // by position; once factored its inverse (factor: that of its root)
     std::vector<Mat6> m_lower;

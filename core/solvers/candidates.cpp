@@ -51,12 +51,14 @@ bool Candidates::shareReach(const Bodies& bodies, const Near& near, Neighbours& 
 std::span<const BodyPair> Candidates::find(const Bodies& bodies) {
     const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
         chosen.clear();
+        if (chosen.capacity() < from.size()) chosen.reserve(from.size() + from.size() / 2);
         for (const Near& near : from)
             if (near.gap <= marginOf(bodies, near.pair)) chosen.push_back(near.pair);
     };
     choose(m_upward, m_up);
     choose(m_downward, m_down);
     std::sort(m_down.begin(), m_down.end());
+    m_pairs.reserve(m_up.capacity() + m_down.capacity());
     m_pairs.resize(m_up.size() + m_down.size());
     std::merge(m_up.begin(), m_up.end(), m_down.begin(), m_down.end(), m_pairs.begin());
     return m_pairs;

@@ -50,38 +50,18 @@ inline constexpr double rattling = 1e-2;
 /// No part of a substep is shorter than this part of it: forces are impulses over a duration.
 inline constexpr double shortestPart = 1e-9;
 
-/// Contacts of an island up to which its impacts and stops are located within the substep, and how many of
-/// them one substep locates: so many, and so many for every contact. In an accurate run impacts are located
-/// in larger islands, too: a tower that comes down cube by cube is one island, and a cube that is stopped
-/// above the floor turns when the next one hits it there.
-inline constexpr int mostLocatedPoints = 96, mostLocatedAccurate = 1000;
+/// Impacts and stops that one substep of an island locates: so many, and so many for every contact.
 inline constexpr int mostEvents = 8, mostEventsAccurate = 64, mostEventsPerPoint = 2;
 
-/// Contacts up to which an island is worth any effort of Newton's method, up to which it is worth some while
-/// it moves, and up to which while it is nearly at rest. Larger ones are piles, left to Gauss–Seidel sweeps.
-/// A moving pile changes its contacts all the time, so that Newton's method would have to factor tens of
-/// times a substep.
-inline constexpr int mostNewtonAlways = 16, mostNewtonMoving = 192, mostNewtonResting = 1000;
-/// Factorisations for one solve: in an accurate run, in a moving island (divided by its contacts), in a
-/// larger one that is nearly at rest or quite. An island that needs more is left to sweeps for some substeps
-/// before it is tried again. A card house of three storeys takes some hundred once, when it is put down.
-inline constexpr int mostStepsAccurate = 5000, mostStepsMoving = 20000, mostStepsResting = 40;
-inline constexpr int mostStepsAtRest = 100'000; ///< divided by its contacts, too
-inline constexpr std::uint16_t patience = 15;
-/// At rest or nearly: no body is faster than this times |g| h.
-inline constexpr double atRest = 1, nearlyResting = 10;
-/// The same for spheres: each has many neighbours, the matrix fills, and grains that still move regroup.
-/// Small piles of them take so many sweeps at most instead, which mostly reach the tolerance.
-inline constexpr double grainsResting = 0.1;
-inline constexpr int smallPileSweeps = 100;
+/// About how many contact points the default budget of refinement solves for exactly while they move.
+inline constexpr int pointsRefined = 192;
 
 /// An island all of whose bodies are slower than the tolerance is at rest. What is left of the contact
 /// problem within the tolerance adds up along a tower: an island not faster than so many times the tolerance
 /// is solved again to a finer one.
 inline constexpr double nearlyStill = 100, finerTolerance = 0.01;
 
-/// Contact tolerance below which a run counts as accurate: stops are located too, and every island is solved
-/// by Newton's method.
+/// Contact tolerance below which a run counts as accurate: stops are located too.
 inline constexpr double accurateTolerance = 1e-8;
 
 } // namespace carom

@@ -40,8 +40,8 @@ class ElasticGas final : public Solver {
         : m_general(std::move(general)), m_events(findSolver("events")->create(bodies, {})) {}
 
     SolverReport advance(const SolverInput& input) override;
-    ContactSet contacts() const override {
-        return m_mover == Mover::General ? m_general->contacts() : ContactSet{};
+    ContactSet contacts(const State& state) const override {
+        return m_mover == Mover::General ? m_general->contacts(state) : ContactSet{};
     }
     std::unique_ptr<const SolverMemory> memory() const override {
         return std::make_unique<GasMemory>(m_mover, mover(m_mover).memory());

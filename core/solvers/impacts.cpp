@@ -2,6 +2,7 @@
 #include "core/solvers/impacts.h"
 
 #include "core/solvers/bookings.h"
+#include "core/solvers/contacts/work_budget.h"
 
 #include <Eigen/Cholesky>
 
@@ -20,12 +21,8 @@ constexpr int mostDirect = 16;
 constexpr double singular = 1e-10;
 /// Newton's tolerance relative to the largest closing speed.
 constexpr double groupTolerance = 1e-12;
-/// Groups up to this size are worth so many factorisations always.
-constexpr std::size_t mostExact = 64;
-constexpr int smallGroupSteps = 60;
-/// The tolerance by sweeps, and how many at most.
-constexpr double sweepTolerance = 1e-3;
-constexpr int groupSweeps = 10;
+/// Friction up to this coefficient changes no digit of an impact.
+constexpr double noFriction = 1e-17;
 /// Entries of W this small relative to the others are rounding.
 constexpr double responseRounding = 1e-13;
 /// A gain of energy below this part of what the impact turns over is rounding.
@@ -110,32 +107,75 @@ bool shareBody(const ContactRow& i, const ContactRow& k) {
 
 } // namespace
 
-int ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
-                        int newtonSteps) {
-    m_newtonSteps = newtonSteps;
+void ImpactSolver::makeRoom(std::size_t bodies, std::size_t rows) {
+    m_closing.reserve(rows);
+    m_group.reserve(rows);
+    m_firstRow.reserve(bodies + 1);
+    m_nextRow.reserve(bodies + 1);
+    m_rowOf.reserve(2 * rows);
+    m_local.reserve(bodies);
+    m_groupProblem.bodies.reserve(bodies);
+    m_groupProblem.rows.reserve(rows);
+    m_newton.makeRoom(bodies, rows);
+}
+
+ImpactReport ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
+                                 double mostWork) {
+    m_work = 0;
+    m_mostWork = mostWork;
+    m_factorisations = 0;
     const int most = mostImpacts + mostImpactsPerRow * static_cast<int>(rows.size());
+    linkRows(problem);
+    m_closing.assign(rows.size(), 0);
+    m_group.clear();
+    for (std::size_t i = 0; i < rows.size(); ++i) measure(problem, rows, i);
     for (int count = 0;; ++count) {
-        measure(problem, rows);
+        remeasure(problem, rows);
         std::size_t largest = rows.size();
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (rows[i].touching && m_closing[i] > rows[i].threshold &&
                 (largest == rows.size() || m_closing[i] > m_closing[largest]))
                 largest = i;
-        if (largest == rows.size()) return count;
+        m_work += work::look * static_cast<double>(rows.size());
+        if (largest == rows.size() || m_work >= mostWork) return {count, m_factorisations, m_work};
         const bool all = simultaneous || rows[largest].restitution == 0 || count >= most;
         if (all)
             gatherAll(rows);
         else
             gather(problem, rows, largest);
         solveGroup(problem, rows);
-        if (count >= most) return count + 1;
+        if (count >= most) return {count + 1, m_factorisations, m_work};
     }
 }
 
-void ImpactSolver::measure(const ContactProblem& problem, std::span<const ImpactRow> rows) {
-    m_closing.resize(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        m_closing[i] = rows[i].touching ? -relativeVelocity(problem, problem.rows[i]).x() : 0;
+void ImpactSolver::measure(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t i) {
+    if (rows[i].touching) m_closing[i] = -relativeVelocity(problem, problem.rows[i]).x();
+}
+
+// The rows of each body.
+void ImpactSolver::linkRows(const ContactProblem& problem) {
+    m_firstRow.assign(problem.bodies.size() + 1, 0);
+    const auto eachEnd = [&](const auto& visit) {
+        for (std::size_t i = 0; i < problem.rows.size(); ++i)
+            for (const int body : {problem.rows[i].a, problem.rows[i].b})
+                if (body != immobile) visit(at(body), i);
+    };
+    eachEnd([&](std::size_t body, std::size_t) { ++m_firstRow[body + 1]; });
+    for (std::size_t body = 0; body < problem.bodies.size(); ++body) m_firstRow[body + 1] += m_firstRow[body];
+    m_rowOf.resize(m_firstRow.back());
+    m_nextRow.assign(m_firstRow.begin(), m_firstRow.end() - 1);
+    eachEnd([&](std::size_t body, std::size_t i) { m_rowOf[m_nextRow[body]++] = i; });
+}
+
+// The last group changed the velocities of its bodies, and so what their rows see.
+void ImpactSolver::remeasure(const ContactProblem& problem, std::span<const ImpactRow> rows) {
+    for (const std::size_t member : m_group)
+        for (const int body : {problem.rows[member].a, problem.rows[member].b}) {
+            if (body == immobile) continue;
+            for (std::size_t k = m_firstRow[at(body)]; k < m_firstRow[at(body) + 1]; ++k)
+                measure(problem, rows, m_rowOf[k]);
+            m_work += work::row * static_cast<double>(m_firstRow[at(body) + 1] - m_firstRow[at(body)]);
+        }
 }
 
 // The largest with its ties, and with the other points of the same pairs; grown over shared bodies.
@@ -197,7 +237,7 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
     const std::size_t count = m_group.size();
     if (count > std::size_t{mostDirect}) return false;
     for (const std::size_t i : m_group)
-        if (problem.rows[i].friction > 0 || !(m_closing[i] > 0)) return false;
+        if (problem.rows[i].friction > noFriction || !(m_closing[i] > 0)) return false;
     const Eigen::Index size = static_cast<Eigen::Index>(count);
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostDirect, mostDirect>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostDirect, 1>;
@@ -238,11 +278,10 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
         m_groupProblem.rows[k].bound = -rows[i].restitution * std::max(0.0, m_closing[i]);
         fastest = std::max(fastest, m_closing[i]);
     }
-    const bool small = m_group.size() <= mostExact;
-    const int steps = small ? std::max(smallGroupSteps, m_newtonSteps) : m_newtonSteps;
-    const NewtonReport report = m_newton.solve(m_groupProblem, groupTolerance * fastest, steps);
-    if (!report.solved && report.residual > sweepTolerance * fastest)
-        m_gaussSeidel.solve(m_groupProblem, sweepTolerance * fastest, groupSweeps);
+    const NewtonReport report =
+        m_newton.solve(m_groupProblem, groupTolerance * fastest, std::max(0.0, m_mostWork - m_work));
+    m_work += report.work;
+    m_factorisations += report.factorisations;
     applyGroup(problem);
 }
 

@@ -3,7 +3,6 @@
 
 #include "core/dynamics/ledger.h"
 #include "core/solvers/contact_problem.h"
-#include "core/solvers/gauss_seidel.h"
 #include "core/solvers/newton.h"
 
 #include <cstdint>
@@ -35,18 +34,28 @@ struct ImpactRow {
     bool touching = false;  ///< only contacts that touch take part
 };
 
+struct ImpactReport {
+    int impacts = 0; ///< groups of contacts that were solved
+    int factorisations = 0;
+    double work = 0; ///< operations (work_budget.h)
+};
+
 class ImpactSolver {
   public:
-    /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Returns the number of
-    /// impacts solved.
-    /// Groups that have no direct solution are solved by Newton's method with at most `newtonSteps`
-    /// factorisations, or by sweeps where these do not do.
-    int solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous, int newtonSteps);
+    /// So that problems of so many bodies and rows allocate nothing.
+    void makeRoom(std::size_t bodies, std::size_t rows);
+    /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Groups that have no
+    /// direct solution are solved by Newton's method. Ends after `mostWork` operations, with bodies that
+    /// still close.
+    ImpactReport solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
+                       double mostWork);
 
     Ledger* ledger = nullptr; ///< books what impacts do, where somebody keeps one
 
   private:
-    void measure(const ContactProblem& problem, std::span<const ImpactRow> rows);
+    void measure(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t i);
+    void remeasure(const ContactProblem& problem, std::span<const ImpactRow> rows);
+    void linkRows(const ContactProblem& problem);
     void gather(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t largest);
     void gatherAll(std::span<const ImpactRow> rows);
     void solveGroup(ContactProblem& problem, std::span<const ImpactRow> rows);
@@ -58,12 +67,13 @@ class ImpactSolver {
 
     std::vector<double> m_closing; // −uₙ by row [m/s]
     std::vector<std::size_t> m_group;
-    std::vector<int> m_local; // by body, its index in the group's problem
+    std::vector<std::size_t> m_firstRow, m_nextRow, m_rowOf; // by body, into m_rowOf: its rows
+    std::vector<int> m_local;                                // by body, its index in the group's problem
     ContactProblem m_groupProblem;
-    int m_newtonSteps = 0;
+    double m_work = 0, m_mostWork = 0;
+    int m_factorisations = 0;
     std::vector<Vec6> m_mean; // by body of m_groupProblem; for the ledger only
     NewtonSolver m_newton;
-    GaussSeidelSolver m_gaussSeidel;
 };
 
 } // namespace carom

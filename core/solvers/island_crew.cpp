@@ -26,10 +26,13 @@ struct IslandCrew::Task {
 };
 
 void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
-                      const ContactSet& found, ContactSet& kept) {
-    share(islands);
+                      std::span<const Refinement::Choice> chosen, const ContactSet& found, ContactSet& kept) {
+    share(islands, chosen);
     m_hands.resize(static_cast<std::size_t>(input.workers.threads()));
+    kept.makeRoom(found.pairs.size(), found.points.size());
     for (Hand& hand : m_hands) {
+        hand.kept.makeRoom(found.pairs.size(), found.points.size());
+        if (hand.places.capacity() < found.pairs.size()) hand.places.reserve(2 * found.pairs.size());
         hand.motion.report = {};
         hand.kept.clear();
         hand.places.clear();
@@ -43,18 +46,13 @@ void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, 
 }
 
 // Small islands go together.
-void IslandCrew::share(const Islands& islands) {
-    m_lone.clear();
+void IslandCrew::share(const Islands& islands, std::span<const Refinement::Choice> chosen) {
     m_work.clear();
     m_batch.assign(1, 0);
     std::size_t weight = 0;
-    for (std::uint32_t i = 0; i < islands.count(); ++i) {
-        const Island island = islands[i];
-        if (island.pairs.empty() && island.links.empty()) {
-            m_lone.push_back(island.bodies.front());
-            continue;
-        }
-        m_work.push_back(i);
+    for (const Refinement::Choice& choice : chosen) {
+        const Island island = islands[choice.island];
+        m_work.push_back(choice);
         weight += island.pairs.size() + island.bodies.size();
         if (weight < batchWeight) continue;
         m_batch.push_back(static_cast<std::uint32_t>(m_work.size()));
@@ -66,7 +64,7 @@ void IslandCrew::share(const Islands& islands) {
 
 void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
     const SolverInput& input = task.input;
-    const Island island = task.islands[m_work[work]];
+    const Island island = task.islands[m_work[work].island];
     Outcome& outcome = m_outcomes[work];
     outcome = {};
     Ledger* ledger = input.ledger != nullptr ? &outcome.ledger : nullptr;
@@ -86,10 +84,13 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
                              .gravity = input.gravity,
                              .substep = input.substep,
                              .state = input.state,
-                             .ledger = ledger};
+                             .ledger = ledger,
+                             .budget = m_work[work].budget};
     outcome.isStill = hand.motion.advance(motion, island, task.found);
     outcome.loss = hand.motion.report.loss;
     hand.motion.report.loss = {};
+    outcome.left = hand.motion.left();
+    if (outcome.left > 0) return; // its contacts are found again
     const ContactSet& left = hand.motion.contacts();
     for (std::size_t i = 0; i < left.pairs.size(); ++i) {
         const ContactPair& pair = left.pairs[i];
@@ -107,8 +108,7 @@ void IslandCrew::collect(const SolverInput& input, std::size_t pairs, ContactSet
         const MotionReport& part = hand.motion.report;
         m_report.residual = std::max(m_report.residual, part.residual);
         m_report.maxPenetration = std::max(m_report.maxPenetration, part.maxPenetration);
-        m_report.impacts += part.impacts;
-        m_report.factorisations += part.factorisations;
+        m_report.work.add(part.work);
         const std::uint32_t before = static_cast<std::uint32_t>(kept.points.size());
         for (std::size_t i = 0; i < hand.places.size(); ++i) {
             ContactPair& pair = kept.pairs[hand.places[i]];
@@ -122,9 +122,13 @@ void IslandCrew::collect(const SolverInput& input, std::size_t pairs, ContactSet
     }
     std::erase_if(kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
     m_still.clear();
+    m_unfinished.clear();
+    m_finished.clear();
     for (std::size_t work = 0; work < m_work.size(); ++work) {
         const Outcome& outcome = m_outcomes[work];
-        if (outcome.isStill) m_still.push_back(m_work[work]);
+        if (outcome.isStill) m_still.push_back(m_work[work].island);
+        if (outcome.left == 0) m_finished.push_back(m_work[work].island);
+        if (outcome.left > 0 && !outcome.loss) m_unfinished.push_back({m_work[work].island, outcome.left});
         if (!m_report.loss) m_report.loss = outcome.loss;
         if (input.ledger != nullptr) input.ledger->add(outcome.ledger);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/solvers/island_motion.h"
+#include "core/solvers/contacts/refinement.h"
 #include "core/solvers/islands.h"
 #include "core/solvers/solver.h"
 
@@ -17,14 +18,20 @@ namespace carom {
 
 class IslandCrew {
   public:
-    /// Moves all islands but lone bodies that touch nothing. The contacts at the end of the substep, with
+    /// An island whose budget has ended, or whose forces were not found.
+    struct Unfinished {
+        std::uint32_t island = 0;
+        double left = 0; ///< of the substep [s]
+    };
+
+    /// Moves the chosen islands, each within its budget. The contacts at the end of the substep, with
     /// their forces, become `kept`: pairs of `found`, in its order.
     void move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
-              const ContactSet& found, ContactSet& kept);
+              std::span<const Refinement::Choice> chosen, const ContactSet& found, ContactSet& kept);
 
     const MotionReport& report() const { return m_report; }
-    /// The lone bodies that touch nothing, ascending.
-    std::span<const BodyIndex> lone() const { return m_lone; }
+    std::span<const Unfinished> unfinished() const { return m_unfinished; } ///< ascending
+    std::span<const std::uint32_t> finished() const { return m_finished; }  ///< ascending
     /// Islands that have not moved, ascending.
     std::span<const std::uint32_t> still() const { return m_still; }
 
@@ -39,18 +46,20 @@ class IslandCrew {
     /// What came of one island.
     struct Outcome {
         bool isStill = false;
+        double left = 0; // [s]
         Loss loss;
         Ledger ledger;
     };
     struct Task;
 
-    void share(const Islands& islands);
+    void share(const Islands& islands, std::span<const Refinement::Choice> chosen);
     void moveOne(const Task& task, std::uint32_t work, Hand& hand);
     void collect(const SolverInput& input, std::size_t pairs, ContactSet& kept);
 
-    std::vector<Hand> m_hands; // by thread
-    std::vector<BodyIndex> m_lone;
-    std::vector<std::uint32_t> m_work;  // islands to be moved
+    std::vector<Hand> m_hands;              // by thread
+    std::vector<Refinement::Choice> m_work; // islands to be moved
+    std::vector<Unfinished> m_unfinished;
+    std::vector<std::uint32_t> m_finished;
     std::vector<std::uint32_t> m_batch; // of m_work: where each batch begins, and its end
     std::vector<Outcome> m_outcomes;    // by work
     std::vector<std::uint32_t> m_still;

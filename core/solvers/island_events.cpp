@@ -23,6 +23,8 @@ constexpr double reached = 1e-3;
 /// takes it deeper than this part of its size the time was too long: half of it will do, or less.
 constexpr double rolledOn = 0.01, deepRoll = 1e-4;
 constexpr int mostLooks = 4;
+/// Comparisons of shapes that locating one impact takes, about.
+constexpr double locating = 6;
 /// Newton's steps for it.
 constexpr int mostSteps = 20;
 
@@ -49,6 +51,8 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
         for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
             if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
         if (!(gap <= first * fastestApproach(input, pair))) continue;
+        m_work += locating * collideWork(input.bodies, pair);
+        if (remaining(input) <= 0) return first; // what has been found so far
         first = m_held[p] != 0 ? std::min(first, nextCorner(input, pair, first, duration))
                                : std::min(first, nextMeeting(input, pair, first, duration));
     }
@@ -268,7 +272,7 @@ double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked
     constexpr int mostTrials = 10;
     double low = 0, speedLow = braked.before, high = duration;
     double guess = 0.9 * std::min(1.0, braked.part) * duration;
-    for (int trial = 0; trial < mostTrials; ++trial) {
+    for (int trial = 0; trial < mostTrials && !m_unsolved; ++trial) {
         smooth(input, guess, true);
         const double speed = speedOf(braked);
         if (speed > stopped * braked.before) {

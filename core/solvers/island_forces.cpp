@@ -14,11 +14,6 @@ namespace {
 constexpr double shortestMemory = 0.1;
 /// A residual up to so many times the tolerance is near enough to go on with: the next substep begins there.
 constexpr double nearlySolved = 1000;
-/// Sweeps that must do where Newton's method does not get there from a warm nor from a cold start.
-constexpr int rescueSweeps = 200;
-/// So many sweeps, too, but no more than make so many contacts right, where it is not tried at all.
-constexpr int mostRelaxed = 50'000;
-
 /// A friction force nearer to the edge of its cone than this part of it is at the edge: the contact slides.
 constexpr double coneEdge = 1e-6;
 
@@ -26,15 +21,17 @@ constexpr double coneEdge = 1e-6;
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
 void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
+    m_unsolved = false;
     beginPart(input, duration);
     chooseRows(input, duration, locating);
     if (m_springs.empty())
         solve(input);
     else
         solveSprings(input, duration);
-    if (locating && m_isSmall && contactsTurn(input, duration)) turnContacts(input, duration);
+    if (locating && !m_unsolved && contactsTurn(input, duration)) turnContacts(input, duration);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
+    report.residual = std::max(report.residual, m_unsolved ? 0 : m_residual);
     if (duration < shortestMemory * input.substep) return;
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
         ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
@@ -103,27 +100,20 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool lo
 }
 
 // A second attempt without remembered impulses, if that leads further than the first.
-NewtonReport IslandMotion::solveCold(const NewtonReport& warm) {
+NewtonReport IslandMotion::solveCold(const MotionInput& input, const NewtonReport& warm) {
     std::swap(m_warmRows, m_problem.rows);
     m_problem.rows = m_warmRows;
     for (ContactRow& row : m_problem.rows) {
         row.impulse.setZero();
         row.rollingImpulse.setZero();
     }
-    const NewtonReport cold = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
-    report.factorisations += cold.factorisations;
+    const NewtonReport cold = m_newton.solve(m_problem, m_tolerance, remaining(input));
+    report.work.factorisations += static_cast<std::uint64_t>(cold.factorisations);
+    m_work += cold.work;
     if (cold.solved || cold.residual < warm.residual) return cold;
     std::swap(m_warmRows, m_problem.rows);
     velocitiesFromImpulses(m_problem);
     return warm;
-}
-
-// What an island sinks in for want of forces it is lifted by again, and gains energy: so it is swept as often
-// as takes less than Newton's method in vain.
-int IslandMotion::sweepsFor(const MotionInput& input) const {
-    if (m_newtonSteps > mostStepsResting) return rescueSweeps;
-    const int points = static_cast<int>(m_problem.rows.size());
-    return std::max(input.settings.iterations, std::min(rescueSweeps, mostRelaxed / points));
 }
 
 void IslandMotion::solve(const MotionInput& input) {
@@ -131,18 +121,14 @@ void IslandMotion::solve(const MotionInput& input) {
         velocitiesFromImpulses(m_problem);
         return;
     }
-    NewtonReport solved = m_newton.solve(m_problem, m_tolerance, m_newtonSteps);
-    report.factorisations += solved.factorisations;
+    NewtonReport solved = m_newton.solve(m_problem, m_tolerance, remaining(input));
+    report.work.factorisations += static_cast<std::uint64_t>(solved.factorisations);
+    m_work += solved.work;
     const auto isGood = [&] { return solved.solved || solved.residual <= nearlySolved * m_tolerance; };
     const bool accurate = input.settings.tolerance < accurateTolerance;
-    if (!solved.solved && (accurate || !isGood()) && m_newtonSteps > mostStepsResting)
-        solved = solveCold(solved);
-    double residual = solved.residual;
-    if (!isGood() && m_problem.springs.empty()) {
-        m_failed = m_newtonSteps > 0;
-        residual = m_gaussSeidel.solve(m_problem, m_tolerance, sweepsFor(input));
-    }
-    report.residual = std::max(report.residual, residual);
+    if (!solved.solved && (accurate || !isGood()) && remaining(input) > 0) solved = solveCold(input, solved);
+    m_unsolved = m_unsolved || !isGood();
+    m_residual = solved.residual;
 }
 
 } // namespace carom

@@ -25,28 +25,34 @@ bool areStill(const State& state, std::span<const BodyIndex> bodies) {
 bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
     load(input, island, found);
     const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
-    if (!bounce(input, island) && !movePile(input, island)) move(input, island);
-    return wereStill && !m_parted && areStill(input.state, island.bodies);
+    if (!bounce(input, island)) move(input, island);
+    report.work.operations += m_work;
+    return wereStill && !m_parted && m_left == 0 && areStill(input.state, island.bodies);
 }
 
 void IslandMotion::move(const MotionInput& input, const Island& island) {
     const bool accurate = input.settings.tolerance < accurateTolerance;
     const int points = static_cast<int>(m_contacts.points.size());
-    const bool locates = m_isSmall || (accurate && points <= mostLocatedAccurate);
-    const int most =
-        (accurate ? mostEventsAccurate : mostEvents) + (m_isSmall ? mostEventsPerPoint * points : 0);
-    int events = locates ? 0 : most;
+    const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
+    int events = 0;
     for (double left = input.substep; left > 0;) {
         const bool locating = events < most;
-        m_rattles = locates && 2 * events > most;
+        m_rattles = 2 * events > most;
+        m_left = left;
         part(input, island);
         loadBodies(input, island);
+        // What is not finished has not happened.
+        const Ledger booked = input.ledger != nullptr ? *input.ledger : Ledger{};
+        const auto giveUp = [&] {
+            if (input.ledger != nullptr) *input.ledger = booked;
+        };
         impacts(input, left, locating);
+        if (remaining(input) <= 0) return giveUp();
         double duration = left;
         smooth(input, duration, locating);
-        if (locating) {
+        if (locating && !m_unsolved && remaining(input) > 0) {
             double event = firstImpact(input, duration);
-            if (event >= duration && accurate && m_isSmall) event = firstStop(input, duration);
+            if (event >= duration && accurate) event = firstStop(input, duration);
             if (event < (1 - shortestPart) * duration) {
                 duration = std::max(event, shortestPart * input.substep);
                 smooth(input, duration, locating);
@@ -57,14 +63,13 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
             m_tolerance *= finerTolerance;
             smooth(input, duration, locating);
         }
+        if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) bookForces(input, duration);
-        if (duration == left) {
-            settle(input);
-            countPatience();
-        }
+        if (duration == left) settle(input);
         commit(input, island, duration);
         left = duration < left ? left - duration : 0;
+        m_left = left;
         if (left > 0 || accurate) recollide(input);
     }
     // No overlap is shown. Parting is linear in the displacement: what turns far overlaps a little again.
@@ -75,6 +80,34 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     }
 }
 
+// So that islands of the usual size allocate nothing, whatever they begin to do.
+void IslandMotion::makeRoom() {
+    constexpr std::size_t points = pointsRefined, bodies = points / 2;
+    if (m_presses.capacity() >= points) return;
+    for (ContactSet* set : {&m_contacts, &m_before}) {
+        set->pairs.reserve(points);
+        set->points.reserve(points);
+    }
+    for (ContactProblem* problem : {&m_problem, &m_parting}) {
+        problem->bodies.reserve(bodies);
+        problem->rows.reserve(points);
+    }
+    for (std::vector<Vec6>* velocities : {&m_lastVelocity, &m_free}) velocities->reserve(bodies);
+    for (std::vector<Pose>* poses : {&m_middlePose, &m_endPose}) poses->reserve(bodies);
+    for (std::vector<Place>* places : {&m_inMiddle, &m_atEnd}) places->reserve(points);
+    for (std::vector<std::uint32_t>* indices : {&m_rowPoint, &m_pairOf}) indices->reserve(points);
+    for (std::vector<std::uint8_t>* flags : {&m_presses, &m_stuck, &m_waits, &m_held, &m_pushed})
+        flags->reserve(points);
+    m_start.reserve(bodies);
+    m_pushes.reserve(points);
+    m_impactRows.reserve(points);
+    m_warmRows.reserve(points);
+    m_followed.pairs.reserve(1);
+    m_followed.points.reserve(Manifold::capacity);
+    m_newton.makeRoom(bodies, points);
+    m_impacts.makeRoom(bodies, points);
+}
+
 void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
     m_members = island.bodies;
     m_local.resize(input.bodies.count(), immobile);
@@ -83,69 +116,22 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_springs.assign(island.links.begin(), island.links.end());
-    m_isSmall = m_contacts.points.size() <= std::size_t{mostLocatedPoints};
-    if (m_isSmall) makeRoomToTurn();
+    makeRoom();
     m_scale = input.gravity.norm() * input.substep;
     m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
-    m_newtonSteps = newtonSteps(input, island);
-    m_failed = m_parted = false;
+    m_work = m_left = 0;
+    m_unsolved = m_parted = false;
     m_overlap = 0;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
             report.maxPenetration = std::max(report.maxPenetration, -point.separation);
 }
 
-// How much an exact solution is worth: any effort in an accurate run, much in a small island, some in a
-// larger one unless it was in vain lately.
-int IslandMotion::newtonSteps(const MotionInput& input, const Island& island) const {
-    const int points = static_cast<int>(m_contacts.points.size());
-    const bool springsAlone = points == 0; // sweeps know nothing of springs
-    if (springsAlone || input.settings.tolerance < accurateTolerance) return mostStepsAccurate;
-    if (points <= mostNewtonAlways || !island.links.empty()) return mostStepsMoving / points;
-    if (points > mostNewtonResting) return 0;
-    for (const ContactPair& pair : m_contacts.pairs)
-        if (pair.patience > 0) return 0;
-    double fastest = 0;
-    for (const BodyIndex i : island.bodies) fastest = std::max(fastest, input.state.velocity[i].norm());
-    if (PileMotion::treats(input.bodies, island.bodies, m_contacts))
-        return fastest <= grainsResting * m_scale ? mostStepsResting : 0;
-    if (points <= mostNewtonMoving) return mostStepsMoving / points;
-    if (fastest <= atRest * m_scale) return mostStepsAtRest / points;
-    return fastest <= nearlyResting * m_scale ? mostStepsResting : 0;
-}
-
-// After a vain attempt sweeps do for a while.
-void IslandMotion::countPatience() {
-    for (ContactPair& pair : m_contacts.pairs)
-        pair.patience = m_failed ? patience : static_cast<std::uint16_t>(std::max(0, pair.patience - 1));
-}
-
-// A big moving pile of spheres.
-bool IslandMotion::movePile(const MotionInput& input, const Island& island) {
-    if (m_newtonSteps > 0 || !m_springs.empty() || input.settings.simultaneous ||
-        !PileMotion::treats(input.bodies, island.bodies, m_contacts))
-        return false;
-    const int points = static_cast<int>(m_contacts.points.size());
-    const PileInput pile{.bodies = input.bodies,
-                         .gravity = input.gravity,
-                         .substep = input.substep,
-                         .tolerance = input.settings.tolerance * m_scale,
-                         .sweeps = points <= mostNewtonMoving ? smallPileSweeps : input.settings.iterations,
-                         .state = input.state};
-    Invariants before;
-    if (input.ledger != nullptr)
-        before = invariantsOf(input.bodies, island.bodies, input.state, input.gravity);
-    const double residual = m_pile.advance(pile, island.bodies, m_contacts);
-    if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
-        const Invariants after = invariantsOf(input.bodies, island.bodies, input.state, input.gravity);
-        bookDifference(before, after, weightOf(input.bodies, island.bodies, input.substep * input.gravity),
-                       LedgerAccount::Contact, *input.ledger);
-    }
-    report.residual = std::max(report.residual, residual);
-    report.impacts += static_cast<int>(m_pile.impacts());
-    m_parted = m_pile.parted();
-    countPatience();
-    return true;
+double IslandMotion::collideWork(const Bodies& bodies, const ContactPair& pair) const {
+    const auto simple = [&](BodyIndex i) {
+        return std::holds_alternative<Sphere>(bodies.shape[i]) || isWall(bodies.shape[i]);
+    };
+    return simple(pair.a) || simple(pair.b) ? work::collideRound : work::collide;
 }
 
 void IslandMotion::recollide(const MotionInput& input) {
@@ -153,6 +139,8 @@ void IslandMotion::recollide(const MotionInput& input) {
     m_contacts.clear();
     for (const ContactPair& pair : m_before.pairs) {
         const std::size_t count = m_contacts.pairs.size();
+        m_work += collideWork(input.bodies, pair);
+        ++report.work.pairsCollided;
         collideInto(input.bodies, input.state, pair, m_before.pointsOf(pair), m_contacts);
         // A pair that has no points now keeps its place: it may have some later in the substep.
         if (m_contacts.pairs.size() == count) m_contacts.append(pair, {});
@@ -240,8 +228,9 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
     const double spinBefore =
         input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
     const double tolerance = 1e-3 * narrowest;
-    if (!m_newton.solve(m_parting, tolerance, m_newtonSteps).solved)
-        m_gaussSeidel.solve(m_parting, tolerance, 2 * input.settings.iterations);
+    const NewtonReport parting = m_newton.solve(m_parting, tolerance, std::max(0.0, remaining(input)));
+    m_work += parting.work;
+    report.work.factorisations += static_cast<std::uint64_t>(parting.factorisations);
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
         Pose& pose = input.state.pose[island.bodies[i]];
         const Vec6& displacement = m_parting.bodies[i].velocity;
@@ -276,9 +265,13 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
         }
     }
     m_impacts.ledger = input.ledger;
-    if (any)
-        report.impacts +=
-            m_impacts.solve(m_problem, m_impactRows, input.settings.simultaneous || !locating, m_newtonSteps);
+    if (any) {
+        const ImpactReport impacts = m_impacts.solve(
+            m_problem, m_impactRows, input.settings.simultaneous || !locating, remaining(input));
+        report.work.impacts += static_cast<std::uint64_t>(impacts.impacts);
+        report.work.factorisations += static_cast<std::uint64_t>(impacts.factorisations);
+        m_work += impacts.work;
+    }
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         if (i >= m_start.size()) m_start.emplace_back();
         const ContactBody& body = m_problem.bodies[i];

@@ -4,16 +4,17 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
+#include "core/dynamics/work_counters.h"
 #include "core/narrowphase/time_of_impact.h"
 #include "core/solvers/contact_problem.h"
-#include "core/solvers/gauss_seidel.h"
+#include "core/solvers/contacts/work_budget.h"
 #include "core/solvers/impacts.h"
 #include "core/solvers/islands.h"
 #include "core/solvers/newton.h"
-#include "core/solvers/pile_motion.h"
 #include "core/solvers/solver.h"
 #include "core/solvers/spring_solver.h"
 
+#include <limits>
 #include <vector>
 
 // Moves the bodies of one island through a substep. The order of operations:
@@ -39,14 +40,14 @@ struct MotionInput {
     double substep = 0; ///< [s]
     State& state;
     Ledger* ledger = nullptr;
+    double budget = std::numeric_limits<double>::infinity(); ///< operations (work_budget.h)
 };
 
 /// What the motion of islands met in one substep.
 struct MotionReport {
     double residual = 0;       ///< the worst of any island's contact problem [m/s]
     double maxPenetration = 0; ///< [m]
-    int impacts = 0;
-    int factorisations = 0;
+    WorkCounters work;
     Loss loss; ///< where the forces of an island came to be no numbers: it has not moved
 };
 
@@ -58,6 +59,9 @@ class IslandMotion {
     /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep. True
     /// if the island has not moved: nothing had a velocity before or after, and nothing overlapped.
     bool advance(const MotionInput& input, const Island& island, const ContactSet& found);
+    /// What of the substep is left because the budget ended or the forces were not found [s]: the bodies are
+    /// where they were so long before its end.
+    double left() const { return m_left; }
     /// Those at the end, with their forces: pair by pair those of the island; a pair may have lost its
     /// points.
     const ContactSet& contacts() const { return m_contacts; }
@@ -88,12 +92,11 @@ class IslandMotion {
         Mat3 frame = Mat3::Identity();
     };
 
-    int newtonSteps(const MotionInput& input, const Island& island) const;
-    void countPatience();
+    double remaining(const MotionInput& input) const { return input.budget - m_work; }
+    double collideWork(const Bodies& bodies, const ContactPair& pair) const;
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     void move(const MotionInput& input, const Island& island);
     bool bounce(const MotionInput& input, const Island& island);
-    bool movePile(const MotionInput& input, const Island& island);
     void recollide(const MotionInput& input);
     void loadBodies(const MotionInput& input, const Island& island);
     double relativeOverlap() const;
@@ -104,10 +107,9 @@ class IslandMotion {
     Vec3 endMomentum(std::size_t body) const;
     void chooseRows(const MotionInput& input, double duration, bool locating);
     void solve(const MotionInput& input);
-    int sweepsFor(const MotionInput& input) const;
-    NewtonReport solveCold(const NewtonReport& warm);
+    NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
-    void makeRoomToTurn();
+    void makeRoom();
     void turnContacts(const MotionInput& input, double duration);
     void foreseePoses(const MotionInput& input, double duration);
     void moveRows(const MotionInput& input);
@@ -155,11 +157,12 @@ class IslandMotion {
     ContactRow rowOf(const Bodies& bodies, const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
-    int m_newtonSteps = 0;                // factorisations for one solve; 0: by sweeps
-    bool m_isSmall = false;               // few contacts: worth every care
+    double m_work = 0;                    // operations in this substep
+    double m_left = 0;                    // of the substep [s]
+    double m_residual = 0;                // of the last solve [m/s]
     double m_overlap = 0;                 // the deepest in this substep, relative to the smaller body
     bool m_parted = false;                // in this substep
-    bool m_failed = false;                // Newton's method, in this substep
+    bool m_unsolved = false;              // the forces of this part were not found
     bool m_rattles = false;               // most of the events of this substep are used up
     double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;               // of velocities [m/s]
@@ -190,9 +193,7 @@ class IslandMotion {
     std::vector<ContactRow> m_warmRows; // of m_problem, after a first attempt
     NewtonSolver m_newton;
     SpringSolver m_springSolver;
-    GaussSeidelSolver m_gaussSeidel;
     ImpactSolver m_impacts;
-    PileMotion m_pile;
 };
 
 } // namespace carom

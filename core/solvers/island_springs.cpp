@@ -60,7 +60,7 @@ void IslandMotion::solveSprings(const MotionInput& input, double duration) {
     };
     if (stiff) guess(-1);
     if (!m_problem.rows.empty()) {
-        for (int round = 0; round < mostRounds; ++round) {
+        for (int round = 0; round < mostRounds && !m_unsolved; ++round) {
             rememberVelocities();
             linkSprings(input, duration);
             solve(input);

@@ -62,6 +62,7 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
         m_first[i].link += m_first[i - 1].link;
     }
     m_bodies.resize(members.size());
+    if (m_pairs.capacity() < pairs.size()) m_pairs.reserve(2 * pairs.size());
     m_pairs.resize(pairs.size());
     m_links.resize(live);
     m_next.assign(m_first.begin(), m_first.end() - 1);

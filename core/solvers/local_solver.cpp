@@ -26,8 +26,9 @@ class LocalSolver final : public Solver {
         return report;
     }
 
-    ContactSet contacts() const override {
-        ContactSet set = m_solver->contacts();
+    ContactSet contacts(const State& state) const override {
+        static_cast<void>(state); // seen from here, where it was left
+        ContactSet set = m_solver->contacts(m_state);
         for (ContactPair& pair : set.pairs) {
             pair.a = m_order[pair.a];
             pair.b = m_order[pair.b];

@@ -37,15 +37,15 @@ Neighbours::Neighbours(const Bodies& bodies)
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
 }
 
-void Neighbours::update(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
-                        Broadphase& broadphase) {
-    if (follow(bodies, state, bodies.mobileBodies, gravity, duration)) return;
+void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                        const Vec3& gravity, double duration, Broadphase& broadphase) {
+    if (follow(bodies, state, list, gravity, duration)) return;
     double sum = 0;
-    for (const BodyIndex i : bodies.mobileBodies) {
+    for (const BodyIndex i : list) {
         const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
         sum += needed * needed;
     }
-    m_typical = std::sqrt(sum / static_cast<double>(bodies.mobileBodies.size()));
+    m_typical = std::sqrt(sum / static_cast<double>(list.size()));
     std::fill(m_skin.begin(), m_skin.end(), 0.0);
     search(bodies, state, broadphase);
 }

@@ -32,8 +32,8 @@ class Neighbours {
 
     /// Takes note of where the bodies are and how far each comes within `duration` [s] under its velocity and
     /// gravity. Searches if the list could miss a pair.
-    void update(const Bodies& bodies, const State& state, const Vec3& gravity, double duration,
-                Broadphase& broadphase);
+    void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                const Vec3& gravity, double duration, Broadphase& broadphase);
     /// The same for some of the bodies, while the others go on as they did when noted last. False if the list
     /// could miss a pair of them: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,

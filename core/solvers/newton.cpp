@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/newton.h"
 
+#include "core/solvers/contacts/work_budget.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,25 +69,44 @@ Vec6 momentumChange(const ContactBody& body, const Vec6& velocity) {
 
 } // namespace
 
-NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, int mostFactorisations) {
+void NewtonSolver::makeRoom(std::size_t bodies, std::size_t rows) {
+    m_rows.reserve(rows);
+    m_units.length.reserve(bodies);
+    m_edges.reserve(rows);
+    m_first.reserve(rows);
+    m_carried.reserve(bodies);
+    m_gradient.reserve(bodies);
+    m_step.reserve(bodies);
+    m_saved.reserve(bodies);
+    m_matrix.makeRoom(bodies);
+}
+
+NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, double mostWork) {
     NewtonReport report;
+    m_rowWork = work::row * static_cast<double>(problem.rows.size() + problem.springs.size()) +
+                work::body * static_cast<double>(problem.bodies.size());
+    report.work = m_work = m_rowWork;
     velocitiesFromImpulses(problem);
     double residual = residualOf(problem);
     report.residual = residual;
     report.solved = residual <= tolerance;
     if (report.solved || !std::isfinite(residual)) return report;
 
-    prepare(problem);
+    if (!prepare(problem, mostWork)) {
+        report.work = m_work;
+        return report;
+    }
     m_kappa = kappaWarm;
     bool first = true;
     for (int round = 0; round < mostRounds; ++round) {
-        if (report.factorisations >= mostFactorisations) {
+        if (m_work >= mostWork) {
             takeBest(problem, report);
+            report.work = m_work;
             return report;
         }
         int steps = 0;
         const double inner = std::max(innerPart * tolerance, 0.01 * residual);
-        const bool minimised = minimise(problem, inner, mostFactorisations - report.factorisations, steps);
+        const bool minimised = minimise(problem, inner, mostWork, steps);
         report.factorisations += steps;
         if (first && (!minimised || steps > fewSteps)) {
             m_kappa = 1; // the multipliers are still the warm ones
@@ -113,10 +134,12 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, int 
     velocitiesFromImpulses(problem);
     report.residual = residualOf(problem);
     report.solved = report.residual <= 10 * tolerance;
+    report.work = m_work;
     return report;
 }
 
-void NewtonSolver::prepare(const ContactProblem& problem) {
+// False if one factorisation alone would be too much work.
+bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
     m_edges.clear();
     const auto note = [&](const auto& row) {
         if (row.a != immobile && row.b != immobile) m_edges.push_back(edgeOf(row));
@@ -125,7 +148,11 @@ void NewtonSolver::prepare(const ContactProblem& problem) {
     for (const SoftRow& row : problem.springs) note(row);
     std::sort(m_edges.begin(), m_edges.end());
     m_edges.erase(std::unique(m_edges.begin(), m_edges.end()), m_edges.end());
-    m_matrix.analyse(static_cast<int>(problem.bodies.size()), m_edges);
+    m_work += work::ordering * static_cast<double>(m_edges.size() + problem.bodies.size());
+    const double most = std::min((mostWork - m_work) / work::block, 1e9);
+    if (!(most > 0) ||
+        !m_matrix.analyse(static_cast<int>(problem.bodies.size()), m_edges, static_cast<std::size_t>(most)))
+        return false;
 
     const auto numberOf = [&](const auto& row) {
         if (row.a == immobile || row.b == immobile) return -1;
@@ -147,14 +174,15 @@ void NewtonSolver::prepare(const ContactProblem& problem) {
     m_gradient.resize(problem.bodies.size());
     m_step.resize(problem.bodies.size());
     chooseUnits(problem, m_units);
+    return true;
 }
 
 // Solves the inner problem for the velocities. Where contacts slip, H alone may converge slowly or go in
 // circles; then the whole derivative of G is tried, and its step taken if it halves the error.
-bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, int most, int& steps) {
+bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, int& steps) {
     double before = std::numeric_limits<double>::infinity();
     int stalled = 0;
-    for (steps = 0; steps < std::min(most, mostSteps);) {
+    for (steps = 0; steps < mostSteps && m_work < mostWork;) {
         const double error = errorAt(problem);
         if (error <= tolerance) return true;
         if (!std::isfinite(error)) return false;
@@ -176,6 +204,7 @@ bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, int most,
 }
 
 double NewtonSolver::errorAt(const ContactProblem& problem) {
+    m_work += m_rowWork;
     evaluateRows(problem);
     project(problem, 0);
     return gradient(problem);
@@ -269,6 +298,8 @@ double NewtonSolver::gradient(const ContactProblem& problem) {
 
 // H, or the whole derivative of G where `coupled`.
 bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
+    m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
+                              (coupled ? 2 : 1);
     m_matrix.setZero();
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
         m_matrix.addToDiagonal(static_cast<int>(i), massMatrix(problem.bodies[i], m_units.perMass));
@@ -326,6 +357,7 @@ void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool
 // sᵀ G(v + along s).
 double NewtonSolver::slope(const ContactProblem& problem, double along, double quadratic, double linear) {
     project(problem, along);
+    m_work += 0.5 * m_rowWork;
     double sum = linear + along * quadratic;
     for (const RowState& state : m_rows) {
         sum -= state.du.dot(state.p.impulse);
@@ -367,19 +399,25 @@ double NewtonSolver::lineSearch(const ContactProblem& problem) {
         slopeHigh = slope(problem, high, quadratic, linear);
         if (std::abs(slopeHigh) <= enough) return high;
     }
+    // Regula falsi; an end that stays for a second time counts half, or it would stay for ever (the Illinois
+    // method, M. Dowell, P. Jarratt, "A modified regula falsi method", 1971).
+    int kept = 0; // steps in a row for which low stayed, negative: high
     for (int i = 0; i < mostSlopes; ++i) {
-        // The secant, kept off the ends of the bracket so that it always shrinks.
         const double width = high - low;
         const double secant = low - slopeLow * width / (slopeHigh - slopeLow);
-        const double middle = std::clamp(secant, low + 0.05 * width, high - 0.05 * width);
+        const double middle = std::clamp(secant, low + 0.01 * width, high - 0.01 * width);
         const double slopeMiddle = slope(problem, middle, quadratic, linear);
         if (std::abs(slopeMiddle) <= enough) return middle;
         if (slopeMiddle < 0) {
             low = middle;
             slopeLow = slopeMiddle;
+            kept = std::min(kept, 0) - 1;
+            if (kept < -1) slopeHigh *= 0.5;
         } else {
             high = middle;
             slopeHigh = slopeMiddle;
+            kept = std::max(kept, 0) + 1;
+            if (kept > 1) slopeLow *= 0.5;
         }
     }
     return low > 0 ? low : high;

@@ -39,16 +39,19 @@ namespace carom {
 struct NewtonReport {
     bool solved = false;
     int factorisations = 0;
+    double work = 0;     ///< operations (work_budget.h)
     double residual = 0; ///< residualOf the result [m/s]
 };
 
 class NewtonSolver {
   public:
+    /// So that problems of so many bodies and rows allocate nothing.
+    void makeRoom(std::size_t bodies, std::size_t rows);
     /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf. If it is not
-    /// reached within `mostFactorisations` the impulses are the best that were found, those of the start if
-    /// none were better.
+    /// reached within `mostWork` operations (work_budget.h; exceeded by one factorisation at most) the
+    /// impulses are the best that were found, those of the start if none were better.
     NewtonReport solve(ContactProblem& problem, double tolerance,
-                       int mostFactorisations = std::numeric_limits<int>::max());
+                       double mostWork = std::numeric_limits<double>::infinity());
 
   private:
     struct RowState {
@@ -66,8 +69,8 @@ class NewtonSolver {
         int a = immobile, b = immobile, edge = -1;
     };
 
-    void prepare(const ContactProblem& problem);
-    bool minimise(ContactProblem& problem, double tolerance, int most, int& steps);
+    bool prepare(const ContactProblem& problem, double mostWork);
+    bool minimise(ContactProblem& problem, double tolerance, double mostWork, int& steps);
     void evaluateRows(const ContactProblem& problem);
     void project(const ContactProblem& problem, double along);
     double gradient(const ContactProblem& problem);
@@ -87,6 +90,8 @@ class NewtonSolver {
     void takeBest(ContactProblem& problem, NewtonReport& report);
 
     double m_kappa = 1;
+    double m_work = 0;    // of this solve, operations
+    double m_rowWork = 0; // of looking at all rows and bodies once
     std::vector<RowState> m_rows;
     std::vector<int> m_springEdge;
     std::vector<Vec3> m_springU, m_springDu;

@@ -10,11 +10,11 @@
 
 // Bodies that have come to rest are left alone until something may touch them.
 //
-// An island is laid to rest after a substep that began and ended with all its velocities zero and moved
-// nothing: its forces balance, and the substeps to come would find the same. (What is slower than the
-// tolerance of the contact problem has been stopped before, IslandMotion::settle.) So no timer is needed, and
-// no speed or time below which things are frozen. An island is woken whole, with the forces it was laid down
-// with:
+// A refined island is laid to rest after a substep that began and ended with all its velocities zero and
+// moved nothing: its forces balance, and the substeps to come would find the same. (What is slower than the
+// tolerance of the contact problem has been stopped before, IslandMotion::settle.) One on the base path,
+// whose forces balance less exactly, after it has been slow for long enough that nothing unstable can hide in
+// it (contacts.cpp). An island is woken whole, with the forces it was laid down with:
 //
 //     reach      a body that moves may touch one of it within the substep
 //     velocity   somebody gave one of it a velocity: a ball that struck it in flight, an edit

@@ -9,6 +9,7 @@
 #include "core/dynamics/parallel.h"
 #include "core/dynamics/smooth_motion.h"
 #include "core/dynamics/state.h"
+#include "core/dynamics/work_counters.h"
 #include "core/math/types.h"
 #include "core/scene/scene.h"
 
@@ -40,7 +41,8 @@ struct SolverReport {
     double maxPenetration = 0;    ///< [m]
     double residual = 0; ///< how far the worst contact problem was from solved [m/s]; 0 where there is none
     double coneViolation = 0; ///< of the worst contact force, relative to its size
-    Loss loss;                ///< the substep was broken off where a body is named
+    WorkCounters work;
+    Loss loss; ///< the substep was broken off where a body is named
 };
 
 /// What a solver works on in one substep.
@@ -78,6 +80,7 @@ struct SolverSettings {
     int iterations = 20;       ///< sweeps a substep where the method sweeps
     bool simultaneous = false; ///< impacts at one instant all at once, in place of one after the other
     bool resting = true;       ///< what rests is left alone; false where nothing can come to rest
+    double effort = 1;         ///< times the budget of refinement
 };
 
 /// What a method carries from one substep to the next besides the state.
@@ -116,9 +119,12 @@ class Solver {
     /// and again at the end.
     virtual SolverReport advance(const SolverInput& input) = 0;
 
-    /// The contacts of the last substep with their forces, a and b in any order; empty where the method
-    /// solves for none.
-    virtual ContactSet contacts() const { return {}; }
+    /// The contacts of the last substep with their forces, a and b in any order, at `state`, the one it led
+    /// to; empty where the method solves for none.
+    virtual ContactSet contacts(const State& state) const {
+        static_cast<void>(state);
+        return {};
+    }
 
     /// A copy of everything that the motion to come depends on, apart from the state.
     virtual std::unique_ptr<const SolverMemory> memory() const = 0;

@@ -170,14 +170,15 @@ QList<Row> rowsOfKernels() {
     add("gyroscopic term of a cube", "::rotateAsymmetric(",
         sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"),
         sceneWith("", "", "cuboid { size 2, 2, 2  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
-    add("friction", "carom::Flights::setSpin(", rough);
+    add("friction", "carom::ImpactSolver::solveLone(", rough);
     add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
     add("springs", "carom::springEnergy(", sceneWith("", "", tied));
     add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
     add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
-    add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes));
-    add("contact forces of what rests", "carom::NewtonSolver::solve(", sceneWith("", "", boxes),
-        sceneWith("", "", boxesAtRest));
+    const QByteArray alone = "wall { normal 0, 1, 0  toOrig 0  elastic 0.5 }\n";
+    add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes),
+        "sphere { radius 1  mass 1  centre 0, 9, 0 }\n");
+    add("contact forces of what rests", "carom::NewtonSolver::solve(", alone + boxes, alone + boxesAtRest);
     add("contacts of what rests", "carom::collideCuboidCuboid(", sceneWith("", "", boxes),
         sceneWith("", "", boxesAtRest));
     add("collision", "carom::collideInto(", sceneWith("", "", boxes),

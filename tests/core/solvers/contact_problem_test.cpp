@@ -3,8 +3,8 @@
 
 #include "core/math/random.h"
 #include "core/math/rotation.h"
-#include "core/solvers/gauss_seidel.h"
 #include "core/solvers/newton.h"
+#include "tests/support/gauss_seidel.h"
 
 #include <Eigen/Dense>
 
@@ -172,21 +172,6 @@ class ContactProblemTest : public QObject {
         const Vec3 before = problem.rows.back().impulse;
         QCOMPARE(newton.solve(problem, 10 * tolerance).factorisations, 0);
         QCOMPARE(problem.rows.back().impulse, before);
-    }
-
-    // Plain sweeps leave many times as much; what a solver did before makes no difference.
-    void sweepsThatGoOnCarryATowerSoon() {
-        constexpr int sweeps = 60;
-        constexpr double enough = 1e-2; // of g h
-        GaussSeidelSolver fresh, used;
-        ContactProblem one = tower(10), other = one, larger = tower(14);
-        used.solve(larger, 1e-14, sweeps);
-        fresh.solve(one, 1e-14, sweeps);
-        used.solve(other, 1e-14, sweeps);
-        qInfo("residual %.1e of g h", residualOf(one) / gravityStep);
-        QVERIFY(residualOf(one) < enough * gravityStep);
-        for (std::size_t i = 0; i < one.bodies.size(); ++i)
-            QVERIFY(one.bodies[i].velocity == other.bodies[i].velocity);
     }
 
     void bothMethodsFindTheSameVelocities_data() {

@@ -1,9 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/solvers/gauss_seidel.h"
+#pragma once
+
+#include "core/solvers/contact_problem.h"
 
 #include <algorithm>
+#include <vector>
+
+// Projected block Gauss–Seidel on the impulses (M. Jean, J.-J. Moreau, "Unilaterality and dry friction in the
+// dynamics of rigid body collections", 1992; as sequential impulses with warm start E. Catto, "Iterative
+// dynamics with temporal coherence", 2005): contact after contact, each made right while the others stand.
+//
+//     normal     pₙ ← max(0, pₙ − mₙ (uₙ + b)),  mₙ = 1/Wₙₙ
+//     tangents   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
+//
+// Between sweeps all impulses go on in the directions they took before, as conjugate gradients do (M.
+// Silcowitz, S. Niebe, K. Erleben, "A nonsmooth nonlinear conjugate gradient method for interactive contact
+// force problems", 2010): with δ the change of a sweep,
+//
+//     β = |δ|²/|δ before|², in the sense of energy;  p += β d,  d ← β d + δ;  none, and d = δ, where β > 1
+//
+// A wall of stones gets in 20 sweeps as far as in some hundred without. Not where contacts roll with
+// resistance.
+//
+// The yardstick for Newton's method: slow, obvious, and right where it converges.
 
 namespace carom {
+
+class GaussSeidelSolver {
+  public:
+    /// Sweeps until the largest change of a sweep, as a speed, is below `tolerance` [m/s], at most `sweeps`
+    /// times. Impulses are the start on entry; velocities are those of the impulses afterwards.
+    /// The last sweep's largest change [m/s].
+    double solve(ContactProblem& problem, double tolerance, int sweeps);
+
+  private:
+    struct Row { // what a sweep touches of a contact, packed
+        int a = immobile, b = immobile;
+        Mat3 frame;
+        Vec3 armA, armB;
+        Vec3 coupling; // first column of W: what a normal impulse does to u
+        double bound, friction, massNormal, massTangent;
+        Vec3 impulse;
+    };
+    struct Body {
+        Vec3 linear, angular;
+        double inverseMass;
+        Mat3 inverseInertia;
+    };
+
+    /// What a sweep changed and what it goes on along: by row impulses, by body velocities.
+    struct Course {
+        std::vector<Vec3> impulse, linear, angular;
+        double size = 0; ///< of the last change, as an energy [J]
+    };
+
+    void load(const ContactProblem& problem);
+    void beginSweep();
+    void goOn(bool first);
+    double relax(Row& row);
+    double relaxRolling(ContactProblem& problem, std::size_t index);
+
+    std::vector<Row> m_rows;
+    std::vector<Body> m_bodies;
+    Course m_before; // the sweep
+    Course m_along;
+};
+
 namespace {
 
 // W's part of one body: how fast the point moves, in the frame, under impulses along the frame's axes.
@@ -15,7 +77,7 @@ Mat3 compliance(const Mat3& frame, const Vec3& arm, double inverseMass, const Ma
 
 } // namespace
 
-double GaussSeidelSolver::solve(ContactProblem& problem, double tolerance, int sweeps) {
+inline double GaussSeidelSolver::solve(ContactProblem& problem, double tolerance, int sweeps) {
     velocitiesFromImpulses(problem);
     load(problem);
     double change = 0;
@@ -40,7 +102,7 @@ double GaussSeidelSolver::solve(ContactProblem& problem, double tolerance, int s
     return change;
 }
 
-void GaussSeidelSolver::load(const ContactProblem& problem) {
+inline void GaussSeidelSolver::load(const ContactProblem& problem) {
     m_bodies.resize(problem.bodies.size());
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         const ContactBody& body = problem.bodies[i];
@@ -73,7 +135,7 @@ void GaussSeidelSolver::load(const ContactProblem& problem) {
     }
 }
 
-void GaussSeidelSolver::beginSweep() {
+inline void GaussSeidelSolver::beginSweep() {
     m_before.impulse.resize(m_rows.size());
     m_before.linear.resize(m_bodies.size());
     m_before.angular.resize(m_bodies.size());
@@ -85,7 +147,7 @@ void GaussSeidelSolver::beginSweep() {
 }
 
 // From where the sweep has come along d, which takes up what the sweep has changed.
-void GaussSeidelSolver::goOn(bool first) {
+inline void GaussSeidelSolver::goOn(bool first) {
     double size = 0;
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         size += (m_rows[i].impulse - m_before.impulse[i]).squaredNorm() / m_rows[i].massNormal;
@@ -108,7 +170,7 @@ void GaussSeidelSolver::goOn(bool first) {
 }
 
 // One contact; the largest change of its velocity.
-double GaussSeidelSolver::relax(Row& row) {
+inline double GaussSeidelSolver::relax(Row& row) {
     Vec3 motion = Vec3::Zero();
     if (row.a != immobile) {
         const Body& body = m_bodies[at(row.a)];
@@ -143,7 +205,7 @@ double GaussSeidelSolver::relax(Row& row) {
     return change.cwiseAbs().maxCoeff() / row.massNormal;
 }
 
-double GaussSeidelSolver::relaxRolling(ContactProblem& problem, std::size_t index) {
+inline double GaussSeidelSolver::relaxRolling(ContactProblem& problem, std::size_t index) {
     ContactRow& row = problem.rows[index];
     Vec3 spin = Vec3::Zero();
     if (row.a != immobile) spin -= m_bodies[at(row.a)].angular;

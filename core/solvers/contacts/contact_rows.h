@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/wide.h"
+#include "core/math/types.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// What the velocity solve works on, laid out for registers that hold four doubles.
+//
+//     body     velocity, inverse mass and inverse inertia in one record of 128 bytes
+//     group    four pairs of bodies, no body twice, so that four lanes are solved at once
+//     point    one contact point of each of the four pairs
+//
+//              lane 0   lane 1   lane 2   lane 3
+//     a, b     3, 7     1, 4     9, –     5, 6         –: immobile, a record without inverse mass
+//     point 0  *        *        *        *            a group holds pairs with the same number of points
+//     point 1  *        *        *        *            (three count as four)
+//
+// Groups are filled in the order the pairs come: a pair goes into the first of the open groups that has
+// neither of its bodies. Each body keeps the open groups it is in as a mask of 64 bits, so the search is one
+// operation. The order of groups depends on the order of pairs alone.
+
+namespace carom {
+
+/// A body of the velocity solve. The inverse inertia [1/(kg m²)] is symmetric, in the world.
+struct alignas(32) SolverBody {
+    std::array<double, 3> velocity{}; ///< [m/s]
+    double inverseMass = 0;           ///< [1/kg]
+    std::array<double, 3> spin{};     ///< angular velocity [rad/s]
+    double unused0 = 0;
+    double xx = 0, xy = 0, xz = 0, yy = 0; ///< inverse inertia
+    double yz = 0, zz = 0, unused1 = 0, unused2 = 0;
+};
+static_assert(sizeof(SolverBody) == 128);
+
+/// How far a body has come since the rows were made.
+struct alignas(32) Displacement {
+    std::array<double, 3> shift{}; ///< [m]
+    double unused0 = 0;
+    std::array<double, 3> turn{}; ///< rotation vector [rad]
+    double unused1 = 0;
+};
+
+/// One contact point of a pair, as it is given.
+struct PointInput {
+    Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from the bodies' centres [m]
+    double separation = 0;                         ///< [m]
+    Vec3 impulse = Vec3::Zero(); ///< on B, world [N s]; where the solve begins, and what came of it
+};
+
+/// A pair of bodies with its points, as it is given.
+struct PairInput {
+    std::uint32_t a = 0, b = 0;  ///< indices of bodies; `immobile` below for what cannot move
+    Vec3 normal = Vec3::UnitY(); ///< from A to B
+    double friction = 0, restitution = 0;
+    double rolling = 0; ///< [m]
+    double push = 0;    ///< an overlap is moved apart no faster than this [m/s]
+    std::span<PointInput> points;
+};
+
+/// Four contact points side by side.
+struct alignas(32) RowPoint {
+    std::array<Wide, 3> armA, armB;
+    Wide gap;                    ///< separation when the rows were made [m]
+    Wide massNormal;             ///< 1/Wₙₙ [kg]; 0 in a lane that is not used
+    Wide massTangent;            ///< 1 over the larger eigenvalue of Wₜₜ [kg]
+    Wide coupling1, coupling2;   ///< Wₙₜ: what tangential impulses do to uₙ [1/kg]
+    Wide normal, along1, along2; ///< impulses [N s]
+    Wide approach;               ///< closing speed before an impact, 0 where there is none [m/s]
+};
+
+struct alignas(32) RowGroup {
+    std::array<std::uint32_t, wideLanes> a{}, b{};
+    std::array<Wide, 3> normal, tangent; ///< the other tangent is normal × tangent
+    Wide friction, restitution, push;
+    Wide stiffness; ///< part of the hardness of a contact with what cannot move: 1, or ½ between two that can
+    std::uint32_t firstPoint = 0, points = 0;
+    std::array<std::uint32_t, wideLanes> source{}; ///< which input pair; noPair in an empty lane
+    bool bounces = false;                          ///< restitution in some lane
+};
+
+/// Rolling resistance of a pair: a torque across the normal, at most `rolling` times the normal impulse. Few
+/// scenes have it, so it is solved one pair at a time.
+struct RollingRow {
+    std::uint32_t a = 0, b = 0, group = 0, lane = 0;
+    Vec3 normal = Vec3::UnitY();
+    double rolling = 0;         ///< [m]
+    double inertia = 0;         ///< 1 over the larger eigenvalue of the response across the normal [kg m²]
+    Vec3 torque = Vec3::Zero(); ///< on B [N m s]
+};
+
+// The wide version loads them whole; without wide registers the type itself would be aligned to 16 bytes
+// only.
+static_assert(alignof(RowPoint) == 32 && alignof(RowGroup) == 32);
+
+class ContactRows {
+  public:
+    static constexpr std::uint32_t noPair = 0xffffffff;
+
+    /// `bodies` are all but the last of the solver's bodies; the last, number `immobile()`, cannot move.
+    void begin(std::size_t bodies);
+    std::uint32_t immobile() const { return m_immobile; }
+    void add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
+    /// To be called after the last pair.
+    void end();
+
+    /// Forces [N] given as impulses become impulses over so many seconds.
+    void scaleImpulses(double duration) {
+        for (RowPoint& point : m_points) {
+            point.normal *= duration;
+            point.along1 *= duration;
+            point.along2 *= duration;
+        }
+    }
+
+    std::span<RowGroup> groups() { return m_groups; }
+    std::span<RowPoint> points() { return m_points; }
+    std::span<RollingRow> rolling() { return m_rolling; }
+    std::span<const RowGroup> groups() const { return m_groups; }
+    std::span<const RowPoint> points() const { return m_points; }
+    /// The impulse of a point of lane `lane` [N s], on B, world.
+    Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
+    std::size_t bytes() const {
+        return m_groups.capacity() * sizeof(RowGroup) + m_points.capacity() * sizeof(RowPoint);
+    }
+
+  private:
+    static constexpr std::size_t openGroups = 64;
+    static constexpr std::size_t sizes = 3; // 1, 2 and 4 points
+    struct Open {
+        std::uint32_t group = noPair;
+        std::uint32_t filled = 0;
+    };
+    /// Groups of one number of points that still have room.
+    struct Shelf {
+        std::array<Open, openGroups> open{};
+        std::uint64_t used = 0;            // bit k: open[k] holds a group
+        std::vector<std::uint64_t> bodies; // by body: the open groups it is in
+        std::size_t oldest = 0;            // closed next where no other has room
+    };
+    std::size_t place(Shelf& shelf, std::uint32_t a, std::uint32_t b, std::uint32_t points);
+    void close(Shelf& shelf, std::size_t slot);
+
+    std::uint32_t m_immobile = 0;
+    std::array<Shelf, sizes> m_shelves;
+    std::vector<RowGroup> m_groups;
+    std::vector<RowPoint> m_points;
+    std::vector<RollingRow> m_rolling;
+};
+
+} // namespace carom

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/manifolds.h"
+
+#include "core/dynamics/contact_memory.h"
+#include "core/math/rotation.h"
+#include "core/narrowphase/narrowphase.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// Relative poses within this part of the smaller body's size and half this angle [rad] keep their points.
+constexpr double keptWithin = 0.002, keptAngle = 0.002;
+/// A point within this part of the size of an old one has its force.
+constexpr double sameWithin = 0.05;
+/// A contact of a sphere counts as open, and its normal is foreseen, beyond this part of the size.
+constexpr double openBeyond = 1e-3;
+
+bool isSphere(const Bodies& bodies, BodyIndex i) { return std::holds_alternative<Sphere>(bodies.shape[i]); }
+
+double sizeOf(const Bodies& bodies, BodyPair pair) {
+    const double a = bodies.boundingRadius[pair.a], b = bodies.boundingRadius[pair.b];
+    if (isWall(bodies.shape[pair.a])) return b;
+    if (isWall(bodies.shape[pair.b])) return a;
+    return std::min(a, b);
+}
+
+/// B seen from A.
+Pose relativePose(const State& state, BodyPair pair) {
+    const Pose &a = state.pose[pair.a], &b = state.pose[pair.b];
+    return {a.toBody(b.position), a.orientation.conjugate() * b.orientation};
+}
+
+bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
+    if ((now.position - manifold.position).squaredNorm() > keptWithin * keptWithin * size * size)
+        return false;
+    const double cosine = std::abs(now.orientation.dot(manifold.orientation)); // of half the angle
+    return 1 - cosine < 0.5 * 0.25 * keptAngle * keptAngle;
+}
+
+// Of more than four points the deepest, the one furthest from it, the one furthest from the line of both, and
+// the one furthest on the other side of that line.
+void reduce(Manifold& manifold) {
+    if (manifold.count <= static_cast<int>(manifoldPoints)) return;
+    const std::size_t count = static_cast<std::size_t>(manifold.count);
+    const auto at = [&](std::size_t k) -> const Vec3& { return manifold.points[k].onB; };
+    std::array<std::size_t, manifoldPoints> chosen{};
+    for (std::size_t k = 1; k < count; ++k)
+        if (manifold.points[k].separation < manifold.points[chosen[0]].separation) chosen[0] = k;
+    double furthest = -1;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double distance = (at(k) - at(chosen[0])).squaredNorm();
+        if (distance > furthest) {
+            furthest = distance;
+            chosen[1] = k;
+        }
+    }
+    const Vec3 across = manifold.normal.cross(at(chosen[1]) - at(chosen[0]));
+    double most = 0, least = 0;
+    chosen[2] = chosen[3] = chosen[0];
+    for (std::size_t k = 0; k < count; ++k) {
+        const double side = across.dot(at(k) - at(chosen[0]));
+        if (side > most) {
+            most = side;
+            chosen[2] = k;
+        }
+        if (side < least) {
+            least = side;
+            chosen[3] = k;
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    const std::array<ContactPoint, Manifold::capacity> points = manifold.points;
+    manifold.count = 0;
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        if (k == 0 || chosen[k] != chosen[k - 1]) manifold.add(points[chosen[k]]);
+}
+
+// Forces of old points to the new ones nearest to them.
+void inherit(const PersistentManifold& old, double within, PersistentManifold& fresh) {
+    std::array<bool, manifoldPoints> taken{};
+    for (int i = 0; i < fresh.count; ++i) {
+        PersistentManifold::Point& point = fresh.points[static_cast<std::size_t>(i)];
+        const bool alone = old.count == 1 && fresh.count == 1; // the same one, however far it rolled
+        double nearest = within * within;
+        std::size_t best = manifoldPoints;
+        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
+            const double distance = std::min((old.points[k].onB - point.onB).squaredNorm(),
+                                             (old.points[k].onA - point.onA).squaredNorm());
+            if (taken[k] || !(distance < nearest || alone)) continue;
+            nearest = distance;
+            best = k;
+        }
+        if (best == manifoldPoints) continue;
+        taken[best] = true;
+        point.force = old.points[best].force;
+    }
+}
+
+// Spheres that are apart meet with another normal than they have now, or pass each other by: the normal is
+// that of the moment of their meeting, or of their nearest approach, within the substep. So is the normal of
+// a sphere and another round contact, which is left as it is.
+void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3& normal) {
+    if (!isSphere(input.bodies, pair.a) || !isSphere(input.bodies, pair.b)) return;
+    const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
+    if (!(separation > openBeyond * radii)) return;
+    const State& state = input.state;
+    const Vec3 between = state.pose[pair.b].position - state.pose[pair.a].position;
+    Vec3 velocity = state.velocity[pair.b] - state.velocity[pair.a];
+    if (input.bodies.mobile[pair.a] == 0 || input.bodies.mobile[pair.b] == 0)
+        velocity += (input.bodies.mobile[pair.b] != 0 ? 0.5 : -0.5) * input.duration * input.gravity;
+    const double square = velocity.squaredNorm(), closing = between.dot(velocity);
+    if (!(closing < 0)) return;
+    const double excess = between.squaredNorm() - radii * radii;
+    const double discriminant = closing * closing - square * excess;
+    double time = -closing / square; // of the nearest approach
+    if (discriminant > 0) time = excess / (-closing + std::sqrt(discriminant));
+    const Vec3 then = between + std::min(time, input.duration) * velocity;
+    const double distance = then.norm();
+    if (!(distance > 0)) return;
+    normal = then / distance;
+    separation = normal.dot(between) - radii;
+}
+
+} // namespace
+
+bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+    const BodyPair pair = manifold.pair;
+    const State& state = input.state;
+    const double size = sizeOf(input.bodies, pair);
+    const bool wallA = isWall(input.bodies.shape[pair.a]);
+    const Pose now = relativePose(state, pair);
+    if (manifold.count > 0 && !manifold.round && isKept(manifold, now, size)) return false;
+
+    const PersistentManifold old = manifold;
+    Manifold found;
+    collide({&input.bodies.shape[pair.a], &state.pose[pair.a]},
+            {&input.bodies.shape[pair.b], &state.pose[pair.b]}, margin, found);
+    reduce(found);
+    manifold.count = found.count;
+    manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
+    manifold.position = now.position;
+    manifold.orientation = now.orientation;
+    if (found.count == 0) return true;
+    const Pose &poseA = state.pose[pair.a], &poseB = state.pose[pair.b];
+    if (manifold.round) {
+        double separation = found.points[0].separation;
+        Vec3 normal = found.normal;
+        foresee(input, pair, separation, normal);
+        manifold.normal = normal; // in the world, as are the points, relative to the centres
+        PersistentManifold::Point& point = manifold.points[0];
+        if (normal != found.normal) {
+            point.onA = input.bodies.boundingRadius[pair.a] * normal;
+            point.onB = -input.bodies.boundingRadius[pair.b] * normal;
+        } else {
+            point.onA = found.points[0].onA - poseA.position;
+            point.onB = found.points[0].onB - poseB.position;
+        }
+        point.force = old.count > 0 ? old.points[0].force : Vec3::Zero();
+        return true;
+    }
+    manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) {
+        manifold.points[k].onA = poseA.toBody(found.points[k].onA);
+        manifold.points[k].onB = poseB.toBody(found.points[k].onB);
+        manifold.points[k].force.setZero();
+    }
+    inherit(old, sameWithin * size, manifold);
+    return true;
+}
+
+PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold) {
+    const Bodies& bodies = input.bodies;
+    const auto [a, b] = manifold.pair;
+    const Pose &poseA = input.state.pose[a], &poseB = input.state.pose[b];
+    PlacedManifold result;
+    result.count = manifold.count;
+    if (manifold.round)
+        result.normal = manifold.normal;
+    else if (isWall(bodies.shape[a]))
+        result.normal = poseB.directionToWorld(manifold.normal);
+    else
+        result.normal = poseA.directionToWorld(manifold.normal);
+    if (!manifold.round && isWall(bodies.shape[a])) result.normal = std::get<Wall>(bodies.shape[a]).normal;
+    if (!manifold.round && isWall(bodies.shape[b])) result.normal = -std::get<Wall>(bodies.shape[b]).normal;
+    const bool movesA = bodies.mobile[a] != 0, movesB = bodies.mobile[b] != 0;
+    const Vec3 between = poseB.position - poseA.position;
+    const bool spheres = isSphere(bodies, a) && isSphere(bodies, b);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
+        const PersistentManifold::Point& point = manifold.points[k];
+        // From the centre of each body to its side of the contact.
+        const Vec3 onA = manifold.round ? point.onA : poseA.directionToWorld(point.onA);
+        const Vec3 onB = manifold.round ? point.onB : poseB.directionToWorld(point.onB);
+        const Vec3 gap = between + onB - onA;
+        PointInput& to = result.points[k];
+        to.separation = result.normal.dot(gap);
+        // Equal and opposite impulses act at one point: the middle, or the surface of the one that moves.
+        // Of two spheres it is where they will touch: their centres and the point are on one line.
+        const Vec3 half = spheres ? Vec3(Vec3::Zero()) : Vec3(0.5 * gap);
+        to.armA = !movesA ? Vec3(Vec3::Zero()) : !movesB ? onA : Vec3(onA + half);
+        to.armB = !movesB ? Vec3(Vec3::Zero()) : !movesA ? onB : Vec3(onB - half);
+        to.impulse = point.force;
+    }
+    return result;
+}
+
+void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pair,
+              const PersistentManifold& manifold) {
+    const PlacedManifold here = placed(input, manifold);
+    set.pairs.push_back(pair);
+    set.pairs.back().first = static_cast<std::uint32_t>(set.points.size());
+    set.pairs.back().count = static_cast<std::uint32_t>(here.count);
+    const Tangents tangents = tangentsOf(here.normal);
+    const bool anchorA = isWall(input.bodies.shape[pair.b]);
+    const Pose& anchorPose = input.state.pose[anchorA ? pair.a : pair.b];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
+        const PointInput& from = here.points[k];
+        ContactConstraint& to = set.points.emplace_back();
+        to.frame.row(0) = here.normal.transpose();
+        to.frame.row(1) = tangents.first.transpose();
+        to.frame.row(2) = tangents.second.transpose();
+        to.armA = from.armA;
+        to.armB = from.armB;
+        to.separation = from.separation;
+        const bool movesB = input.bodies.mobile[pair.b] != 0;
+        const Vec3 point = movesB ? Vec3(input.state.pose[pair.b].position + from.armB)
+                                  : Vec3(input.state.pose[pair.a].position + from.armA);
+        to.anchor = anchorPose.toBody(point);
+        to.force = to.frame * from.impulse;
+    }
+}
+
+PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pair,
+                              std::span<const ContactConstraint> points) {
+    PersistentManifold manifold;
+    manifold.pair = pair.bodies();
+    manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
+    // No pose that would let the points be kept: they are found anew, and take over the forces.
+    manifold.position = Vec3::Constant(std::numeric_limits<double>::infinity());
+    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    const bool movesB = input.bodies.mobile[pair.b] != 0;
+    for (const ContactConstraint& from : points) {
+        if (manifold.count == static_cast<int>(manifoldPoints)) break;
+        PersistentManifold::Point& to = manifold.points[static_cast<std::size_t>(manifold.count++)];
+        const Vec3 point = movesB ? Vec3(poseB.position + from.armB) : Vec3(poseA.position + from.armA);
+        to.onA = manifold.round ? Vec3(point - poseA.position) : poseA.toBody(point);
+        to.onB = manifold.round ? Vec3(point - poseB.position) : poseB.toBody(point);
+        to.force = from.frame.transpose() * from.force;
+    }
+    return manifold;
+}
+
+std::uint32_t Manifolds::add(const PersistentManifold& manifold) {
+    if (m_free.empty()) {
+        m_manifolds.push_back(manifold);
+        return static_cast<std::uint32_t>(m_manifolds.size() - 1);
+    }
+    const std::uint32_t place = m_free.back();
+    m_free.pop_back();
+    m_manifolds[place] = manifold;
+    return place;
+}
+
+} // namespace carom

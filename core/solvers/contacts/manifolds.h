@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/state.h"
+#include "core/solvers/contacts/contact_rows.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
+// within a percent of their size and a degree, their points are not looked for anew: points fixed to both
+// bodies tell the gap. This saves most of the narrow phase, and it is what lets cylinders stand: points of a
+// disc that are chosen anew each time go round the rim, and forces with them.
+//
+//     found      the exact kernels of core/narrowphase; of more than four points the deepest, then those that
+//                span the largest area
+//     carried    onA, onB in the frames of the bodies; gap = n · (onB − onA)
+//     forces     of points within 5 % of the size of an old one, on B, begin where the old ones were
+//
+// Between spheres nothing is carried but the force: their contact is computed each time, with the normal they
+// will have when they meet within the substep (or pass each other by).
+
+namespace carom {
+
+inline constexpr std::size_t manifoldPoints = 4;
+
+/// The contact of two bodies, as it is carried from substep to substep.
+struct PersistentManifold {
+    struct Point {
+        Vec3 onA = Vec3::Zero(),
+             onB = Vec3::Zero();   ///< in the frames of the bodies, of walls in the world [m]
+        Vec3 force = Vec3::Zero(); ///< on B, world [N]
+    };
+    BodyPair pair;
+    int count = 0;
+    bool round = false;           ///< computed each time
+    Vec3 normal = Vec3::UnitY();  ///< from A to B, in the frame of A (of B if A is a wall)
+    Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]
+    Quat orientation = Quat::Identity();
+    std::array<Point, manifoldPoints> points;
+};
+
+/// A contact at the present poses, ready for the rows.
+struct PlacedManifold {
+    Vec3 normal = Vec3::UnitY();
+    int count = 0;
+    std::array<PointInput, manifoldPoints> points; ///< impulse holds the force [N]
+};
+
+struct ManifoldInput {
+    const Bodies& bodies;
+    const State& state;
+    Vec3 gravity;        ///< [m/s²]
+    double duration = 0; ///< of the substep [s]
+};
+
+/// Brings a manifold up to the present poses. Points further apart than `margin` [m] are left out. True if
+/// the shapes were compared anew.
+bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
+/// The points in the world.
+PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);
+
+/// The same contact as other parts of the solver see it, with its forces; and back.
+void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pair,
+              const PersistentManifold& manifold);
+PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pair,
+                              std::span<const ContactConstraint> points);
+
+/// The manifolds of a scene, found by their pair. They keep their place while they live.
+class Manifolds {
+  public:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    /// Ascending, as of the last exchange.
+    struct Entry {
+        BodyPair pair;
+        std::uint32_t place = none;
+    };
+    std::span<const Entry> entries() const { return m_entries; }
+    PersistentManifold& operator[](std::uint32_t place) { return m_manifolds[place]; }
+    const PersistentManifold& operator[](std::uint32_t place) const { return m_manifolds[place]; }
+
+    std::uint32_t add(const PersistentManifold& manifold);
+    /// One without points yet.
+    std::uint32_t add(BodyPair pair) {
+        PersistentManifold manifold;
+        manifold.pair = pair;
+        return add(manifold);
+    }
+    void remove(std::uint32_t place) { m_free.push_back(place); }
+    /// The manifolds that live from now on, ascending.
+    void exchange(std::vector<Entry>& entries) { std::swap(m_entries, entries); }
+    std::size_t bytes() const { return m_entries.size() * (sizeof(Entry) + sizeof(PersistentManifold)); }
+
+  private:
+    std::vector<Entry> m_entries;
+    std::vector<PersistentManifold> m_manifolds;
+    std::vector<std::uint32_t> m_free;
+};
+
+} // namespace carom

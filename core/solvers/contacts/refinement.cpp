@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+/// Operations that an island takes that is solved already: for each body, and each pair in contact.
+constexpr double perBody = 300, perPair = 1500;
+/// Islands with springs may take so many times more: the base path takes energy out of springs, refinement
+/// does not.
+constexpr double forSprings = 20;
+/// An island waits 2ᶠ − 1 substeps after f attempts in vain in a row, f at most this.
+constexpr std::uint8_t mostFailures = 6;
+/// What a run begins with is for what is put down then: this part of it is left after a substep.
+constexpr double startFades = 0.99;
+/// An island is nearly at rest that is no faster than so many times |g| h.
+constexpr double nearlyResting = 10;
+
+} // namespace
+
+// No part of the island is faster than ten times the speed that gravity gives in a substep.
+bool Refinement::nearlyRests(const RefinementInput& input, const Island& island) const {
+    const double most = std::pow(nearlyResting * input.substep, 2) * input.gravity.squaredNorm();
+    return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex i) {
+        const double radius = input.bodies.boundingRadius[i];
+        return input.state.velocity[i].squaredNorm() <= most &&
+               radius * radius * input.state.angularVelocity[i].squaredNorm() <= most;
+    });
+}
+
+void Refinement::pay(double refined, double base) {
+    const double left = std::max(0.0, m_saved - refined - base);
+    m_saved = left < m_most ? std::min(m_most, left + m_income) : m_most + startFades * (left - m_most);
+}
+
+void Refinement::choose(const RefinementInput& input, const RefinementBudget& budget) {
+    const Bodies& bodies = input.bodies;
+    const Islands& islands = input.islands;
+    m_refined.clear();
+    m_base.clear();
+    m_lone.clear();
+    m_expected.clear();
+    double items = 0;
+    for (std::uint32_t i = 0; i < islands.count(); ++i) {
+        const Island island = islands[i];
+        if (island.pairs.empty() && island.links.empty()) {
+            m_lone.push_back(island.bodies.front());
+            continue;
+        }
+        if (island.pairs.empty()) { // springs alone
+            m_refined.push_back({i, std::numeric_limits<double>::infinity()});
+            continue;
+        }
+        items += static_cast<double>(island.bodies.size() + island.pairs.size());
+        std::uint8_t wait = 0;
+        for (const BodyIndex body : island.bodies) wait = std::max(wait, m_wait[body]);
+        if (wait > 0) {
+            for (const BodyIndex body : island.bodies) m_wait[body] = static_cast<std::uint8_t>(wait - 1);
+            m_base.push_back(i);
+            continue;
+        }
+        m_expected.push_back({perBody * static_cast<double>(island.bodies.size()) +
+                                  perPair * static_cast<double>(island.pairs.size() + island.links.size()),
+                              i});
+    }
+    m_passedOver = m_base.size();
+    std::sort(m_expected.begin(), m_expected.end(), [](const Expected& one, const Expected& other) {
+        return one.work != other.work ? one.work < other.work : one.island < other.island;
+    });
+    m_income = (budget.floor + budget.perItem * items) / input.parts;
+    m_most = budget.saved;
+    if (m_saved < 0) m_saved = budget.start;
+    double left = m_income, saved = m_saved;
+    const double share =
+        budget.floor / input.parts *
+        std::min(1.0, mostShares / std::max<double>(1, static_cast<double>(m_expected.size())));
+    for (const Expected& expected : m_expected) {
+        if (expected.work > left) {
+            m_base.push_back(expected.island);
+            ++m_passedOver;
+            continue;
+        }
+        left -= expected.work;
+        double most = std::max(share, mostOverrun * expected.work);
+        if (!islands[expected.island].links.empty()) most *= forSprings;
+        if (saved > most && nearlyRests(input, islands[expected.island])) {
+            most += saved;
+            saved = 0; // may all be used up by this one
+        }
+        m_refined.push_back({expected.island, most});
+    }
+    std::sort(m_refined.begin(), m_refined.end(),
+              [](const Choice& one, const Choice& other) { return one.island < other.island; });
+    std::sort(m_base.begin(), m_base.end());
+    for (const BodyIndex body : bodies.mobileBodies) m_stepped[body] = 0;
+    for (const std::uint32_t island : m_base)
+        for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;
+}
+
+void Refinement::setBack(const Island& island) {
+    std::uint8_t failures = 0;
+    for (const BodyIndex body : island.bodies) failures = std::max(failures, m_failures[body]);
+    failures = std::min<std::uint8_t>(static_cast<std::uint8_t>(failures + 1), mostFailures);
+    for (const BodyIndex body : island.bodies) {
+        m_failures[body] = failures;
+        m_wait[body] = static_cast<std::uint8_t>((1 << failures) - 1);
+        m_stepped[body] = 1;
+    }
+}
+
+} // namespace carom

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/state.h"
+#include "core/solvers/islands.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Which islands are solved to the tolerance, with their impacts located, and how much work each may take. All
+// others take the base path. Nothing is decided by what an island looks like, only by work (work_budget.h):
+//
+//     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
+//     order      islands that are expected to cost least come first, while the budget lasts
+//     share      an island may take its equal share of what the ones before it are expected to leave, or a
+//     few
+//                times what it is expected to cost
+//     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
+//                begins with: an island that is nearly at rest may draw on it. Forces that are found once
+//                hold for good there, and cost much the first time. The base path's work is paid from the
+//                same budget, so what moves all the time saves nothing.
+//     springs    an island in which nothing touches is left to its integrator
+//     unfinished what was not solved within its share is left to the base path and tried again after 1, 2, 4,
+//                ... 64 substeps: an island that moves all the time costs attempts in vain ever more seldom,
+//                one that has just been put down is solved from the forces the base path has found
+//
+// A frame's work is at most mostShares times the floor and mostOverrun times the budget, what was saved, and
+// the base path.
+
+namespace carom {
+
+struct RefinementBudget {
+    double floor = 1e6;   ///< operations a frame: about what a millisecond buys
+    double perItem = 200; ///< and for every body and contact
+    double start = 400e6; ///< saved when a run begins, fading within a hundred substeps or two
+    double saved = 40e6;  ///< and later at most
+};
+
+/// What the islands of a substep are sorted by.
+struct RefinementInput {
+    const Bodies& bodies;
+    const State& state;
+    const Islands& islands;
+    Vec3 gravity;            ///< [m/s²]
+    double substep = 0;      ///< [s]
+    int part = 0, parts = 1; ///< of the frame
+};
+
+class Refinement {
+  public:
+    struct Choice {
+        std::uint32_t island = 0;
+        double budget = 0; ///< operations
+    };
+    /// An island may take so many times what it was expected to.
+    static constexpr double mostOverrun = 4;
+    /// So many islands may take the whole floor each.
+    static constexpr double mostShares = 16;
+
+    explicit Refinement(std::size_t bodies)
+        : m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0) {}
+
+    void choose(const RefinementInput& input, const RefinementBudget& budget);
+    /// What the substep took [operations].
+    void pay(double refined, double base);
+    std::span<const Choice> refined() const { return m_refined; }     ///< ascending
+    std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
+    /// Bodies that touch nothing and that no spring holds, ascending.
+    std::span<const BodyIndex> lone() const { return m_lone; }
+    /// How many islands were not tried.
+    std::size_t passedOver() const { return m_passedOver; }
+
+    /// The island's refinement was not finished, or was.
+    void setBack(const Island& island);
+    void succeeded(const Island& island) {
+        for (const BodyIndex body : island.bodies) m_failures[body] = 0;
+    }
+    /// Whether both bodies, as far as they can move, took the base path in the substep before.
+    bool isStepped(const Bodies& bodies, BodyPair pair) const {
+        return (bodies.mobile[pair.a] == 0 || m_stepped[pair.a] != 0) &&
+               (bodies.mobile[pair.b] == 0 || m_stepped[pair.b] != 0);
+    }
+    bool isStepped(BodyIndex body) const { return m_stepped[body] != 0; }
+
+    struct Memory {
+        double saved = 0;
+        std::vector<std::uint8_t> wait, failures, stepped;
+    };
+    Memory memory() const { return {m_saved, m_wait, m_failures, m_stepped}; }
+    void recall(const Memory& memory) {
+        m_saved = memory.saved;
+        m_wait = memory.wait;
+        m_failures = memory.failures;
+        m_stepped = memory.stepped;
+    }
+
+  private:
+    struct Expected {
+        double work = 0;
+        std::uint32_t island = 0;
+    };
+    bool nearlyRests(const RefinementInput& input, const Island& island) const;
+
+    double m_saved = -1;                  // operations; negative: the run begins
+    double m_income = 0, m_most = 0;      // of the substep; saved up to
+    std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
+    std::vector<std::uint8_t> m_failures; // by body: attempts in vain in a row
+    std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
+    std::vector<Choice> m_refined;
+    std::vector<std::uint32_t> m_base;
+    std::vector<BodyIndex> m_lone;
+    std::vector<Expected> m_expected;
+    std::size_t m_passedOver = 0;
+};
+
+} // namespace carom

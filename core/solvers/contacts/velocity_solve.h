@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/contact_rows.h"
+
+#include <span>
+
+// Projected Gauss–Seidel over groups of four contacts, as sequential impulses with warm start (E. Catto,
+// "Iterative dynamics with temporal coherence", 2005), once with soft position feedback and once without
+// (E. Catto, "Solver2D", 2024). A step of length h of all bodies is
+//
+//     v += g h
+//     approach    remembers how fast contacts without an impulse close
+//     warmStart   applies the impulses of the step before
+//     solve       with feedback: contacts that overlap are made to part, open ones may close as far as they
+//     are x += h v    by the caller, who adds to the displacements relax       without feedback: what parting
+//     added to the velocities is taken out again rebound     contacts that closed at a speed part at e times
+//     that speed
+//
+//     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
+//              s = s₀ + n · (displacement of B's point less A's)         separation
+//     friction (first)   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
+//     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − d pₙ),  uₙ with what friction has just changed
+//              s > 0     b = s/h, c = 1, d = 0
+//              s ≤ 0     b = max(rate s, −push), c and d those of a damped spring of angular frequency
+//                        ω = 2π hardness/h and damping ratio ζ, implicit:
+//                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω)
+//     relax    s > 0 as above; else b = 0, c = 1, d = 0
+//
+// Limits: the residual falls slowly in tall stacks and for large ratios of masses. A weight W rests with an
+// overlap of W d (2ζ + hω)/(m c ω h) h, some 1e-5 of g h² times the number of bodies it carries.
+
+namespace carom {
+
+struct StepSettings {
+    double duration = 0;    ///< h [s]
+    double hardness = 0.18; ///< of a contact with what cannot move twice as hard
+    double damping = 10;    ///< ζ
+    double resting = 0;     ///< closing speeds up to this do not rebound [m/s]
+};
+
+/// Remembers closing speeds of rows without an impulse that close within the step. True if there are any.
+bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings);
+void warmStart(const ContactRows& rows, std::span<SolverBody> bodies);
+/// One pass through the groups, there or `back`. `moved` is empty in the first step after the rows were made.
+void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                     const StepSettings& settings, bool back);
+/// Rolling resistance after a pass: torques that oppose rolling, within what the normal impulses allow.
+void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
+/// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
+double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                       const StepSettings& settings, bool back);
+/// Rows that recordApproach remembered and that took an impulse since. Their impulses are forgotten: they
+/// are no forces. The number of impacts.
+int rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
+            const StepSettings& settings, int passes);
+
+} // namespace carom
