@@ -17,6 +17,7 @@
 #include "core/solvers/solver.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
@@ -44,7 +45,8 @@ namespace {
 /// grows by a factor e in about that unit: it would be e⁵ times as fast in the end as at the start.
 constexpr double calmTime = 5, calmSpeed = 0.01;
 /// An island of the base path with few contact points looks at its contacts more often in a substep: so many
-/// times fewer points, so many times more often, up to four times.
+/// times fewer points, so many times more often, up to four times. A body that turns comes down with another
+/// part of it; a sphere has no other.
 constexpr std::size_t pointsOfOneLook = 64;
 constexpr std::size_t mostLooks = 4;
 
@@ -115,6 +117,8 @@ class Contacts final : public Solver {
     ContactSet m_found, m_kept;    // at the start and at the end of the substep, pair by pair
     ContactSet m_scratch, m_fresh;
     std::vector<Manifolds::Entry> m_entries; // of m_found, ascending, those that are carried
+    std::vector<Manifolds::Entry> m_apart;   // carried, but without points
+    std::vector<std::uint8_t> m_canMeet;     // by pair of m_found, 1: within the substep
     std::vector<std::uint32_t> m_place;      // by pair of m_found: its manifold, or none
     std::vector<std::uint32_t> m_places;     // of the island that is moved on the base path
     Islands m_islands;
@@ -135,9 +139,9 @@ SolverReport Contacts::advance(const SolverInput& input) {
     m_work = {};
     findContacts(input, candidates);
     m_islands.find(input.bodies, m_members, m_found.pairs, m_links);
-    m_refinement.choose(
-        {input.bodies, input.state, m_islands, input.gravity, input.substep, input.part, input.parts},
-        budget());
+    m_refinement.choose({input.bodies, input.state, m_islands, m_canMeet, input.gravity, input.substep,
+                         input.part, input.parts},
+                        budget());
     prepareRefined(input);
     report.narrowphase = watch.lap();
     report.resting = m_resting.bodies().size();
@@ -241,6 +245,8 @@ void Contacts::findContacts(const SolverInput& input, std::span<const BodyPair> 
     m_found.clear();
     m_found.makeRoom(candidates.size(), candidates.size());
     m_place.clear();
+    m_canMeet.clear();
+    m_apart.clear();
     m_entries.clear();
     std::size_t old = 0;
     auto carried = m_manifolds.entries().begin();
@@ -253,12 +259,14 @@ void Contacts::findContacts(const SolverInput& input, std::span<const BodyPair> 
         if (isCarried || (m_refinement.isStepped(input.bodies, pair))) {
             const std::uint32_t place = isCarried ? (carried++)->place : m_manifolds.add(pair);
             m_work.pairsCollided += updateManifold(here(input), margin, m_manifolds[place]) ? 1 : 0;
-            if (m_manifolds[place].count == 0) {
-                m_manifolds.remove(place);
+            const PersistentManifold& manifold = m_manifolds[place];
+            if (manifold.count == 0) {
+                m_apart.push_back({pair, place}); // for the direction they are apart in
                 continue;
             }
             m_found.pairs.push_back(contact);
             m_place.push_back(place);
+            m_canMeet.push_back(manifold.open ? 0 : 1);
             continue;
         }
         while (old < m_contacts.pairs.size() && m_contacts.pairs[old].bodies() < pair) ++old;
@@ -268,7 +276,12 @@ void Contacts::findContacts(const SolverInput& input, std::span<const BodyPair> 
         ++m_work.pairsCollided;
         const std::size_t count = m_found.pairs.size();
         collideInto(input.bodies, input.state, contact, memory, m_found);
-        if (m_found.pairs.size() > count) m_place.push_back(Manifolds::none);
+        if (m_found.pairs.size() == count) continue;
+        m_place.push_back(Manifolds::none);
+        double gap = std::numeric_limits<double>::infinity();
+        for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
+            gap = std::min(gap, point.separation);
+        m_canMeet.push_back(gap <= approachOf(here(input), pair) ? 1 : 0);
     }
     while (carried != carriedEnd) m_manifolds.remove((carried++)->place);
 }
@@ -351,9 +364,13 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
                           SolverReport& report) {
     takeToBase(input, island);
     std::size_t points = 0;
-    for (const std::uint32_t place : m_places) points += static_cast<std::size_t>(m_manifolds[place].count);
+    bool round = true;
+    for (const std::uint32_t place : m_places) {
+        points += static_cast<std::size_t>(m_manifolds[place].count);
+        round = round && m_manifolds[place].round;
+    }
     const std::size_t looks =
-        std::clamp(pointsOfOneLook / std::max<std::size_t>(points, 1), std::size_t{1}, mostLooks);
+        round ? 1 : std::clamp(pointsOfOneLook / std::max<std::size_t>(points, 1), std::size_t{1}, mostLooks);
     const SteppedInput part{.bodies = input.bodies,
                             .gravity = input.gravity,
                             .duration = duration / static_cast<double>(looks),
@@ -403,7 +420,8 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
         input.state.angularVelocity[i].setZero();
     }
     for (const std::uint32_t index : island.pairs) {
-        appendTo(m_contacts, here(input), m_found.pairs[index], m_manifolds[m_place[index]]);
+        const PersistentManifold& manifold = m_manifolds[m_place[index]];
+        if (!manifold.open) appendTo(m_contacts, here(input), m_found.pairs[index], manifold);
         m_manifolds.remove(m_place[index]);
         m_place[index] = Manifolds::none;
     }
@@ -420,8 +438,14 @@ double Contacts::baseOperations() const {
 
 void Contacts::keepManifolds() {
     m_entries.clear();
-    for (std::size_t i = 0; i < m_place.size(); ++i)
-        if (m_place[i] != Manifolds::none) m_entries.push_back({m_found.pairs[i].bodies(), m_place[i]});
+    auto apart = m_apart.begin();
+    for (std::size_t i = 0; i < m_place.size(); ++i) {
+        if (m_place[i] == Manifolds::none) continue;
+        const BodyPair pair = m_found.pairs[i].bodies();
+        while (apart != m_apart.end() && apart->pair < pair) m_entries.push_back(*apart++);
+        m_entries.push_back({pair, m_place[i]});
+    }
+    m_entries.insert(m_entries.end(), apart, m_apart.end());
     m_manifolds.exchange(m_entries);
 }
 
@@ -429,7 +453,8 @@ ContactSet Contacts::contacts(const State& state) const {
     ContactSet stepped;
     const ManifoldInput input{m_bodies, state, Vec3::Zero(), 0};
     for (const Manifolds::Entry& entry : m_manifolds.entries())
-        appendTo(stepped, input, pairOf(m_bodies, entry.pair, 0), m_manifolds[entry.place]);
+        if (m_manifolds[entry.place].count > 0 && !m_manifolds[entry.place].open)
+            appendTo(stepped, input, pairOf(m_bodies, entry.pair, 0), m_manifolds[entry.place]);
     return merged(merged(m_contacts, m_resting.contacts()), stepped);
 }
 

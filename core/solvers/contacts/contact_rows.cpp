@@ -23,6 +23,11 @@ Mat3 responseOf(const SolverBody& a, const SolverBody& b, const PointInput& poin
     Mat3 response = (a.inverseMass + b.inverseMass) * Mat3::Identity();
     const auto add = [&](const SolverBody& body, const Vec3& arm) {
         if (body.inverseMass == 0) return;
+        if (body.xy == 0 && body.xz == 0 && body.yz == 0 && body.xx == body.yy && body.yy == body.zz) {
+            const Vec3 along = frame * arm;
+            response += body.xx * (along.squaredNorm() * Mat3::Identity() - along * along.transpose());
+            return;
+        }
         Mat3 turning; // rows: arm × axis
         for (Eigen::Index k = 0; k < 3; ++k) turning.row(k) = arm.cross(frame.row(k).transpose()).transpose();
         response += turning * inverseInertiaOf(body) * turning.transpose();

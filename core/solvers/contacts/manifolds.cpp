@@ -4,6 +4,7 @@
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/separating_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@ namespace {
 constexpr double keptWithin = 0.002, keptAngle = 0.002;
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
+/// Pairs within this part of the size may touch however slow they are.
+constexpr double slackPart = 0.01;
 /// A contact of a sphere counts as open, and its normal is foreseen, beyond this part of the size.
 constexpr double openBeyond = 1e-3;
 
@@ -126,11 +129,34 @@ void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3
 
 } // namespace
 
+double approachOf(const ManifoldInput& input, BodyPair pair) {
+    const State& state = input.state;
+    double speed = (state.velocity[pair.b] - state.velocity[pair.a]).norm();
+    for (const BodyIndex i : {pair.a, pair.b})
+        if (!isSphere(input.bodies, i))
+            speed += input.bodies.boundingRadius[i] * state.angularVelocity[i].norm();
+    return (speed + input.duration * input.gravity.norm()) * input.duration +
+           slackPart * sizeOf(input.bodies, pair);
+}
+
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     const State& state = input.state;
     const double size = sizeOf(input.bodies, pair);
     const bool wallA = isWall(input.bodies.shape[pair.a]);
+    manifold.open = false;
+    if (manifold.hasNormal && !wallA && !isWall(input.bodies.shape[pair.b])) {
+        // How far they are apart at least, seen along the normal there was.
+        const double gap = gapAlong(state.pose[pair.a].directionToWorld(manifold.normal),
+                                    {&input.bodies.shape[pair.a], &state.pose[pair.a]},
+                                    {&input.bodies.shape[pair.b], &state.pose[pair.b]});
+        manifold.open = gap > std::min(margin, approachOf(input, pair));
+        if (manifold.open) {
+            for (PersistentManifold::Point& point : manifold.points) point.force.setZero();
+            if (gap > margin) manifold.count = 0;
+            return false;
+        }
+    }
     const Pose now = relativePose(state, pair);
     if (manifold.count > 0 && !manifold.round && isKept(manifold, now, size)) return false;
 
@@ -143,10 +169,15 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
     manifold.position = now.position;
     manifold.orientation = now.orientation;
-    if (found.count == 0) return true;
+    manifold.hasNormal = !manifold.round;
+    if (found.count == 0) {
+        if (manifold.hasNormal && !wallA) manifold.normal = state.pose[pair.a].directionToBody(found.normal);
+        return true;
+    }
     const Pose &poseA = state.pose[pair.a], &poseB = state.pose[pair.b];
     if (manifold.round) {
         double separation = found.points[0].separation;
+        manifold.open = separation > approachOf(input, pair);
         Vec3 normal = found.normal;
         foresee(input, pair, separation, normal);
         manifold.normal = normal; // in the world, as are the points, relative to the centres
@@ -158,7 +189,7 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
             point.onA = found.points[0].onA - poseA.position;
             point.onB = found.points[0].onB - poseB.position;
         }
-        point.force = old.count > 0 ? old.points[0].force : Vec3::Zero();
+        point.force = old.count > 0 && !manifold.open ? old.points[0].force : Vec3(Vec3::Zero());
         return true;
     }
     manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);

@@ -38,6 +38,8 @@ struct PersistentManifold {
     BodyPair pair;
     int count = 0;
     bool round = false;           ///< computed each time
+    bool open = false;            ///< too far apart to touch in this substep: its points are not those of now
+    bool hasNormal = false;       ///< also where there are no points: a direction in which they were apart
     Vec3 normal = Vec3::UnitY();  ///< from A to B, in the frame of A (of B if A is a wall)
     Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]
     Quat orientation = Quat::Identity();
@@ -58,8 +60,11 @@ struct ManifoldInput {
     double duration = 0; ///< of the substep [s]
 };
 
-/// Brings a manifold up to the present poses. Points further apart than `margin` [m] are left out. True if
-/// the shapes were compared anew.
+/// How near a pair must be to touch within the substep, as it moves [m].
+double approachOf(const ManifoldInput& input, BodyPair pair);
+/// Brings a manifold up to the present poses; where the bodies cannot touch within the substep it is open,
+/// and nothing else of it is right. Points further apart than `margin` [m] are left out. True if the shapes
+/// were compared anew.
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
 /// The points in the world.
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);

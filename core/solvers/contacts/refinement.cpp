@@ -47,8 +47,10 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     double items = 0;
     for (std::uint32_t i = 0; i < islands.count(); ++i) {
         const Island island = islands[i];
-        if (island.pairs.empty() && island.links.empty()) {
-            m_lone.push_back(island.bodies.front());
+        const bool meets = std::any_of(island.pairs.begin(), island.pairs.end(),
+                                       [&](std::uint32_t pair) { return input.canMeet[pair] != 0; });
+        if (!meets && island.links.empty()) {
+            m_lone.insert(m_lone.end(), island.bodies.begin(), island.bodies.end());
             continue;
         }
         if (island.pairs.empty()) { // springs alone
@@ -96,6 +98,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     std::sort(m_refined.begin(), m_refined.end(),
               [](const Choice& one, const Choice& other) { return one.island < other.island; });
     std::sort(m_base.begin(), m_base.end());
+    std::sort(m_lone.begin(), m_lone.end());
     for (const BodyIndex body : bodies.mobileBodies) m_stepped[body] = 0;
     for (const std::uint32_t island : m_base)
         for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;

@@ -44,9 +44,10 @@ struct RefinementInput {
     const Bodies& bodies;
     const State& state;
     const Islands& islands;
-    Vec3 gravity;            ///< [m/s²]
-    double substep = 0;      ///< [s]
-    int part = 0, parts = 1; ///< of the frame
+    std::span<const std::uint8_t> canMeet; ///< by pair, 1: its bodies may touch within the substep
+    Vec3 gravity;                          ///< [m/s²]
+    double substep = 0;                    ///< [s]
+    int part = 0, parts = 1;               ///< of the frame
 };
 
 class Refinement {
@@ -68,7 +69,7 @@ class Refinement {
     void pay(double refined, double base);
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
-    /// Bodies that touch nothing and that no spring holds, ascending.
+    /// Bodies that touch nothing within the substep and that no spring holds, ascending.
     std::span<const BodyIndex> lone() const { return m_lone; }
     /// How many islands were not tried.
     std::size_t passedOver() const { return m_passedOver; }

@@ -55,7 +55,7 @@ class SteppedMotion {
     void step(const SteppedInput& input, std::span<const BodyIndex> list, double duration, bool first,
               SteppedReport& report);
     void move(const SteppedInput& input, std::span<const BodyIndex> list, double duration);
-    void storeForces(std::span<const std::uint32_t> places, double duration, Manifolds& manifolds) const;
+    void storeForces(double duration, Manifolds& manifolds) const;
 
     std::vector<std::uint32_t> m_local; // by body of the scene
     std::vector<SolverBody> m_bodies;   // the last cannot move

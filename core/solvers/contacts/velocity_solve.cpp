@@ -242,6 +242,17 @@ CAROM_INLINE Wide approachGroup(const RowGroup& group, RowPoint* points, const S
 
 // A pass goes through the groups there or back: what comes from above reaches the ground in the one, and what
 // the ground answers the top in the other.
+// True if any row was remembered.
+CAROM_WIDE bool passApproach(const RowGroup* groups, std::size_t count, RowPoint* points,
+                             const SolverBody* bodies, const StepSettings& settings) {
+    Wide any{};
+    for (std::size_t i = 0; i < count; ++i)
+        if (groups[i].bounces) any = larger(any, approachGroup(groups[i], points, bodies, settings));
+    return anyLane(any);
+}
+
+// A pass goes through the groups there or back: what comes from above reaches the ground in the one, and
+// what the ground answers the top in the other.
 CAROM_WIDE void passFeedbackFirst(const RowGroup* groups, std::size_t count, bool back, RowPoint* points,
                                   SolverBody* bodies, const StepSettings& settings) {
     for (std::size_t i = 0; i < count; ++i)
@@ -301,11 +312,8 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies) {
 }
 
 bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings) {
-    bool any = false;
-    for (const RowGroup& group : rows.groups())
-        if (group.bounces)
-            any = anyLane(approachGroup(group, rows.points().data(), bodies.data(), settings)) || any;
-    return any;
+    return passApproach(rows.groups().data(), rows.groups().size(), rows.points().data(), bodies.data(),
+                        settings);
 }
 
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies) {
