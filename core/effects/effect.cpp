@@ -2,22 +2,17 @@
 #include "core/effects/effect.h"
 
 #include "core/base/catalogue.h"
-
-#include <array>
+#include "core/base/rows.h"
 
 namespace carom {
 
-#define CAROM_EFFECT(row) extern const EffectRow row;
-#include "core/effects/effects.def"
-#undef CAROM_EFFECT
+// One a file; in the order of every list a user sees.
+extern const EffectRow gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
+    rollingResistanceRow, springRow, restingRow;
 
 std::span<const EffectRow> effects() {
-    static const std::array rows = {
-#define CAROM_EFFECT(row) row,
-#include "core/effects/effects.def"
-#undef CAROM_EFFECT
-    };
-    return rows;
+    return rowsOf<gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
+                  rollingResistanceRow, springRow, restingRow>();
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }

@@ -13,7 +13,7 @@
 #include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
-// and one line in effects.def.
+// and its name in effect.cpp.
 
 namespace carom {
 

@@ -2,22 +2,15 @@
 #include "core/integrators/integrator.h"
 
 #include "core/base/catalogue.h"
-
-#include <array>
+#include "core/base/rows.h"
 
 namespace carom {
 
-#define CAROM_INTEGRATOR(row) extern const IntegratorRow row;
-#include "core/integrators/integrators.def"
-#undef CAROM_INTEGRATOR
+// One a file; in the order of every list a user sees.
+extern const IntegratorRow eulerRow, symplecticRow, verletRow, rungeKutta4Row, midpointRow;
 
 std::span<const IntegratorRow> integrators() {
-    static const std::array rows = {
-#define CAROM_INTEGRATOR(row) row,
-#include "core/integrators/integrators.def"
-#undef CAROM_INTEGRATOR
-    };
-    return rows;
+    return rowsOf<eulerRow, symplecticRow, verletRow, rungeKutta4Row, midpointRow>();
 }
 
 const IntegratorRow* findIntegrator(std::string_view name) { return findByName(integrators(), name); }

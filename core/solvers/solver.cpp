@@ -2,23 +2,14 @@
 #include "core/solvers/solver.h"
 
 #include "core/base/catalogue.h"
-
-#include <array>
+#include "core/base/rows.h"
 
 namespace carom {
 
-#define CAROM_SOLVER(row) extern const SolverRow row;
-#include "core/solvers/solvers.def"
-#undef CAROM_SOLVER
+// One a file; in the order of every list a user sees.
+extern const SolverRow microcollisionsRow, contactsRow, eventsRow;
 
-std::span<const SolverRow> solvers() {
-    static const std::array rows = {
-#define CAROM_SOLVER(row) row,
-#include "core/solvers/solvers.def"
-#undef CAROM_SOLVER
-    };
-    return rows;
-}
+std::span<const SolverRow> solvers() { return rowsOf<microcollisionsRow, contactsRow, eventsRow>(); }
 
 const SolverRow* findSolver(std::string_view name) { return findByName(solvers(), name); }
 
