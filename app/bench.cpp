@@ -88,22 +88,36 @@ int runBench(const Arguments& arguments) {
     catchInterrupts();
     const std::optional<std::string> folder = arguments.text("output");
     if (folder) makeFolder(*folder);
-    std::unique_ptr<Progress> progress;
-    const Benchmark benchmark = runBenchmark(plan, [&progress](std::int64_t done, std::int64_t total) {
-        if (!progress) progress = std::make_unique<Progress>(total);
-        progress->update(done);
-        return !interrupted();
-    });
-    progress.reset();
-
-    const std::string summary = summaryOf(benchmark);
-    printOut(summary);
-    if (folder) {
+    const auto writeFigures = [&folder](const Benchmark& benchmark) {
+        if (!folder) return;
         writeFile(*folder, "performance.csv", pointsAsCsv(benchmark));
         writeFile(*folder, "trace.csv", tracesAsCsv(benchmark));
-        writeFile(*folder, "summary.txt", summary);
-        if (chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
+        writeFile(*folder, "summary.txt", summaryOf(benchmark));
+    };
+    std::unique_ptr<Progress> progress;
+    Benchmark benchmark; // as far as it is
+    InterimResults interim("carom bench");
+    {
+        InterruptibleWork work([&] { printOut(summaryOf(benchmark)); });
+        const auto goOn = [&progress](std::int64_t done, std::int64_t total) {
+            if (!progress) progress = std::make_unique<Progress>(total);
+            progress->update(done);
+            return !interrupted();
+        };
+        const auto measured = [&](const Benchmark& soFar) {
+            work.change([&] {
+                benchmark = soFar;
+                interim.write([&] { writeFigures(benchmark); });
+            });
+        };
+        Benchmark whole = work.step([&] { return runBenchmark(plan, goOn, measured); });
+        benchmark = std::move(whole);
     }
+    progress.reset();
+
+    printOut(summaryOf(benchmark));
+    writeFigures(benchmark);
+    if (folder && chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
     return benchmark.complete ? exitcode::done : exitcode::interrupted;
 }
 

@@ -55,18 +55,26 @@ int runCheck(const Arguments& arguments) {
     JsonWriter json;
     json.beginArray();
     int result = exitcode::done;
+    const auto report = [&](const Analysis& analysis, const Diagnostic& diagnostic, const std::string& path) {
+        if (asJson)
+            writeDiagnostic(json, analysis, diagnostic, displayName(path));
+        else
+            printOut(formatDiagnostic(analysis, diagnostic, displayName(path)) + "\n");
+    };
     for (const std::string& path : arguments.operands) {
         try {
             const Build built = build(readText(path));
-            for (const Diagnostic& diagnostic : built.diagnostics)
-                if (asJson)
-                    writeDiagnostic(json, built.analysis, diagnostic, displayName(path));
-                else
-                    printOut(formatDiagnostic(built.analysis, diagnostic, displayName(path)) + "\n");
+            for (const Diagnostic& diagnostic : built.diagnostics) report(built.analysis, diagnostic, path);
             if (built.hasErrors()) result = std::max(result, exitcode::sceneHasErrors);
         } catch (const UnreadableFile& error) { // the other scenes are checked all the same
             printError(std::string("carom check: ") + error.what() + "\n");
             result = exitcode::fileError;
+        } catch (const TextTooLarge& error) {
+            Diagnostic diagnostic;
+            diagnostic.code = DiagnosticCode::TextTooLarge;
+            diagnostic.message = error.what();
+            report({}, diagnostic, path);
+            result = std::max(result, exitcode::sceneHasErrors);
         }
     }
     json.endArray();

@@ -12,7 +12,11 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <limits>
+#include <new>
+#include <stdexcept>
+#include <utility>
 
 namespace carom {
 
@@ -146,17 +150,17 @@ int openIde(const std::string& program, std::span<const std::string> words, IdeE
     request.play = arguments.has("play");
     request.screenshot = arguments.text("screenshot");
     request.picture = readPicture(arguments);
+    refuseSharedFiles({{"the scene", request.scene.value_or("")},
+                       {"`--picture`", request.picture ? request.picture->file : ""},
+                       {"`--screenshot`", request.screenshot.value_or("")}});
     if (!ide) throw UsageError("this build has no IDE; `carom run SCENE` simulates without it");
     if (!hasDisplay())
         throw UsageError("there is no display to open the IDE on; `carom run SCENE` simulates without one");
     return ide(request);
 }
 
-} // namespace
-
-int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
-    // A reader that goes away is a write error like any other, not a silent death by signal.
-    std::signal(SIGPIPE, SIG_IGN);
+/// The subcommand that the first words name, and how many of them do.
+std::pair<const CommandRow*, std::size_t> commandNamed(std::span<const std::string> words) {
     const CommandRow* command = nullptr;
     std::size_t named = 0;
     for (const CommandRow& row : commands())
@@ -164,9 +168,21 @@ int runCommandLine(const std::string& program, std::span<const std::string> word
             command = &row;
             named = count;
         }
-    const std::string who = command ? "carom " + std::string(command->name) : "carom";
+    return {command, named};
+}
+
+} // namespace
+
+int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
+    // A reader that goes away is a write error like any other, not a silent death by signal.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::string who = "carom";
     try {
-        if (command) return runCommand(*command, words.subspan(named));
+        const auto [command, named] = commandNamed(words);
+        if (command) {
+            who.append(" ").append(command->name);
+            return runCommand(*command, words.subspan(named));
+        }
         rejectUnknownMember(words);
         return openIde(program, words, ide);
     } catch (const UsageError& error) {
@@ -174,6 +190,18 @@ int runCommandLine(const std::string& program, std::span<const std::string> word
         return exitcode::wrongUsage;
     } catch (const FileError& error) {
         if (!error.isBrokenPipe()) printError(who + ": " + error.what() + "\n");
+        return exitcode::fileError;
+    } catch (const TextTooLarge& error) {
+        printError(who + ": " + error.what() + "\n");
+        return exitcode::sceneHasErrors;
+    } catch (const std::bad_alloc&) {
+        printError(who + ": there is not enough memory for this scene\n");
+        return exitcode::fileError;
+    } catch (const std::length_error&) { // an array longer than any memory
+        printError(who + ": there is not enough memory for this scene\n");
+        return exitcode::fileError;
+    } catch (const std::exception& error) {
+        printError(who + ": stopped by an error inside the program: " + error.what() + "\n");
         return exitcode::fileError;
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cerrno>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +31,9 @@ class FileError : public std::runtime_error {
   public:
     /// "cannot write `scene.sdl`: No space left on device"; `cause` is an errno.
     FileError(const std::string& what, const std::string& path, int cause);
+    /// The whole sentence at once.
+    explicit FileError(const std::string& sentence, int cause = 0)
+        : std::runtime_error(sentence), m_isBrokenPipe(cause == EPIPE) {}
     /// Nobody reads our output any more (`carom ... | head`): not worth a message.
     bool isBrokenPipe() const { return m_isBrokenPipe; }
 
@@ -41,6 +45,13 @@ class FileError : public std::runtime_error {
 class UnreadableFile : public FileError {
   public:
     UnreadableFile(const std::string& path, int cause) : FileError("cannot read", path, cause) {}
+    explicit UnreadableFile(const std::string& sentence) : FileError(sentence) {}
+};
+
+/// A scene's text is longer than the language takes; it has errors, in a way.
+class TextTooLarge : public std::runtime_error {
+  public:
+    explicit TextTooLarge(const std::string& name);
 };
 
 } // namespace carom

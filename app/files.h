@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 // Files as the subcommands use them: `-` is standard input or output, and no error goes unseen: a full disk
 // shows at the latest when the file is closed. Everything here throws FileError.
 
 namespace carom {
 
-/// The text of a scene, all of it. More than the language takes (64 MiB) is not read: one byte beyond is
-/// enough for the analysis to say so, and an endless stream ends. Throws UnreadableFile.
+/// The text of a scene, all of it. Throws UnreadableFile, also for a folder, a device or a named pipe, which
+/// may never end; a pipe that the shell has opened is read. Throws TextTooLarge for more than the language
+/// takes.
 std::string readText(const std::string& path);
 
 /// How messages name a scene: its path, or `<stdin>`.
 std::string displayName(const std::string& path);
 
-/// A text file being written; what was written stays if the program stops early.
+/// A text file being written as its content is found; what was written stays if the program stops early.
 class OutputFile {
   public:
     explicit OutputFile(const std::string& path); ///< `-` is standard output
@@ -26,28 +29,52 @@ class OutputFile {
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view text);
+    /// What was written so far is the system's now: it outlives this program, however that ends.
+    void flush();
     /// Everything is on its way, or FileError.
     void close();
 
   private:
+    void send(std::string_view text);
     [[noreturn]] void fail() const;
 
     std::string m_path;
-    std::FILE* m_file;
+    std::string m_waiting;
+    int m_descriptor;
 };
+
+/// A file the command line names, and what for: "`--trace`", "the scene".
+struct NamedFile {
+    std::string purpose, path;
+};
+
+/// Throws UsageError where two of them are one file, by whatever names and links: the later would overwrite
+/// the earlier. Devices and pipes take what comes; an empty path is none.
+void refuseSharedFiles(const std::vector<NamedFile>& files);
 
 /// Makes a folder and those above it; one that exists already is fine.
 void makeFolder(const std::string& path);
-/// Writes a whole text file into a folder.
+/// Writes a whole text file into a folder, beside the old one, which stays until the new one is there.
 void writeFile(const std::string& folder, const std::string& name, std::string_view text);
+
+/// Writes results that will be written again when there are more: a disk that is full now may have room then.
+/// What fails is said once, and the work goes on.
+class InterimResults {
+  public:
+    explicit InterimResults(std::string who) : m_who(std::move(who)) {}
+    void write(const std::function<void()>& files);
+
+  private:
+    std::string m_who; ///< "carom study gas"
+    bool m_failed = false;
+};
 
 /// Writes all of `text` to standard output.
 void printOut(std::string_view text);
 /// Writes to standard error, where nothing more can be done if it fails.
 void printError(std::string_view text);
 
-/// Replaces the file's content at once: readers see the old text or the new, never a part. Links are
-/// followed, permissions kept.
+/// Writes a whole file in the place of the old one: readers see the old text or the new, never a part.
 void replaceFile(const std::string& path, std::string_view text);
 
 } // namespace carom

@@ -5,8 +5,6 @@
 #include "core/language/analysis.h"
 #include "core/language/formatter.h"
 
-#include <cerrno>
-
 namespace carom {
 
 CommandRow formatCommand();
@@ -18,7 +16,6 @@ int runFormat(const Arguments& arguments) {
     const bool inPlace = arguments.has("in-place");
     if (inPlace && path == "-") throw UsageError("`--in-place` needs a file; standard input has no place");
     const Analysis analysis = analyse(readText(path));
-    if (analysis.text.size() > largestText) throw UnreadableFile("`" + path + "`", EFBIG);
     const std::string formatted = formatText(analysis);
     if (!inPlace)
         printOut(formatted);

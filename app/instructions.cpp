@@ -64,7 +64,6 @@ double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting
                                       "--callgrind-out-file=" + counts.path(),
                                       fs::read_symlink(ownProgram).string(),
                                       "run",
-                                      scene,
                                       "--frames=" + std::to_string(frames),
                                       "--step=" + shortest(study.settings.step),
                                       "--threads=1",
@@ -73,6 +72,7 @@ double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting
     if (setting.integrator != nullptr)
         words.push_back("--integrator=" + std::string(setting.integrator->name));
     if (setting.tolerance > 0) words.push_back("--tolerance=" + shortest(setting.tolerance));
+    words.insert(words.end(), {"--", scene}); // whatever it is called
     return succeeds(words) ? totalIn(counts.path()) : 0;
 }
 

@@ -8,7 +8,9 @@
 #include "app/run_summary.h"
 #include "app/scene_options.h"
 
+#include <exception>
 #include <limits>
+#include <new>
 #include <optional>
 
 namespace carom {
@@ -60,6 +62,9 @@ int runScene(const Arguments& arguments) {
     const std::optional<std::int64_t> wanted = arguments.wholeNumber("frames", 0, anyCount);
     const Recording recording(arguments);
     const std::string& path = arguments.operands.front();
+    refuseSharedFiles({{"the scene", path},
+                       {"`--trace`", recording.trace.value_or("")},
+                       {"`--stats`", recording.statistics.value_or("")}});
     const Build built = loadScene(path, options);
     if (arguments.has("strict") && built.hasErrors()) return exitcode::sceneHasErrors;
     Recorders recorders(recording);
@@ -68,25 +73,39 @@ int runScene(const Arguments& arguments) {
     world.keepLedger(true);
     RunSummary summary(displayName(path), built, world);
     const std::int64_t frames = wanted.value_or(defaultFrames(built.pipeline->settings()));
+    const auto writeWhatThereIs = [&] {
+        const std::string text = arguments.has("json") ? summary.asJson() : summary.asText();
+        if (recording.onStandardOutput())
+            printError(text);
+        else
+            printOut(text);
+        recorders.close();
+    };
     catchInterrupts();
     recorders.record(world);
+    std::exception_ptr problem;
     {
+        InterruptibleWork work(writeWhatThereIs);
         Progress progress(frames);
-        for (std::int64_t frame = 0; frame < frames && !interrupted(); ++frame) {
-            world.step();
-            if (!world.health().finite) break;
-            summary.add(world.statistics());
-            recorders.record(world);
-            progress.update(frame + 1);
+        try {
+            for (std::int64_t frame = 0; frame < frames && !interrupted(); ++frame) {
+                work.step([&] { world.step(); });
+                if (!world.health().finite) break;
+                summary.add(world.statistics());
+                recorders.record(world);
+                progress.update(frame + 1);
+            }
+            summary.finish(world);
+        } catch (const FileError& error) { // no room for a file: what was computed counts
+            if (error.isBrokenPipe()) throw;
+            summary.finish(world);
+            problem = std::current_exception();
+        } catch (const std::bad_alloc&) { // or in memory, within a frame
+            problem = std::current_exception();
         }
     }
-    summary.finish(world);
-    recorders.close();
-    const std::string text = arguments.has("json") ? summary.asJson() : summary.asText();
-    if (recording.onStandardOutput())
-        printError(text);
-    else
-        printOut(text);
+    writeWhatThereIs();
+    if (problem) std::rethrow_exception(problem);
     if (!world.health().finite) {
         printError(describeLoss("carom run", world));
         return exitcode::notFinite;

@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numeric>
-#include <span>
 
 namespace carom {
 namespace {
@@ -44,11 +42,17 @@ void writeOptional(JsonWriter& json, const std::optional<double>& number) {
 RunSummary::RunSummary(std::string sceneName, const Build& built, const World& atStart)
     : m_sceneName(std::move(sceneName)), m_pipeline(built.pipeline), m_diagnostics(built.diagnostics.size()),
       m_initialEnergy(energyOf(atStart.statistics())), m_finalEnergy(m_initialEnergy),
-      m_initialMomentum(atStart.statistics().momentum), m_finalMomentum(m_initialMomentum),
-      m_hash(atStart.stateHash()) {}
+      m_initialMomentum(atStart.statistics().momentum), m_finalMomentum(m_initialMomentum) {}
 
 void RunSummary::add(const FrameStatistics& frame) {
-    m_milliseconds.push_back(frame.simulate);
+    if (m_frames++ == 0)
+        m_first = frame.simulate;
+    else
+        m_times.add(frame.simulate);
+    m_total += frame.simulate;
+    m_finalEnergy = energyOf(frame);
+    m_finalMomentum = frame.momentum;
+    m_time = frame.time;
     m_deepest = std::max(m_deepest, frame.maxPenetration);
     m_sumOfDeepest += frame.maxPenetration;
     m_residual = std::max(m_residual, frame.residual);
@@ -59,18 +63,15 @@ void RunSummary::add(const FrameStatistics& frame) {
 }
 
 void RunSummary::finish(const World& world) {
-    m_finalEnergy = energyOf(world.statistics());
-    m_finalMomentum = world.statistics().momentum;
     m_time = world.state().time;
     m_hash = world.stateHash();
 }
 
 RunSummary::Times RunSummary::times() const {
-    const std::span<const double> all = m_milliseconds;
-    if (all.empty()) return {};
-    return {.first = all.front(),
-            .rest = summarise(all.size() > 1 ? all.subspan(1) : all),
-            .total = std::accumulate(all.begin(), all.end(), 0.0)};
+    if (m_frames == 0) return {};
+    const std::array first = {m_first};
+    const Summary rest = m_times.count() > 0 ? m_times.summary() : summarise(first);
+    return {.first = m_first, .rest = rest, .total = m_total};
 }
 
 std::optional<double> RunSummary::realTimeFactor() const {
@@ -84,7 +85,7 @@ std::optional<double> RunSummary::relativeDrift() const {
 }
 
 double RunSummary::perFrame(double total) const {
-    return m_milliseconds.empty() ? 0 : total / static_cast<double>(m_milliseconds.size());
+    return m_frames == 0 ? 0 : total / static_cast<double>(m_frames);
 }
 
 std::vector<std::string_view> RunSummary::effectsSimulated() const {
@@ -127,7 +128,7 @@ std::string RunSummary::asText() const {
              .append(settings.broadphase->name)
              .append(settings.broadphaseReason.empty() ? "" : " (" + settings.broadphaseReason + ")")
              .append(settings.boxes == BoxKind::Cube ? " on cubes" : ""));
-    line("frames", std::to_string(m_milliseconds.size()) + " of " + shortest(settings.step) + " s in " +
+    line("frames", std::to_string(m_frames) + " of " + shortest(settings.step) + " s in " +
                        std::to_string(settings.substeps) +
                        " substeps; threads: " + std::to_string(settings.threads));
     line("time a frame", "first " + shortest(time.first) + " ms; then mean " + shortest(time.rest.mean) +
@@ -153,7 +154,7 @@ std::string RunSummary::asText() const {
     for (const std::string_view name : effectsSimulated())
         names.append(names.empty() ? "" : ", ").append(name);
     line("effects", names.empty() ? "none" : names);
-    line("state hash", hexadecimal(m_hash));
+    line("state hash", m_hash ? hexadecimal(*m_hash) : "none: the run was broken off within a frame");
     return text;
 }
 
@@ -162,7 +163,7 @@ std::string RunSummary::asJson() const {
     const Times time = times();
     JsonWriter json;
     json.beginObject().key("scene").value(m_sceneName);
-    json.key("frames").value(static_cast<std::int64_t>(m_milliseconds.size()));
+    json.key("frames").value(m_frames);
     json.key("bodies").value(static_cast<std::int64_t>(m_pipeline->bodies().count()));
     json.key("mobile").value(static_cast<std::int64_t>(m_pipeline->bodies().mobileBodies.size()));
     json.key("diagnostics").value(static_cast<std::int64_t>(m_diagnostics));
@@ -203,7 +204,12 @@ std::string RunSummary::asJson() const {
     json.key("unexplained_max").value(m_worstUnexplained).endObject();
     json.key("effects").beginArray();
     for (const std::string_view name : effectsSimulated()) json.value(name);
-    json.endArray().key("state_hash").value(hexadecimal(m_hash)).endObject();
+    json.endArray().key("state_hash");
+    if (m_hash)
+        json.value(hexadecimal(*m_hash));
+    else
+        json.null();
+    json.endObject();
     return json.take() + "\n";
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/math/statistics.h"
+#include "core/math/running_summary.h"
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom {
@@ -18,7 +19,7 @@ class RunSummary {
     RunSummary(std::string sceneName, const Build& built, const World& atStart);
 
     void add(const FrameStatistics& frame);
-    /// The state the run ended in.
+    /// The state the run ended in. A run that is broken off within a frame has none.
     void finish(const World& world);
 
     std::string asText() const;
@@ -41,16 +42,19 @@ class RunSummary {
     std::string m_sceneName;
     std::shared_ptr<const Pipeline> m_pipeline;
     std::size_t m_diagnostics;
-    std::vector<double> m_milliseconds;
+    std::int64_t m_frames = 0;
+    double m_first = 0;                    ///< [ms]
+    double m_total = 0;                    ///< [ms]
+    RunningSummary m_times;                ///< [ms] of the frames behind the first
     double m_initialEnergy, m_finalEnergy; ///< [J] kinetic and potential
     Vec3 m_initialMomentum, m_finalMomentum;
     double m_deepest = 0, m_sumOfDeepest = 0; ///< [m]
     double m_residual = 0;                    ///< of the contact problem, the worst of any frame [m/s]
     double m_sumOfPairs = 0, m_sumOfContacts = 0;
-    Ledger m_ledger;               ///< of all frames
-    double m_worstUnexplained = 0; ///< of any frame [J]
-    double m_time = 0;             ///< simulated [s]
-    std::uint64_t m_hash = 0;
+    Ledger m_ledger;                     ///< of all frames
+    double m_worstUnexplained = 0;       ///< of any frame [J]
+    double m_time = 0;                   ///< simulated [s]
+    std::optional<std::uint64_t> m_hash; ///< none: broken off within a frame
 };
 
 } // namespace carom

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <memory>
 
@@ -90,6 +91,67 @@ std::optional<std::string> chartPath(const Arguments& arguments) {
     return path;
 }
 
+/// The folder of `--output`, whose figures are brought up to date after every run.
+class Results {
+  public:
+    Results(std::string folder, std::string sceneHash, StudyOrigin origin)
+        : m_folder(std::move(folder)), m_hash(std::move(sceneHash)), m_origin(std::move(origin)) {
+        makeFolder(m_folder);
+    }
+
+    std::string path(const char* name) const { return (std::filesystem::path(m_folder) / name).string(); }
+
+    void writeFigures(const AccuracyStudy& study) const {
+        // Ended before there was a truth to measure against, a study has nothing to say; what was there
+        // stays.
+        if (!study.truth && std::filesystem::exists(path(figuresFile))) return;
+        writeFile(m_folder, figuresFile, pointsAsCsv(study, m_hash, m_origin));
+    }
+    void writeAll(const AccuracyStudy& study, const std::string& title) const {
+        writeFigures(study);
+        writeFile(m_folder, "summary.txt", summaryOf(study));
+        if (chartDrawer().accuracy == nullptr) return;
+        for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
+            chartDrawer().accuracy(study, title, path(name));
+    }
+
+    /// What an interrupted study has measured. Throws UsageError where it is no study to go on from: its file
+    /// would be overwritten.
+    std::vector<AccuracyPoint> known(const AccuracyPlan& plan) const {
+        const std::string file = path(figuresFile);
+        KnownPoints known = pointsFromCsv(readText(file), {m_hash, plan.duration, m_origin.version});
+        for (const AccuracyPoint& point : known.points)
+            if (known.objection.empty() && !point.isDefault &&
+                std::ranges::count(plan.settings, point.setting) == 0)
+                known.objection = "it has `" + point.setting.name() + "`, which these options leave out";
+        if (!known.objection.empty())
+            throw UsageError("`--resume` cannot go on from `" + file + "`: " + known.objection +
+                             "; another folder would be right");
+        return known.points;
+    }
+
+  private:
+    std::string m_folder, m_hash;
+    StudyOrigin m_origin;
+};
+
+/// Counts instructions, too; what went wrong, or nothing. What was measured stays in any case.
+std::exception_ptr count(AccuracyStudy& study, const std::string& path,
+                         const std::optional<Results>& results) {
+    Progress counting(std::ssize(study.points), "settings under callgrind");
+    try {
+        countInstructions(study, path, [&](std::size_t done) {
+            counting.update(static_cast<std::int64_t>(done));
+            if (results) results->writeFigures(study);
+            study.complete = !interrupted();
+            return study.complete;
+        });
+    } catch (const FileError&) {
+        return std::current_exception();
+    }
+    return nullptr;
+}
+
 int runStudy(const Arguments& arguments) {
     const std::string& path = arguments.operands.front();
     const std::optional<std::string> chart = chartPath(arguments);
@@ -97,50 +159,53 @@ int runStudy(const Arguments& arguments) {
     if (counts) needValgrind();
     if (counts && path == "-")
         throw UsageError("`--instructions` reads the scene again and again; give a file in place of `-`");
+    const std::optional<std::string> folder = arguments.text("output");
+    if (arguments.has("resume") && !folder)
+        throw UsageError("`--resume` needs `--output`: the folder of the interrupted study");
+    std::vector<NamedFile> files = {{"the scene", path}, {"`--chart`", chart.value_or("")}};
+    if (folder)
+        for (const char* name : {figuresFile, "summary.txt", "accuracy.svg", "accuracy.png", "accuracy.pdf"})
+            files.push_back({"`--output`", (std::filesystem::path(*folder) / name).string()});
+    refuseSharedFiles(files);
     const Build built = loadScene(path);
     const Scene& scene = built.pipeline->scene();
     if (built.pipeline->bodies().mobileBodies.empty())
         throw UsageError("nothing in the scene can move; there is no error to study");
     const AccuracyPlan plan = planFrom(arguments, scene);
-    const std::string hash = hashOfScene(built.analysis.text);
-    const std::optional<std::string> folder = arguments.text("output");
     catchInterrupts(); // once the folder is there, an interrupted study is written into it
-    if (folder) makeFolder(*folder);
-    std::vector<AccuracyPoint> known;
-    if (arguments.has("resume")) {
-        if (!folder) throw UsageError("`--resume` needs `--output`: the folder of the interrupted study");
-        known = pointsFromCsv(readText((std::filesystem::path(*folder) / figuresFile).string()), hash,
-                              plan.duration);
-    }
+    std::optional<Results> results;
+    if (folder) results.emplace(*folder, hashOfScene(built.analysis.text), studyOrigin(command, arguments));
+    const std::vector<AccuracyPoint> known =
+        arguments.has("resume") ? results->known(plan) : std::vector<AccuracyPoint>();
 
     auto progress = std::make_unique<Progress>(progressParts, "parts in a thousand");
-    AccuracyListener listener;
-    listener.goOn = [&](double done) {
-        progress->update(static_cast<std::int64_t>(done * progressParts));
-        return !interrupted();
-    };
-    AccuracyStudy study = runAccuracy(scene, plan, listener, known);
+    AccuracyStudy study; // as far as it is
+    InterimResults interim("carom " + std::string(command));
+    {
+        InterruptibleWork work([&] { printOut(summaryOf(study)); });
+        AccuracyListener listener;
+        listener.goOn = [&](double done) {
+            progress->update(static_cast<std::int64_t>(done * progressParts));
+            return !interrupted();
+        };
+        listener.changed = [&](const AccuracyStudy& soFar) {
+            work.change([&] {
+                study = soFar;
+                if (results) interim.write([&] { results->writeFigures(study); });
+            });
+        };
+        AccuracyStudy whole = work.step([&] { return runAccuracy(scene, plan, listener, known); });
+        study = std::move(whole);
+    }
     progress.reset();
-    if (counts && study.complete) {
-        Progress counting(std::ssize(study.points), "settings under callgrind");
-        countInstructions(study, path, [&](std::size_t done) {
-            counting.update(static_cast<std::int64_t>(done));
-            study.complete = !interrupted();
-            return study.complete;
-        });
-    }
+    const std::exception_ptr problem =
+        counts && study.complete ? count(study, path, results) : std::exception_ptr();
 
-    const std::string summary = summaryOf(study);
     const std::string title = std::filesystem::path(path).stem().string();
-    printOut(summary);
-    if (folder) {
-        writeFile(*folder, figuresFile, pointsAsCsv(study, hash, studyOrigin(command, arguments)));
-        writeFile(*folder, "summary.txt", summary);
-        if (chartDrawer().accuracy != nullptr)
-            for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
-                chartDrawer().accuracy(study, title, (std::filesystem::path(*folder) / name).string());
-    }
+    printOut(summaryOf(study));
+    if (results) results->writeAll(study, title);
     if (chart) chartDrawer().accuracy(study, title, *chart);
+    if (problem) std::rethrow_exception(problem);
     return study.complete ? exitcode::done : exitcode::interrupted;
 }
 

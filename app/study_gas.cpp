@@ -9,7 +9,9 @@
 #include "app/study_origin.h"
 #include "core/study/gas_report.h"
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace carom {
 
@@ -37,33 +39,51 @@ std::string describe(const GasObjection& objection, const std::string& path, con
 int runStudy(const Arguments& arguments) {
     const GasPlan plan = planFrom(arguments);
     const std::string& path = arguments.operands.front();
+    const std::optional<std::string> folder = arguments.text("output");
+    std::vector<NamedFile> files = {{"the scene", path}};
+    if (folder)
+        for (const char* name : {"gas.csv", "speeds.csv", "heights.csv", "summary.txt"})
+            files.push_back({"`--output`", (std::filesystem::path(*folder) / name).string()});
+    refuseSharedFiles(files);
     const Build built = loadScene(path);
     if (built.hasErrors()) return exitcode::sceneHasErrors;
     if (const std::optional<GasObjection> objection = gasObjection(*built.pipeline)) {
         printError(describe(*objection, path, built));
         return exitcode::sceneHasErrors;
     }
-    const std::optional<std::string> folder = arguments.text("output");
     if (folder) makeFolder(*folder);
-    catchInterrupts();
-    std::unique_ptr<Progress> progress;
-    const GasStudy study =
-        studyGas(*built.pipeline, plan, [&progress](std::int64_t done, std::int64_t total) {
-            if (!progress) progress = std::make_unique<Progress>(total, "collisions");
-            progress->update(done);
-            return !interrupted();
-        });
-    progress.reset();
-
-    const std::string summary = summaryOf(study);
-    printOut(summary);
-    if (folder) {
+    const auto writeFigures = [&](const GasStudy& study) {
+        if (!folder) return;
         writeFile(*folder, "gas.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
         writeFile(*folder, "speeds.csv", speedsAsCsv(study));
         if (!study.heights.empty()) writeFile(*folder, "heights.csv", heightsAsCsv(study));
-        writeFile(*folder, "summary.txt", summary);
-        if (chartDrawer().gas) chartDrawer().gas(study, *folder);
+        writeFile(*folder, "summary.txt", summaryOf(study));
+    };
+    catchInterrupts();
+    std::unique_ptr<Progress> progress;
+    GasStudy study; // as far as it is
+    InterimResults interim("carom " + std::string(command));
+    {
+        InterruptibleWork work([&] { printOut(summaryOf(study)); });
+        const auto goOn = [&progress](std::int64_t done, std::int64_t total) {
+            if (!progress) progress = std::make_unique<Progress>(total, "collisions");
+            progress->update(done);
+            return !interrupted();
+        };
+        const auto measured = [&](const GasStudy& soFar) {
+            work.change([&] {
+                study = soFar;
+                interim.write([&] { writeFigures(study); });
+            });
+        };
+        GasStudy whole = work.step([&] { return studyGas(*built.pipeline, plan, goOn, measured); });
+        study = std::move(whole);
     }
+    progress.reset();
+
+    printOut(summaryOf(study));
+    writeFigures(study);
+    if (folder && chartDrawer().gas) chartDrawer().gas(study, *folder);
     return interrupted() ? exitcode::interrupted : exitcode::done;
 }
 

@@ -68,27 +68,39 @@ int runStudy(const Arguments& arguments) {
     auto progress = std::make_unique<Progress>(total, "trials");
     std::int64_t done = 0;
     std::string report;
-    StabilityListener listener;
-    listener.goOn = [&] {
-        progress->update(done);
-        return !interrupted();
+    StabilityStudy study{.plan = plan, .results = {}, .complete = false}; // as far as it is
+    InterimResults interim("carom " + std::string(command));
+    const auto conclusion = [&] { return "\n" + summaryOf(study); };
+    const auto writeFigures = [&] {
+        if (!folder) return;
+        writeFile(*folder, "stability.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
+        writeFile(*folder, "summary.txt", report + conclusion());
     };
-    listener.ends = [&](const TrialResult& result) {
-        const std::string lines = describe(result);
-        progress->pause();
-        printOut(lines);
-        report += lines;
-        progress->update(++done);
-    };
-    const StabilityStudy study = runStability(plan, listener);
+    {
+        InterruptibleWork work([&] { printOut(conclusion()); });
+        StabilityListener listener;
+        listener.goOn = [&] {
+            progress->update(done);
+            return !interrupted();
+        };
+        listener.ends = [&](const TrialResult& result) {
+            const std::string lines = describe(result);
+            progress->pause();
+            work.change([&] {
+                printOut(lines);
+                report += lines;
+                study.results.push_back(result);
+                interim.write(writeFigures);
+            });
+            progress->update(++done);
+        };
+        StabilityStudy whole = work.step([&] { return runStability(plan, listener); });
+        study = std::move(whole);
+    }
     progress.reset();
 
-    const std::string summary = "\n" + summaryOf(study);
-    printOut(summary);
-    if (folder) {
-        writeFile(*folder, "stability.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
-        writeFile(*folder, "summary.txt", report + summary);
-    }
+    printOut(conclusion());
+    writeFigures();
     if (!study.complete) return exitcode::interrupted;
     return study.allHold() ? exitcode::done : exitcode::stabilityFailed;
 }

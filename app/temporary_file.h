@@ -2,13 +2,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-
-struct stat;
 
 namespace carom {
 
-/// A file that is gone again when this is, unless it was renamed. Everything here throws FileError.
+/// An empty file for another program to write into, gone again when this is. Throws FileError.
 class TemporaryFile {
   public:
     /// Its path is `besides` with an ending of its own.
@@ -18,16 +15,9 @@ class TemporaryFile {
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     const std::string& path() const { return m_path; }
-    void write(std::string_view text);
-    void takeOwnerOf(const struct stat& original);
-    void renameTo(const std::string& path);
 
   private:
-    [[noreturn]] void fail() const;
-
     std::string m_path;
-    int m_descriptor = -1;
-    bool m_renamed = false;
 };
 
 } // namespace carom

@@ -28,8 +28,9 @@ std::string withSettings(const Analysis& analysis, const SimulationSettings& set
             added.append(" ").append(name).append(" ").append(value);
     }
     if (!scene.simulation.source) {
-        if (!text.empty() && text.back() != '\n') text += '\n';
-        return added.empty() ? text : text + "simulation {" + added + " }\n";
+        const std::string lineEnd = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+        if (!text.empty() && text.back() != '\n') text += lineEnd;
+        return added.empty() ? text : text + "simulation {" + added + " }" + lineEnd;
     }
     if (!added.empty()) {
         const SourceRange declaration = scene.simulation.source->declaration;

@@ -52,7 +52,7 @@ struct Extras {
 class Cells {
   public:
     Cells(const std::vector<std::string_view>& names, const std::vector<std::string_view>& values) {
-        for (std::size_t k = 0; k < names.size(); ++k) m_cells[names[k]] = values[k];
+        for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k) m_cells[names[k]] = values[k];
     }
 
     std::string_view text(std::string_view column) const {
@@ -78,6 +78,7 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
                                       [&](PointStatus s) { return nameOf(s) == cells.text("status"); });
     if (status == statuses.end()) return std::nullopt;
     point.status = *status;
+    point.isDefault = cells.text("default") == "yes";
     point.reason = csvValue(cells.text("reason"));
     point.errors = {cells.number("position"), cells.number("position_rms"), cells.number("attitude")};
     point.energy = {cells.number("energy_drift"), cells.number("energy_swing"), cells.number("energy_worst"),
@@ -105,6 +106,7 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
     if (!study.truth) return table.take();
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
     for (const AccuracyPoint& p : study.points) {
+        if (p.status == PointStatus::Waiting) continue;
         std::string runs;
         for (const double time : p.times) runs.append(runs.empty() ? "" : ";").append(shortest(time));
         const bool onFront = std::find(front.begin(), front.end(), &p) != front.end();
@@ -123,19 +125,32 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
     return table.take();
 }
 
-std::vector<AccuracyPoint> pointsFromCsv(std::string_view csv, std::string_view sceneHash, double duration) {
-    std::vector<AccuracyPoint> points;
-    const std::vector<std::string_view> lines = csvSplit(csv, '\n');
-    const std::vector<std::string_view> names = csvSplit(lines.front(), ',');
+KnownPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin) {
+    KnownPoints known;
+    std::vector<std::string_view> lines = csvSplit(csv, '\n');
+    if (lines.back().empty()) lines.pop_back();
+    if (lines.empty() || lines.front() != columns)
+        return {{}, "its columns are not those that this version of the study writes"};
+    const std::vector<std::string_view> names = csvSplit(columns, ',');
     for (std::size_t line = 1; line < lines.size(); ++line) {
         const std::vector<std::string_view> values = csvSplit(lines[line], ',');
-        if (values.size() != names.size()) continue;
         const Cells cells(names, values);
-        if (cells.text("scene") != sceneHash) continue;
-        if (numberIn(cells.text("duration_s")) != duration) continue;
-        if (std::optional<AccuracyPoint> point = pointFrom(cells)) points.push_back(std::move(*point));
+        std::optional<AccuracyPoint> point =
+            values.size() == names.size() ? pointFrom(cells) : std::optional<AccuracyPoint>();
+        if (!point) return {{}, "line " + std::to_string(line + 1) + " cannot be read"};
+        if (cells.text("scene") != origin.scene)
+            return {{}, "it is of another scene, or of another text of it"};
+        if (numberIn(cells.text("duration_s")) != origin.duration)
+            return {{},
+                    "it is of " + std::string(cells.text("duration_s")) + " s, not of " +
+                        shortest(origin.duration) + " s"};
+        if (csvValue(cells.text("version")) != origin.version)
+            return {{},
+                    "it was measured by version " + csvValue(cells.text("version")) + ", and this is " +
+                        origin.version};
+        known.points.push_back(std::move(*point));
     }
-    return points;
+    return known;
 }
 
 std::string hashOfScene(std::string_view text) {

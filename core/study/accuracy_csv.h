@@ -12,8 +12,8 @@
 
 namespace carom {
 
-/// A row a point. Lengths are relative to the scene's size, times and instructions for a simulated second;
-/// what was not looked at is empty.
+/// A row a point that is not waiting. Lengths are relative to the scene's size, times and instructions for a
+/// simulated second; what was not looked at is empty.
 ///
 ///     method, integrator, substeps, tolerance, default, status, reason
 ///     position, position_rms, attitude      errors; the last in rad
@@ -27,9 +27,21 @@ namespace carom {
 ///     scene, command, version, machine      the first a hash of its text
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin);
 
-/// The points of such a text, for a study that goes on where one was interrupted; none where it is of another
-/// scene or another duration. Lines that cannot be read are left out.
-std::vector<AccuracyPoint> pointsFromCsv(std::string_view csv, std::string_view sceneHash, double duration);
+/// What such a text was measured on.
+struct AccuracyOrigin {
+    std::string scene;   ///< a hash of its text
+    double duration = 0; ///< [s]
+    std::string version; ///< of the program
+};
+
+/// The points of such a text, for a study that goes on where one was interrupted.
+struct KnownPoints {
+    std::vector<AccuracyPoint> points;
+    /// Why no study can go on from them: "line 3 cannot be read"; empty: one can. Then nothing may be written
+    /// over the text.
+    std::string objection;
+};
+KnownPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin);
 
 /// A hash of a scene's text, as decimal digits.
 std::string hashOfScene(std::string_view text);

@@ -126,7 +126,9 @@ void takeMedians(std::vector<Contest>& repeats, double FrameStatistics::*time) {
 /// Runs the plan and counts frames for the listener.
 class Runner {
   public:
-    Runner(const BenchmarkPlan& plan, const BenchmarkListener& goOn) : m_goOn(goOn) {
+    Runner(const BenchmarkPlan& plan, const BenchmarkListener& goOn,
+           const std::function<void(const Benchmark&)>& measured)
+        : m_goOn(goOn), m_measured(measured) {
         m_result.plan = plan;
         const std::int64_t worlds = std::ssize(plan.algorithms);
         m_total = plan.frames * worlds * std::ssize(plan.scenes) * std::ssize(plan.counts);
@@ -157,6 +159,7 @@ class Runner {
                                        .n = contest.n,
                                        .algorithm = contest.algorithms[k],
                                        .frames = std::move(contest.frames[k])});
+        if (m_measured) m_measured(m_result);
         return true;
     }
 
@@ -168,6 +171,7 @@ class Runner {
                 if (!advance(contest, m_result.plan.frames, m_heard)) return false;
                 record(contest);
                 dropTheSlow(algorithms, n);
+                if (m_measured) m_measured(m_result);
             }
         }
         return true;
@@ -206,6 +210,7 @@ class Runner {
 
     Benchmark m_result;
     const BenchmarkListener& m_goOn;
+    const std::function<void(const Benchmark&)>& m_measured;
     std::int64_t m_done = 0, m_total = 0;
     const std::function<bool()> m_heard = [this] { return m_goOn(++m_done, m_total); };
 };
@@ -229,9 +234,10 @@ BenchmarkPlan standardBenchmark() {
     return plan;
 }
 
-Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn) {
+Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn,
+                       const std::function<void(const Benchmark&)>& measured) {
     ASSERT(plan.frames >= 2 && plan.traceFrames >= 2 && plan.traceRepeats >= 1);
-    return Runner(plan, goOn).run();
+    return Runner(plan, goOn, measured).run();
 }
 
 Benchmark compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline, std::int64_t frames,

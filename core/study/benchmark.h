@@ -82,7 +82,9 @@ struct Benchmark {
 /// Told after each frame how many are done of about how many; false ends the benchmark.
 using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t total)>;
 
-Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn);
+/// `measured` gets what there is after every scene and number, and after the traces.
+Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn,
+                       const std::function<void(const Benchmark&)>& measured = {});
 
 /// Every algorithm on one scene over the same frames, at least 2, taking turns: the points, and every frame
 /// as traces. Their `scene` is null and their `n` is the number of bodies. Told to stop, it keeps the frames

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace carom {
 
@@ -89,7 +90,7 @@ class Experiment {
         : m_pipeline(pipeline), m_bodies(pipeline.bodies()), m_plan(plan), m_goOn(goOn),
           m_state(pipeline.initialState()), m_gas(m_bodies, m_state, pipeline.gravity()) {}
 
-    GasStudy run();
+    GasStudy run(const std::function<void(const GasStudy&)>& measured);
 
   private:
     static constexpr int samplesPerBatch = 50;
@@ -103,6 +104,7 @@ class Experiment {
     bool measureBatch(double seconds);
     void sample();
     void closeBatch(double seconds, const ImpulseTally& before);
+    GasStudy judged();
     void judgeSpeeds();
     void judgeHeights();
     void chooseTemperature();
@@ -120,6 +122,7 @@ class Experiment {
     State m_state;
     EventGas m_gas;
     GasStudy m_study;
+    double m_initialEnergy = 0; ///< [J]
     Room m_room;
     std::optional<Aabb> m_inner;
     Vec3 m_up = Vec3::Zero(); ///< zero without gravity
@@ -370,13 +373,13 @@ void Experiment::judgeHeights() {
     m_study.heightProbability = chiSquareTail(m_study.heightChiSquare, m_study.heightDegrees);
 }
 
-GasStudy Experiment::run() {
+GasStudy Experiment::run(const std::function<void(const GasStudy&)>& measured) {
     lookAtScene();
     lookAtRoom();
     chooseInnerBox();
     chooseTemperature();
     layHeights();
-    const double initial = energy();
+    m_initialEnergy = energy();
 
     // A first guess at the time between collisions, from the space the balls take up now.
     Aabb region{m_state.pose[m_bodies.mobileBodies.front()].position,
@@ -393,13 +396,21 @@ GasStudy Experiment::run() {
 
     bool goesOn = liveThrough(m_plan.settling);
     const double perCollision = m_time / std::max(m_plan.settling, 1.0);
-    for (int batch = 0; batch < m_plan.batches && goesOn; ++batch)
+    for (int batch = 0; batch < m_plan.batches && goesOn; ++batch) {
         goesOn = measureBatch(m_plan.measuring * perCollision / m_plan.batches);
+        if (goesOn && measured) measured(judged());
+    }
     m_study.complete = goesOn;
+    return judged();
+}
+
+/// What the batches so far say.
+GasStudy Experiment::judged() {
+    const GasStudy unjudged = m_study;
     m_gas.write(m_state);
     m_study.events = m_gas.counts().events();
     m_study.energyDrift =
-        (energy() - initial) / (1.5 * m_study.temperature * static_cast<double>(m_study.balls));
+        (energy() - m_initialEnergy) / (1.5 * m_study.temperature * static_cast<double>(m_study.balls));
 
     judgeSpeeds();
     judgeHeights();
@@ -419,13 +430,14 @@ GasStudy Experiment::run() {
     if (!m_study.heights.empty() && m_study.packing > thin)
         m_study.remarks.push_back(
             "the gas is not thin: its balls keep each other higher than the formula says");
-    return m_study;
+    return std::exchange(m_study, unjudged);
 }
 
 } // namespace
 
-GasStudy studyGas(const Pipeline& pipeline, const GasPlan& plan, const GasListener& goOn) {
-    return Experiment(pipeline, plan, goOn).run();
+GasStudy studyGas(const Pipeline& pipeline, const GasPlan& plan, const GasListener& goOn,
+                  const std::function<void(const GasStudy&)>& measured) {
+    return Experiment(pipeline, plan, goOn).run(measured);
 }
 
 } // namespace carom

@@ -103,8 +103,9 @@ std::optional<GasObjection> gasObjection(const Pipeline& pipeline);
 /// Told how many collisions of about how many are done; false ends the study.
 using GasListener = std::function<bool(std::int64_t done, std::int64_t total)>;
 
-/// The scene must have no gasObjection().
-GasStudy studyGas(const Pipeline& pipeline, const GasPlan& plan, const GasListener& goOn);
+/// The scene must have no gasObjection(). `measured` gets what the batches so far say, after each.
+GasStudy studyGas(const Pipeline& pipeline, const GasPlan& plan, const GasListener& goOn,
+                  const std::function<void(const GasStudy&)>& measured = {});
 
 namespace theory {
 double packingOf(double density, double diameter); ///< η, of n [1/m³] and σ [m]

@@ -147,8 +147,14 @@ void CheckTest::foldersAndEndlessFilesEndWithThreeOrOne() {
     QCOMPARE(folder.exitCode, 3);
     QVERIFY2(folder.err.contains("cannot read `/`: Is a directory"), qPrintable(folder.err));
     const test::Ended endless = test::carom({"check", "/dev/zero"});
-    QCOMPARE(endless.exitCode, 1);
-    QVERIFY2(endless.out.contains("[sdl-text-too-large]"), qPrintable(endless.out.left(300)));
+    QCOMPARE(endless.exitCode, 3);
+    QVERIFY2(endless.err.contains("cannot read `/dev/zero`: it is a device"), qPrintable(endless.err));
+    const test::Ended piped = test::shell("\"$carom\" check - < /dev/zero");
+    QCOMPARE(piped.exitCode, 3);
+    const test::Ended large = test::shell("head -c 67108865 /dev/zero | \"$carom\" check -");
+    QCOMPARE(large.exitCode, 1);
+    QVERIFY2(large.out.contains("<stdin>:1:1: error: ") && large.out.contains("[sdl-text-too-large]"),
+             qPrintable(large.out.left(300)));
 }
 
 void CheckTest::randomBytesEndWithZeroOrOne() {

@@ -4,6 +4,7 @@
 #include "tests/support/files.h"
 
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -29,8 +30,10 @@ inline Ended finish(QProcess& process) {
             QString::fromUtf8(process.readAllStandardError())};
 }
 
-inline Ended runCommand(const QString& program, const QStringList& words, const QByteArray& input = {}) {
+inline Ended runCommand(const QString& program, const QStringList& words, const QByteArray& input = {},
+                        const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment()) {
     QProcess process;
+    process.setProcessEnvironment(environment);
     process.start(program, words);
     process.write(input);
     process.closeWriteChannel();
@@ -40,6 +43,11 @@ inline Ended runCommand(const QString& program, const QStringList& words, const 
 /// `carom` with these words, and this on its standard input.
 inline Ended carom(const QStringList& words, const QByteArray& input = {}) {
     return runCommand(QStringLiteral(CAROM_PROGRAM), words, input);
+}
+
+/// The same with other variables in its environment.
+inline Ended carom(const QStringList& words, const QProcessEnvironment& environment) {
+    return runCommand(QStringLiteral(CAROM_PROGRAM), words, {}, environment);
 }
 
 /// A shell line in which $carom is the program.

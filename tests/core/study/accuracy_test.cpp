@@ -195,9 +195,9 @@ class AccuracyTest : public QObject {
         AccuracyStudy first = studied(scene, plan);
         for (AccuracyPoint& point : first.points) point.times = {12345};
         const std::string csv = pointsAsCsv(first, "77", {"carom \"x\", y", "1", "a machine, fast"});
-        QVERIFY(pointsFromCsv(csv, "78", 0.25).empty());
-        QVERIFY(pointsFromCsv(csv, "77", 0.5).empty());
-        const std::vector<AccuracyPoint> known = pointsFromCsv(csv, "77", 0.25);
+        const KnownPoints read = pointsFromCsv(csv, {"77", 0.25, "1"});
+        QCOMPARE(read.objection, std::string());
+        const std::vector<AccuracyPoint>& known = read.points;
         QCOMPARE(known.size(), first.points.size());
         const AccuracyStudy second = studied(scene, plan, known);
         QCOMPARE(second.points.size(), first.points.size());
@@ -205,6 +205,26 @@ class AccuracyTest : public QObject {
             QCOMPARE(second.points[k].times, std::vector<double>{12345});
             QCOMPARE(second.points[k].errors.position, first.points[k].errors.position);
         }
+    }
+
+    void figuresOfAnotherStudyAreRefusedAndSoAreThoseThatCannotBeRead() {
+        const Scene scene = oscillating();
+        const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 2}, 0.25));
+        const std::string csv = pointsAsCsv(study, "77", {"carom", "1", "a machine"});
+        const auto objection = [](const std::string& text, const AccuracyOrigin& origin) {
+            const KnownPoints known = pointsFromCsv(text, origin);
+            return known.points.empty() ? q(known.objection)
+                                        : QStringLiteral("points in spite of an objection");
+        };
+        QVERIFY(objection(csv, {"78", 0.25, "1"}).contains(QStringLiteral("another scene")));
+        QCOMPARE(objection(csv, {"77", 0.5, "1"}), QStringLiteral("it is of 0.25 s, not of 0.5 s"));
+        QVERIFY(objection(csv, {"77", 0.25, "2"}).contains(QStringLiteral("measured by version 1")));
+        QVERIFY(objection("a,b\n1,2\n", {"77", 0.25, "1"}).contains(QStringLiteral("columns")));
+        QVERIFY(objection("", {"77", 0.25, "1"}).contains(QStringLiteral("columns")));
+        std::string spoilt = csv;
+        spoilt.replace(csv.rfind("contacts"), 8, "comtacts");
+        QVERIFY(objection(spoilt, {"77", 0.25, "1"}).contains(QStringLiteral("cannot be read")));
+        QVERIFY(objection(csv + "half a li", {"77", 0.25, "1"}).contains(QStringLiteral("cannot be read")));
     }
 
     void aStudyToldToStopKeepsWhatItHas() {

@@ -184,9 +184,11 @@ class AccuracyDockTest : public QObject {
         QCOMPARE(m_dock->exportTo(csv), QString());
         QFile file(csv);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const std::vector<AccuracyPoint> points =
-            pointsFromCsv(file.readAll().toStdString(), hashOfScene(bouncing), 0.5);
-        QCOMPARE(points.size(), m_dock->result()->points.size());
+        const KnownPoints known =
+            pointsFromCsv(file.readAll().toStdString(),
+                          {hashOfScene(bouncing), 0.5, QApplication::applicationVersion().toStdString()});
+        QCOMPARE(known.objection, std::string());
+        QCOMPARE(known.points.size(), m_dock->result()->points.size());
         QVERIFY(!m_dock->exportTo(QStringLiteral("/dev/null/a.csv")).isEmpty());
     }
 

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/failing_files.h"
+#include "tests/support/failing_memory.h"
+#include "tests/support/program.h"
+#include "tests/support/test_class.h"
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTest>
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+// Disks that are full, memory that runs out, files that are each other, and people who have waited long
+// enough. Whatever happens, what was computed or written before is there, and the program ends with a
+// sentence and a number of its own.
+
+namespace carom::test {
+
+namespace {
+
+const QByteArray ball = "wall { normal 0, 1, 0 toOrig 0 }\n"
+                        "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n";
+
+/// A command that writes, and the file it writes; streams grow as they are written, the others are replaced.
+struct Writer {
+    const char* name;
+    QStringList words; ///< {} is the scene, {out} the folder
+    const char* file;
+    bool isStream;
+};
+
+const std::vector<Writer>& writers() {
+    static const std::vector<Writer> rows = {
+        {"trace", {"run", "{}", "-n", "3", "--trace", "{out}/t.csv"}, "t.csv", true},
+        {"statistics", {"run", "{}", "-n", "3", "--stats", "{out}/s.csv"}, "s.csv", true},
+        {"format", {"format", "--in-place", "{out}/a.sdl"}, "a.sdl", false},
+        {"bench",
+         {"bench", "--scene=pyramid", "-n", "10", "--frames=4", "-o", "{out}"},
+         "performance.csv",
+         false},
+        {"stability",
+         {"study", "stability", "elastic_ball", "--column=exact", "-o", "{out}"},
+         "stability.csv",
+         false},
+        {"accuracy",
+         {"study", "accuracy", "{}", "--duration=.2", "--substeps=1", "--runs=1", "-o", "{out}"},
+         "accuracy.csv",
+         false},
+    };
+    return rows;
+}
+
+} // namespace
+
+class FaultsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void init() {
+        m_folder = std::make_unique<QTemporaryDir>();
+        writeFile(scene(), ball);
+    }
+
+    void aWriterThatFailsEndsWithThreeAndKeepsWhatWasThere_data() {
+        QTest::addColumn<int>("writer");
+        QTest::addColumn<QString>("call");
+        QTest::addColumn<int>("cause");
+        for (std::size_t i = 0; i < writers().size(); ++i)
+            for (const char* call : {"open", "write", "fsync", "close", "rename"})
+                for (const auto& [name, cause] :
+                     {std::pair{"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EACCES", EACCES}}) {
+                    const bool applies = !writers()[i].isStream ||
+                                         (QByteArray(call) != "fsync" && QByteArray(call) != "rename");
+                    if (applies)
+                        QTest::addRow("%s: %s %s", writers()[i].name, call, name)
+                            << int(i) << QString(call) << cause;
+                }
+    }
+    void aWriterThatFailsEndsWithThreeAndKeepsWhatWasThere() {
+        QFETCH(int, writer);
+        QFETCH(QString, call);
+        QFETCH(int, cause);
+        const Writer& row = writers()[static_cast<std::size_t>(writer)];
+        const QString out = path("out");
+        QVERIFY(QDir().mkpath(out));
+        const QString file = out + "/" + row.file;
+        const QByteArray before = row.file == QByteArray("a.sdl") ? "sphere  {radius 1   mass 1}" : "old\n";
+        writeFile(file, before);
+        QStringList words = row.words;
+        words.replaceInStrings("{}", scene()).replaceInStrings("{out}", out);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("LD_PRELOAD", CAROM_FAILING_FILES);
+        environment.insert(failingFilesVariable,
+                           QString("%1 1 %2 %3").arg(call, QString::number(cause), out));
+        const Ended ended = carom(words, environment);
+        QVERIFY2(ended.exitCode == 3, qPrintable(QString::number(ended.exitCode) + ended.err));
+        QVERIFY2(ended.err.contains(QString::fromStdString(std::generic_category().message(cause))) &&
+                     ended.err.contains("cannot write"),
+                 qPrintable(ended.err));
+        if (row.isStream) { // what was computed is said all the same
+            if (call != "open") QVERIFY2(ended.out.contains("state hash"), qPrintable(ended.out));
+            return;
+        }
+        // A study goes on, says what it has found and tries again at its end.
+        if (row.file == QByteArray("stability.csv"))
+            QVERIFY2(ended.out.contains("1 of 1 hold"), qPrintable(ended.out));
+        QCOMPARE(readFile(file), before);
+        QCOMPARE(QDir(out).entryList(QDir::Files | QDir::Hidden), QStringList{row.file});
+    }
+
+    void aDiskThatFillsUpInTheMiddleOfARunEndsItWithItsSummary() {
+        // The kernel's own limit of a file, which fails like a full disk.
+        const Ended ended =
+            shell("ulimit -f 200; trap '' XFSZ; exec \"$carom\" run " + source("scenes/pyramid.sdl") +
+                  " -n 100000000 --json --stats " + path("s.csv"));
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains("File too large"), qPrintable(ended.err));
+        QVERIFY(QJsonDocument::fromJson(ended.out.toUtf8()).object()["frames"].toInt() > 100);
+        QVERIFY(QFileInfo(path("s.csv")).size() > 100'000);
+    }
+
+    void outputsThatAreTheSceneOrEachOtherAreRefused() {
+        const auto refused = [this](const QStringList& words, const char* what) {
+            const Ended ended = carom(words);
+            QVERIFY2(ended.exitCode == 2, qPrintable(words.join(' ') + ended.err));
+            QVERIFY2(ended.err.contains(what), qPrintable(ended.err));
+            QCOMPARE(readFile(scene()), ball);
+        };
+        QVERIFY(QFile::link(scene(), path("link.sdl")));
+        QCOMPARE(::link(qPrintable(scene()), qPrintable(path("twin.sdl"))), 0);
+        refused({"run", scene(), "--trace", scene()}, "`--trace` would overwrite the scene");
+        refused({"run", scene(), "--stats", m_folder->path() + "/./ball.sdl"},
+                "`--stats` would overwrite the scene");
+        refused({"run", scene(), "--trace", path("link.sdl")}, "`--trace` would overwrite the scene");
+        refused({"run", scene(), "--trace", path("twin.sdl")}, "`--trace` would overwrite the scene");
+        refused({"run", scene(), "--trace", path("x"), "--stats", path("x")},
+                "`--stats` would overwrite `--trace`");
+        refused({"study", "accuracy", scene(), "--chart", scene()}, "its ending must be");
+        refused({scene(), "--picture", scene()}, "`--picture` would overwrite the scene");
+        writeFile(path("accuracy.csv"), ball);
+        refused({"study", "accuracy", path("accuracy.csv"), "-o", m_folder->path()},
+                "`--output` would overwrite the scene");
+        QVERIFY(!QFile::exists(path("x")));
+        // Two to nowhere are no harm.
+        QCOMPARE(carom({"run", scene(), "-n", "1", "--trace", "/dev/null", "--stats", "/dev/null"}).exitCode,
+                 0);
+    }
+
+    void whatIsNoFileIsRefusedAtOnce() {
+        QCOMPARE(::mkfifo(qPrintable(path("pipe")), 0600), 0);
+        for (const QString& file : {path("pipe"), QString("/dev/zero"), m_folder->path()})
+            for (const char* command : {"check", "run", "format", "effects"}) {
+                const Ended ended = carom({command, file});
+                QCOMPARE(ended.exitCode, 3);
+                QVERIFY2(ended.err.contains("cannot read `" + file + "`: "), qPrintable(ended.err));
+            }
+        // The shell's own pipes are read.
+        const Ended ended = runCommand(
+            "/bin/bash", {"-c", QStringLiteral("'" CAROM_PROGRAM "' run -n 2 <(cat '%1')").arg(scene())});
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+    }
+
+    void aTextThatIsTooLargeEndsWithOne() {
+        QFile large(path("large.sdl"));
+        QVERIFY(large.open(QIODevice::WriteOnly) &&
+                large.resize((qint64{64} << 20) + 1)); // zeros, not on the disk
+        for (const QStringList& words : {QStringList{"check"},
+                                         {"run", "-n", "1"},
+                                         {"format"},
+                                         {"effects"},
+                                         {"contacts"},
+                                         {"study", "gas"}}) {
+            const Ended ended = carom(words + QStringList{large.fileName()});
+            QVERIFY2(ended.exitCode == 1, qPrintable(words.join(' ')));
+            QVERIFY2((ended.err + ended.out).contains("more than 64 MiB"), qPrintable(ended.err));
+        }
+        QCOMPARE(shell("\"$carom\" check - < " + large.fileName()).exitCode, 1);
+        const Ended generated = carom({"generate", "brownian", "--n", "1000000"});
+        QCOMPARE(generated.exitCode, 2);
+        QVERIFY2(generated.err.contains("no more than 64 MiB can be read"), qPrintable(generated.err));
+        QCOMPARE(generated.out, QString());
+    }
+
+    void memoryThatRunsOutIsSaid() {
+        const Ended many = carom({"generate", "brownian", "--n", "100000"});
+        writeFile(path("many.sdl"), many.out.toUtf8());
+        const Ended ended = shell("ulimit -v 200000; exec \"$carom\" run " + path("many.sdl") + " -n 2");
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains("not enough memory"), qPrintable(ended.err));
+    }
+
+    // Each of the first requests for memory, and every second power of two of those behind them, is refused
+    // once.
+    void anyRequestForMemoryMayFail_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("check") << QStringList{"check", "{}"};
+        QTest::newRow("run") << QStringList{"run", "{}", "-n", "20", "--stats", "{out}"};
+        QTest::newRow("study") << QStringList{"study",         "accuracy",     "{}",
+                                              "--duration=.2", "--substeps=1", "--runs=1"};
+    }
+    void anyRequestForMemoryMayFail() {
+        QFETCH(QStringList, words);
+        words.replaceInStrings("{}", scene()).replaceInStrings("{out}", path("out.csv"));
+        const QString told = path("told");
+        int failed = 0;
+        for (long request = 1;; request *= 2) {
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("LD_PRELOAD", CAROM_FAILING_MEMORY);
+            environment.insert(failingMemoryVariable, QString("%1 %2").arg(request).arg(told));
+            const Ended ended = carom(words, environment);
+            if (!QFile::remove(told)) break; // so many are not made
+            const bool said = ended.exitCode == 3 && ended.err.contains("not enough memory");
+            const bool didWithout = ended.exitCode == 0; // somebody had another way
+            QVERIFY2(said || didWithout,
+                     qPrintable(
+                         QString("request %1: code %2, %3").arg(request).arg(ended.exitCode).arg(ended.err)));
+            failed += said ? 1 : 0;
+        }
+        QVERIFY(failed >= 5);
+    }
+
+    void anInterruptEndsARunWithinItsFrame_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl-C") << SIGINT;
+        QTest::newRow("asked to end") << SIGTERM;
+        QTest::newRow("the terminal goes away") << SIGHUP;
+    }
+    void anInterruptEndsARunWithinItsFrame() {
+        QFETCH(int, signal);
+        // A frame of this scene takes many minutes.
+        const Ended scene = carom({"generate", "pool_break"});
+        writeFile(path("slow.sdl"), scene.out.toUtf8());
+        QProcess process;
+        process.start(CAROM_PROGRAM, {"run", path("slow.sdl"), "--substeps=1000000",
+                                      "--method=microcollisions", "--json", "--stats", path("slow.csv")});
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("slow.csv")), patience);
+        QTest::qWait(500); // into the frame
+        ::kill(static_cast<pid_t>(process.processId()), signal);
+        const Ended ended = finish(process);
+        QCOMPARE(ended.exitCode, 130);
+        const QJsonObject run = QJsonDocument::fromJson(ended.out.toUtf8()).object();
+        QCOMPARE(run["frames"].toInt(-1), 0);
+        QVERIFY(run["state_hash"].isNull());
+        QVERIFY(readFile(path("slow.csv")).startsWith("frame,time"));
+    }
+
+    void nohupIsHeeded() {
+        QProcess process;
+        process.start("/bin/sh", {"-c", "trap '' HUP; exec '" CAROM_PROGRAM "' run " + scene() +
+                                            " -n 1000000000 --stats " + path("s.csv")});
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > 1000, patience);
+        ::kill(static_cast<pid_t>(process.processId()), SIGHUP);
+        const qint64 size = QFileInfo(path("s.csv")).size();
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > size + 100'000, patience); // it goes on
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QCOMPARE(finish(process).exitCode, 130);
+    }
+
+    void whatAStudyHasMeasuredOutlivesAKill_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("accuracy") << QStringList{"study", "accuracy", "{}", "--runs=1000"} << "accuracy.csv";
+        QTest::newRow("stability") << QStringList{"study", "stability"} << "stability.csv";
+        QTest::newRow("bench") << QStringList{"bench", "--frames=30"} << "performance.csv";
+    }
+    void whatAStudyHasMeasuredOutlivesAKill() {
+        QFETCH(QStringList, words);
+        QFETCH(QString, file);
+        words.replaceInStrings("{}", scene());
+        QProcess process;
+        process.start(CAROM_PROGRAM, words + QStringList{"-o", m_folder->path()});
+        const auto rows = [&] { return linesOf(QString::fromUtf8(readFile(path(qPrintable(file))))); };
+        QTRY_VERIFY_WITH_TIMEOUT(rows().size() > 3, patience);
+        process.kill();
+        process.waitForFinished();
+        QVERIFY(rows().size() > 3);
+        for (const QString& row : rows()) QVERIFY2(!row.isEmpty(), "half a row");
+    }
+
+  private:
+    QString path(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
+    QString scene() const { return path("ball.sdl"); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+} // namespace carom::test
+
+CAROM_TEST_WITH(QCoreApplication, faults_test, carom::test::FaultsTest)
+#include "faults_test.moc"
