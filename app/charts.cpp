@@ -2,13 +2,12 @@
 #include "app/charts.h"
 
 #include "app/errors.h"
+#include "app/qt_messages.h"
 #include "ui/widgets/accuracy_chart.h"
 #include "ui/widgets/benchmark_charts.h"
 #include "ui/widgets/gas_charts.h"
 
 #include <QApplication>
-
-#include <cerrno>
 
 namespace carom {
 namespace {
@@ -18,12 +17,14 @@ void needApplication() {
     static int count = 3;
     static char program[] = "carom", option[] = "-platform", platform[] = "offscreen";
     static char* words[] = {program, option, platform, nullptr};
+    quietQt();
     static const QApplication application(count, words);
 }
 
 void drawInto(const ChartSpec& chart, const QString& path) {
     needApplication();
-    if (!writeChart(chart, path).isEmpty()) throw FileError("cannot write", path.toStdString(), EIO);
+    const QString problem = writeChart(chart, path);
+    if (!problem.isEmpty()) throw FileError(problem.toStdString());
 }
 
 void draw(const std::vector<NamedChart>& charts, const std::string& folder) {

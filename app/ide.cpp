@@ -4,8 +4,10 @@
 #include "app/errors.h"
 #include "app/files.h"
 #include "app/picture.h"
+#include "app/qt_messages.h"
 #include "app/timed_session.h"
 #include "app/version.h"
+#include "ui/base/failures.h"
 #include "ui/simulation/simulation.h"
 #include "ui/window/help_commands.h"
 #include "ui/window/main_window.h"
@@ -45,10 +47,11 @@ std::optional<QString> openScene(const Workbench& workbench, const std::string& 
 } // namespace
 
 int runIde(const IdeRequest& request) {
+    quietQt();
     std::string program = request.program;
     char* arguments[] = {program.data(), nullptr};
     int argumentCount = 1;
-    QApplication application(argumentCount, arguments);
+    Application application(argumentCount, arguments);
     describeApplication();
     installTranslation(application, Settings().language());
     if (request.picture) return savePicture(*request.scene, *request.picture);

@@ -5,6 +5,7 @@
 #include "app/files.h"
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
+#include "ui/base/file_output.h"
 #include "ui/viewport/viewport.h"
 
 #include <QCoreApplication>
@@ -15,6 +16,7 @@ namespace carom {
 namespace {
 
 constexpr int settleTime = 700; // [ms] until the viewport has drawn the smooth picture of a scene at rest
+constexpr int mostLooks = 90;   // at whether it has: a minute
 
 } // namespace
 
@@ -28,14 +30,29 @@ int savePicture(const std::string& scene, const PictureRequest& request) {
     viewport.resize(request.width, request.height);
     viewport.showPipeline(built.pipeline);
     viewport.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
+    QObject::connect(
+        &viewport, &Viewport::failed, &viewport,
+        [](const QString& problem) {
+            printError("carom: the picture cannot be drawn: " + problem.toStdString() + "\n");
+            QCoreApplication::exit(exitcode::fileError);
+        },
+        Qt::QueuedConnection); // show() may fail before the event loop runs
     viewport.show();
-    QTimer::singleShot(settleTime, &viewport, [&viewport, &request] {
-        const bool saved = viewport.shownPicture().save(QString::fromStdString(request.file), "PNG");
-        if (!saved)
-            printError("carom: cannot write `" + request.file +
-                       "`; a PNG file in a folder that exists would be right\n");
-        QCoreApplication::exit(saved ? exitcode::done : exitcode::fileError);
+    QTimer look;
+    int looks = 0;
+    QObject::connect(&look, &QTimer::timeout, &viewport, [&] {
+        const QImage picture = viewport.shownPicture();
+        if (picture.isNull() && ++looks < mostLooks) return; // a slow machine
+        if (picture.isNull()) {
+            printError("carom: the picture cannot be drawn: OpenGL has drawn nothing\n");
+            QCoreApplication::exit(exitcode::fileError);
+            return;
+        }
+        const QString problem = saveImage(QString::fromStdString(request.file), picture);
+        if (!problem.isEmpty()) printError("carom: " + problem.toStdString() + "\n");
+        QCoreApplication::exit(problem.isEmpty() ? exitcode::done : exitcode::fileError);
     });
+    look.start(settleTime);
     return QCoreApplication::exec();
 }
 

@@ -4,6 +4,7 @@
 #include "app/errors.h"
 #include "app/files.h"
 #include "core/math/statistics.h"
+#include "ui/base/file_output.h"
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -62,16 +63,21 @@ void TimedSession::leave(int exitCode) {
     if (m_left) return;
     m_left = true;
     const bool saved = !m_screenshot || saveWindow(m_workbench, *m_screenshot);
-    printOut("[ms]        frames     first      mean    median       p95       p99       max\n");
-    printRow("simulate", m_simulate);
-    printRow("render", m_render);
-    QCoreApplication::exit(saved ? exitCode : exitcode::fileError);
+    try { // Qt's event loop, which calls this, lets no exception through
+        printOut("[ms]        frames     first      mean    median       p95       p99       max\n");
+        printRow("simulate", m_simulate);
+        printRow("render", m_render);
+        QCoreApplication::exit(saved ? exitCode : exitcode::fileError);
+    } catch (const FileError& error) {
+        if (!error.isBrokenPipe()) printError(std::string("carom: ") + error.what() + "\n");
+        QCoreApplication::exit(exitcode::fileError);
+    }
 }
 
 bool saveWindow(const Workbench& workbench, const std::string& path) {
-    if (workbench.window().grab().save(QString::fromStdString(path), "PNG")) return true;
-    printError("carom: cannot write `" + path + "`; a PNG file in a folder that exists would be right\n");
-    return false;
+    const QString problem = saveImage(QString::fromStdString(path), workbench.window().grab().toImage());
+    if (!problem.isEmpty()) printError("carom: " + problem.toStdString() + "\n");
+    return problem.isEmpty();
 }
 
 } // namespace carom

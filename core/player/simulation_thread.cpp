@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 namespace carom {
@@ -40,14 +43,36 @@ void SimulationThread::post(SimulationCommand command) {
 
 void SimulationThread::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        const std::list<SimulationCommand> next = nextCommand(stop);
-        if (!next.empty()) {
-            std::visit([this](const auto& c) { execute(c); }, next.front());
-            continue;
+        try {
+            act(stop);
+        } catch (const std::bad_alloc&) {
+            giveUp(StopCause::Memory);
+        } catch (const std::length_error&) { // an array longer than any memory
+            giveUp(StopCause::Memory);
+        } catch (const std::exception&) {
+            giveUp(StopCause::Error);
         }
-        const bool due = !m_speed || Clock::now() >= m_due;
-        if (m_state == RunState::Running && due && !stop.stop_requested()) advance();
     }
+}
+
+void SimulationThread::act(const std::stop_token& stop) {
+    const std::list<SimulationCommand> next = nextCommand(stop);
+    if (!next.empty()) {
+        std::visit([this](const auto& c) { execute(c); }, next.front());
+        return;
+    }
+    const bool due = !m_speed || Clock::now() >= m_due;
+    if (m_state == RunState::Running && due && !stop.stop_requested()) advance();
+}
+
+/// What is on screen stays, and the frames before can be gone back to.
+void SimulationThread::giveUp(StopCause cause) {
+    m_ghost.reset();
+    m_torn = m_world != nullptr;
+    m_state = RunState::Stopped;
+    Health health;
+    if (m_world) health.frame = m_world->state().frame;
+    m_listener.stateChanged({m_state, health, cause, m_run});
 }
 
 /// Waits for a command, or for the next frame's time while running. One command at a time: the others must be
@@ -69,16 +94,20 @@ void SimulationThread::execute(const LoadCommand& command) {
     if (command.frame > 0) {
         if (m_world && m_shown && m_ghostWanted) m_ghost = {std::move(m_world), std::move(m_recording)};
         begin(command.pipeline);
+        if (m_state == RunState::Stopped) m_state = RunState::Paused;
+        tell(); // what was said of the run before is dropped from now on
         seek(command.frame, false);
         return;
     }
     m_ghost.reset();
+    m_state = RunState::Paused; // the GUI's side knows
     begin(command.pipeline);
-    enter(RunState::Paused);
     publish(true);
 }
 
 void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
+    m_world.reset(); // its memory is the new one's
+    m_torn = false;
     m_world = std::make_unique<World>(pipeline);
     m_shown = false;
     applyBroadphase();
@@ -114,10 +143,11 @@ void SimulationThread::execute(const ResetCommand& command) {
     if (!m_world) return;
     m_run = command.run;
     m_ghost.reset();
+    m_torn = false;
     m_world->reset();
     m_watch.begin(*m_world);
     m_recording.restart(*m_world);
-    enter(RunState::Paused);
+    m_state = RunState::Paused; // the GUI's side knows
     publish(true);
 }
 
@@ -213,6 +243,9 @@ void SimulationThread::advance() {
 /// is the one that counts.
 void SimulationThread::seek(std::int64_t frame, bool showing) {
     bool broken = false;
+    if (std::exchange(m_torn, false)) // back to a whole frame first
+        m_recording.seek(*m_world, std::max(m_recording.first(), std::min(frame, m_world->state().frame - 1)),
+                         [](bool) { return true; });
     m_recording.seek(*m_world, std::max(frame, m_recording.first()), [&](bool isNew) {
         if (isNew) m_samples.push(m_run, m_world->statistics());
         if (showing) publish(false);
@@ -268,7 +301,11 @@ Ghost SimulationThread::ghost() {
 void SimulationThread::enter(RunState state) {
     if (state == m_state) return;
     m_state = state;
-    m_listener.stateChanged({state, m_world ? m_world->health() : Health{}});
+    tell();
+}
+
+void SimulationThread::tell() {
+    m_listener.stateChanged({m_state, m_world ? m_world->health() : Health{}, StopCause::Health, m_run});
 }
 
 } // namespace carom

@@ -42,9 +42,14 @@ struct BreakHit {
 
 enum class RunState : std::uint8_t { Paused, Running, Stopped };
 
+/// Why a run has stopped: its state is lost, memory has run out, or the program itself is at fault.
+enum class StopCause : std::uint8_t { Health, Memory, Error };
+
 struct RunStatus {
     RunState state = RunState::Paused;
-    Health health; ///< not finite where the state is Stopped
+    Health health; ///< not finite where the state is Stopped for its own sake
+    StopCause cause = StopCause::Health;
+    std::uint64_t run = 0; ///< of which this is said
 };
 
 struct LoadCommand {
@@ -158,6 +163,9 @@ class SimulationThread {
     void applyBroadphase();
     void publish(bool always);
     void enter(RunState state);
+    void tell();
+    void act(const std::stop_token& stop);
+    void giveUp(StopCause cause);
 
     Listener m_listener;
     Latest<PublishedSnapshot> m_snapshots;
@@ -178,6 +186,7 @@ class SimulationThread {
     std::optional<Past> m_ghost;
     BreakWatch m_watch;
     bool m_ghostWanted = true;
+    bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored
     bool m_shown = false; ///< the world has been on screen: worth being a ghost
     std::uint64_t m_run = 0;
     RunState m_state = RunState::Paused;

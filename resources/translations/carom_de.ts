@@ -207,6 +207,21 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
     </message>
 </context>
 <context>
+    <name>Failures</name>
+    <message>
+        <source>there is not enough memory for it</source>
+        <translation>dafür reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>an error inside the program: %1</source>
+        <translation>ein Fehler im Programm: %1</translation>
+    </message>
+    <message>
+        <source>an error inside the program</source>
+        <translation>ein Fehler im Programm</translation>
+    </message>
+</context>
+<context>
     <name>FrameParts</name>
     <message>
         <source>integrate</source>
@@ -306,9 +321,12 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <source>`%1` has no ending of a chart; name it .png, .svg or .pdf</source>
         <translation>„%1“ hat keine Endung eines Diagramms; richtig wäre .png, .svg oder .pdf</translation>
     </message>
+</context>
+<context>
+    <name>Save</name>
     <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+        <source>“%1” exists already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
     </message>
 </context>
 <context>
@@ -316,6 +334,10 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
     <message>
         <source>`%1` cannot be written: %2</source>
         <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>es gibt kein Bild</translation>
     </message>
 </context>
 <context>
@@ -453,6 +475,10 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
 Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
 „Untersuchen“ beginnt sie; die Simulation oben geht dabei weiter.</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -1311,6 +1337,10 @@ Die Simulation oben geht dabei weiter.</translation>
         <source>there are no single frames; compare all on this scene first</source>
         <translation>es gibt keine einzelnen Bilder; zuerst auf dieser Szene alle vergleichen</translation>
     </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
+    </message>
 </context>
 <context>
     <name>carom::BroadphaseDock</name>
@@ -1474,6 +1504,13 @@ Die Simulation oben geht dabei weiter.</translation>
     </message>
 </context>
 <context>
+    <name>carom::DifferenceView</name>
+    <message>
+        <source>The file holds this text already.</source>
+        <translation>Die Datei enthält diesen Text schon.</translation>
+    </message>
+</context>
+<context>
     <name>carom::Document</name>
     <message>
         <source>“%1” is a folder; choose a scene file in it</source>
@@ -1484,16 +1521,16 @@ Die Simulation oben geht dabei weiter.</translation>
         <translation>„%1“ kann nicht gelesen werden: %2</translation>
     </message>
     <message>
-        <source>“%1” has %2 MiB; a scene&apos;s text may have 64 MiB</source>
-        <translation>„%1“ hat %2 MiB; der Text einer Szene darf 64 MiB haben</translation>
-    </message>
-    <message>
         <source>the text has no file yet; choose a name for it</source>
         <translation>der Text hat noch keine Datei; wählen Sie einen Namen</translation>
     </message>
     <message>
-        <source>“%1” cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
+        <source>“%1” is a device or a pipe; choose a scene file</source>
+        <translation>„%1“ ist ein Gerät oder eine Pipe; wählen Sie eine Szenendatei</translation>
+    </message>
+    <message>
+        <source>“%1” has %2 MiB; a scene&apos;s text may have %3 MiB</source>
+        <translation>„%1“ hat %2 MiB; der Text einer Szene darf %3 MiB haben</translation>
     </message>
 </context>
 <context>
@@ -1597,28 +1634,12 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation>%1 neu geladen</translation>
     </message>
     <message>
-        <source>reloaded %1, which was changed outside</source>
-        <translation>%1 neu geladen; die Datei wurde außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>Changed outside</source>
-        <translation>Außerhalb geändert</translation>
-    </message>
-    <message>
-        <source>“%1” was changed by another program, and here, too. Take the file&apos;s text and give up the changes made here?</source>
-        <translation>„%1“ wurde von einem anderen Programm geändert und auch hier. Den Text der Datei nehmen und die Änderungen hier aufgeben?</translation>
-    </message>
-    <message>
         <source>Save the window as a picture</source>
         <translation>Fenster als Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be written</source>
-        <translation>„%1“ kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>%1[*] – Carom</source>
@@ -1635,6 +1656,18 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>opened %1 as a new scene</source>
         <translation>%1 als neue Szene geöffnet</translation>
+    </message>
+    <message>
+        <source>reloaded %1; Undo brings back the text before</source>
+        <translation>%1 neu geladen; Rückgängig bringt den Text davor zurück</translation>
+    </message>
+    <message>
+        <source>reloaded %1, which was changed outside; Undo brings back the text before</source>
+        <translation>%1 neu geladen, von einem anderen Programm geändert; Rückgängig bringt den Text davor zurück</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or moved outside; its text is kept here, unsaved</source>
+        <translation>%1 wurde von einem anderen Programm gelöscht oder verschoben; der Text ist hier noch da, ungespeichert</translation>
     </message>
 </context>
 <context>
@@ -1660,20 +1693,12 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist; GIF und PNG brauchen nichts</translation>
     </message>
     <message>
-        <source>`%1` cannot be written: %2</source>
-        <translation>„%1“ kann nicht geschrieben werden: %2</translation>
-    </message>
-    <message>
         <source>no folder for the pictures: %1</source>
         <translation>kein Ordner für die Bilder: %1</translation>
     </message>
     <message>
         <source>pictures of %1 × %2 pixels cannot be drawn here</source>
         <translation>Bilder von %1 × %2 Bildpunkten lassen sich hier nicht zeichnen</translation>
-    </message>
-    <message>
-        <source>`%1` cannot be written</source>
-        <translation>„%1“ kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>ffmpeg failed: %1</source>
@@ -1690,6 +1715,14 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>it was cancelled; the %1 pictures made so far stay</source>
         <translation>abgebrochen; die %1 bis dahin gemachten Bilder bleiben</translation>
+    </message>
+    <message>
+        <source>a GIF shows %1 pictures a second at most</source>
+        <translation>ein GIF zeigt höchstens %1 Bilder in der Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 pictures are too many; up to %2 can be numbered</source>
+        <translation>%1 Bilder sind zu viele; bis zu %2 lassen sich nummerieren</translation>
     </message>
 </context>
 <context>
@@ -1730,28 +1763,40 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <source>not found</source>
         <translation>nicht gefunden</translation>
     </message>
-    <message>
-        <source>1 match</source>
-        <translation>1 Fundstelle</translation>
-    </message>
-    <message>
-        <source>%1 matches</source>
-        <translation>%1 Fundstellen</translation>
-    </message>
-    <message>
-        <source>%1; went on from the top</source>
-        <translation>%1; oben weitergesucht</translation>
-    </message>
-    <message>
-        <source>%1; went on from the end</source>
-        <translation>%1; unten weitergesucht</translation>
-    </message>
     <message numerus="yes">
         <source>%n replaced</source>
         <translation>
             <numerusform>%n ersetzt</numerusform>
             <numerusform>%n ersetzt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>no regular expression: %1</source>
+        <translation>kein regulärer Ausdruck: %1</translation>
+    </message>
+    <message>
+        <source>; went on from the top</source>
+        <translation>; oben fortgesetzt</translation>
+    </message>
+    <message>
+        <source>; went on from the end</source>
+        <translation>; am Ende fortgesetzt</translation>
+    </message>
+    <message>
+        <source>counting…</source>
+        <translation>zählt…</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>%1 gefunden</translation>
     </message>
 </context>
 <context>
@@ -2065,6 +2110,41 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
 </context>
 <context>
+    <name>carom::OutsideDialog</name>
+    <message>
+        <source>Changed by another program</source>
+        <translation>Von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1” since it was read. Saving replaces its text; the lines that differ are marked.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert, seit es gelesen wurde. Speichern ersetzt dessen Text; die unterschiedlichen Zeilen sind markiert.</translation>
+    </message>
+    <message>
+        <source>Another program has changed “%1”, and so have you. The lines that differ are marked; what you take can be undone.</source>
+        <translation>Ein anderes Programm hat „%1“ geändert, und Sie auch. Die unterschiedlichen Zeilen sind markiert; was Sie übernehmen, lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>What this text changes in the file</source>
+        <translation>Was dieser Text in der Datei ändert</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep this text</source>
+        <translation>Diesen Text &amp;behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Take the file&apos;s text</source>
+        <translation>Text der &amp;Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save this text</source>
+        <translation>Diesen Text &amp;speichern</translation>
+    </message>
+</context>
+<context>
     <name>carom::PictureCommands</name>
     <message>
         <source>Save the view</source>
@@ -2085,10 +2165,6 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>saved %1</source>
         <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be written</source>
-        <translation>„%1“ kann nicht geschrieben werden</translation>
     </message>
     <message>
         <source>Record a film</source>
@@ -2293,10 +2369,6 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>A key that belongs to another command is taken from it.</source>
-        <translation>Eine Taste, die einem anderen Befehl gehört, wird ihm genommen.</translation>
-    </message>
-    <message>
         <source>Keys of “%1”</source>
         <translation>Tasten von „%1“</translation>
     </message>
@@ -2359,6 +2431,10 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>This changes at the next start. What is drawn is the same.</source>
         <translation>Das gilt ab dem nächsten Start. Gezeichnet wird dasselbe.</translation>
+    </message>
+    <message>
+        <source>A key that belongs to another command is taken from it; those of the panels, Alt and a digit, stay theirs.</source>
+        <translation>Eine Taste, die einem anderen Befehl gehört, wird ihm genommen; die der Felder, Alt und eine Ziffer, bleiben ihnen.</translation>
     </message>
 </context>
 <context>
@@ -2442,10 +2518,6 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
         <source>Ask me &amp;later</source>
         <translation>&amp;Später fragen</translation>
     </message>
-    <message>
-        <source>The file holds this text already.</source>
-        <translation>Die Datei enthält diesen Text schon.</translation>
-    </message>
 </context>
 <context>
     <name>carom::RenameBox</name>
@@ -2499,6 +2571,14 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     <message>
         <source>%1 bodies, %2</source>
         <translation>%1 Körper, %2</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1: there is not enough memory for it</source>
+        <translation>Angehalten bei Bild %1: dafür reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 by an error inside the program</source>
+        <translation>Angehalten bei Bild %1 durch einen Fehler im Programm</translation>
     </message>
 </context>
 <context>
@@ -2702,6 +2782,10 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     <message>
         <source>hard cases: %1</source>
         <translation>harte Fälle: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -2965,6 +3049,34 @@ ein Haltepunkt traf zu</translation>
     <message>
         <source>selected: %1</source>
         <translation>gewählt: %1</translation>
+    </message>
+    <message>
+        <source>%1 should hold unsaved text and cannot be read; it stays where it is</source>
+        <translation>%1 sollte ungespeicherten Text enthalten und lässt sich nicht lesen; die Datei bleibt, wo sie ist</translation>
+    </message>
+    <message>
+        <source>Unsaved text was found that cannot be read; the Output panel says where it is</source>
+        <translation>Ungespeicherter Text wurde gefunden, der sich nicht lesen lässt; das Feld „Ausgabe“ nennt den Ort</translation>
+    </message>
+    <message>
+        <source>Unsaved text is not kept: %1</source>
+        <translation>Ungespeicherter Text wird nicht gesichert: %1</translation>
+    </message>
+    <message>
+        <source>unsaved text is kept again</source>
+        <translation>ungespeicherter Text wird wieder gesichert</translation>
+    </message>
+    <message>
+        <source>unsaved text cannot be kept for the case of a crash: %1</source>
+        <translation>ungespeicherter Text lässt sich für den Fall eines Absturzes nicht sichern: %1</translation>
+    </message>
+    <message>
+        <source>the text was not built: %1</source>
+        <translation>der Text wurde nicht übersetzt: %1</translation>
+    </message>
+    <message>
+        <source>that failed: %1</source>
+        <translation>das ist fehlgeschlagen: %1</translation>
     </message>
 </context>
 </TS>

@@ -7,7 +7,8 @@
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/failures.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
 #include <QApplication>
@@ -220,7 +221,18 @@ void AccuracyDock::startOrStop() {
     m_state->setText(tr("looking for the truth"));
     updateControls();
     m_thread = std::jthread([this, known, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
-        run(stop, build, plan, known);
+        const QString problem = attempt([&] { run(stop, build, plan, known); });
+        if (problem.isEmpty()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, problem] {
+                m_thread.join();
+                m_running = false;
+                updateControls();
+                m_state->setText(tr("Stopped: %1").arg(problem));
+                Q_EMIT reported(m_state->text());
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -271,9 +283,7 @@ void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
     m_state->setText(study.complete ? sentence : tr("Stopped. %1").arg(sentence));
     m_point->setText(QString::fromStdString(yardstickOf(study)) + tr("\n\nClick a point to choose it."));
     Q_EMIT reported(tr("accuracy of %1 studied in %2 s: %3")
-                        .arg(m_studiedName)
-                        .arg(seconds, 0, 'f', 1)
-                        .arg(m_state->text()));
+                        .arg(m_studiedName, QString::number(seconds, 'f', 1), m_state->text()));
 }
 
 void AccuracyDock::showChart() {
@@ -304,8 +314,8 @@ QString AccuracyDock::exportTo(const QString& path) const {
         "carom", QApplication::applicationVersion().toStdString(),
         (QSysInfo::prettyProductName() + QStringLiteral(", ") + QSysInfo::currentCpuArchitecture())
             .toStdString()};
-    return writeText(path, QByteArray::fromStdString(
-                               pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin)));
+    return saveFile(path, QByteArray::fromStdString(
+                              pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin)));
 }
 
 void AccuracyDock::askForExport(const QString& ending) {

@@ -6,7 +6,8 @@
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/failures.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 #include "ui/widgets/value_table.h"
 
@@ -140,7 +141,18 @@ void BroadphaseComparison::startOrStop() {
     m_compared = generated ? nullptr : m_pipeline;
     const Remaining remaining = generated ? Remaining::Unknown : Remaining::Foreseeable;
     m_thread = std::jthread([this, study = chosenStudy(), remaining](const std::stop_token& stop) {
-        run(stop, study, remaining);
+        const QString problem = attempt([&] { run(stop, study, remaining); });
+        if (problem.isEmpty()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, problem] {
+                m_thread.join();
+                m_running = false;
+                updateControls();
+                m_state->setText(tr("Stopped: %1").arg(problem));
+                Q_EMIT reported(m_state->text());
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -236,7 +248,7 @@ void BroadphaseComparison::showChart() {
 QString BroadphaseComparison::exportTo(const QString& path) const {
     if (!m_result || m_result->points.empty())
         return tr("nothing was compared yet; choose Compare all first");
-    if (isCsv(path)) return writeText(path, pointsAsCsv(*m_result));
+    if (isCsv(path)) return saveFile(path, pointsAsCsv(*m_result));
     if (m_chart->currentIndex() < 0) return tr("there is no chart of so few figures");
     return writeChart(m_charts[static_cast<std::size_t>(m_chart->currentIndex())].chart, path);
 }
@@ -244,7 +256,7 @@ QString BroadphaseComparison::exportTo(const QString& path) const {
 QString BroadphaseComparison::exportFramesTo(const QString& path) const {
     if (!m_result || m_result->traces.empty())
         return tr("there are no single frames; compare all on this scene first");
-    return writeText(path, tracesAsCsv(*m_result));
+    return saveFile(path, tracesAsCsv(*m_result));
 }
 
 void BroadphaseComparison::askForExport(const QString& ending,

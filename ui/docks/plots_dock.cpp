@@ -6,7 +6,7 @@
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
 #include <QComboBox>
@@ -186,7 +186,7 @@ QString PlotsDock::writeCsv(const QString& path) const {
         for (const Curve& curve : m_curves) table.add(curve.figures[k]);
         table.endRow();
     }
-    return writeText(path, table.take());
+    return saveFile(path, table.take());
 }
 
 QString PlotsDock::exportTo(const QString& path) const {

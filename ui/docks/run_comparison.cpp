@@ -5,7 +5,7 @@
 #include "core/math/statistics.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/timing_strip.h"
 #include "ui/widgets/value_table.h"
 
@@ -159,7 +159,7 @@ QString RunComparison::writeCsv(const QString& path) const {
             table.endRow();
         }
     }
-    return writeText(path, table.take());
+    return saveFile(path, table.take());
 }
 
 QString RunComparison::exportTo(const QString& path) const {

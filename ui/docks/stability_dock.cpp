@@ -3,7 +3,8 @@
 
 #include "core/study/stability_report.h"
 #include "ui/widgets/export_menu.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/failures.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
 #include <QCheckBox>
@@ -134,7 +135,20 @@ void StabilityDock::run(std::vector<const HardCase*> cases) {
     m_progress->setValue(0);
     m_running = true;
     updateControls();
-    m_thread = std::jthread([this, plan](const std::stop_token& stop) { work(stop, plan); });
+    m_thread = std::jthread([this, plan](const std::stop_token& stop) {
+        const QString problem = attempt([&] { work(stop, plan); });
+        if (problem.isEmpty()) return;
+        QMetaObject::invokeMethod(
+            this,
+            [this, problem] {
+                m_thread.join();
+                m_running = false;
+                updateControls();
+                m_state->setText(tr("Stopped: %1").arg(problem));
+                Q_EMIT reported(m_state->text());
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
@@ -209,7 +223,7 @@ QString StabilityDock::exportTo(const QString& path) const {
     const std::string version = QCoreApplication::applicationVersion().toStdString();
     const QString machine =
         QSysInfo::prettyProductName() + QLatin1Char(' ') + QSysInfo::currentCpuArchitecture();
-    return writeText(path, figuresAsCsv(m_study, {"carom, Stability panel", version, machine.toStdString()}));
+    return saveFile(path, figuresAsCsv(m_study, {"carom, Stability panel", version, machine.toStdString()}));
 }
 
 void StabilityDock::askForExport() {

@@ -6,7 +6,7 @@
 #include "ui/docks/run_comparison.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
-#include "ui/widgets/text_file.h"
+#include "ui/base/file_output.h"
 #include "ui/widgets/value_table.h"
 
 #include <QHBoxLayout>
@@ -226,7 +226,7 @@ QString TimingDock::writeCsv(const QString& path) const {
         text += statisticsRow(sample.statistics);
         text += "," + shortest(sample.render) + "\n";
     }
-    return writeText(path, text);
+    return saveFile(path, text);
 }
 
 QString TimingDock::exportTo(const QString& path) const {

@@ -194,7 +194,7 @@ bool DiagnosticMarks::applyFixIt(std::int64_t revision) {
     const Diagnostic* diagnostic = fixableAtCaret();
     if (diagnostic == nullptr) return false;
     const TextEdit edit = diagnostic->fixIt->edit;
-    m_editor.replaceRange(edit.range, QByteArray::fromStdString(edit.text));
+    m_editor.replaceRange(edit.range, m_editor.withLineEnds(QByteArray::fromStdString(edit.text)));
     return true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/find_bar.h"
 
+#include "ui/base/failures.h"
+
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -10,10 +12,16 @@
 #include <QPushButton>
 #include <QStyle>
 
+#include <algorithm>
+#include <utility>
+
 namespace carom {
 namespace {
 
 using Sci = QsciScintillaBase;
+
+constexpr int matchIndicator = 14; // below it are those of snippets and diagnostics
+constexpr int markOpacity = 70;    // [0..255]
 
 QLineEdit* field(const QString& placeholder, QWidget* parent) {
     QLineEdit* edit = new QLineEdit(parent);
@@ -24,6 +32,18 @@ QLineEdit* field(const QString& placeholder, QWidget* parent) {
 }
 
 } // namespace
+
+int replaceAllMatches(SceneEditor& editor, const SearchQuery& query, const QString& replacement) {
+    const TextSearch search(query);
+    const QByteArray text = editor.bytes();
+    const std::vector<SourceRange> matches = search.all(text, [] { return true; });
+    editor.send(Sci::SCI_BEGINUNDOACTION);
+    // From the end, so that places stay where they are.
+    for (auto match = matches.rbegin(); match != matches.rend(); ++match)
+        editor.replaceRange(*match, editor.withLineEnds(search.replacementOf(text, *match, replacement)));
+    editor.send(Sci::SCI_ENDUNDOACTION);
+    return static_cast<int>(matches.size());
+}
 
 FindBar::FindBar(SceneEditor& editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_find(field(tr("Find"), this)),
@@ -63,6 +83,19 @@ FindBar::FindBar(SceneEditor& editor, QWidget* parent)
     m_find->setObjectName(QStringLiteral("find"));
     m_replace->setObjectName(QStringLiteral("replace"));
     hide();
+
+    connect(&editor, &SceneEditor::textChanged, this, &FindBar::forgetMatches);
+    m_counter.setMaxThreadCount(1);
+    editor.send(Sci::SCI_INDICSETSTYLE, matchIndicator, Sci::INDIC_ROUNDBOX);
+    editor.send(Sci::SCI_INDICSETUNDER, matchIndicator, 1);
+    const QColor mark = palette().color(QPalette::Highlight);
+    editor.send(Sci::SCI_INDICSETFORE, matchIndicator, mark.red() | mark.green() << 8 | mark.blue() << 16);
+    editor.send(Sci::SCI_INDICSETALPHA, matchIndicator, markOpacity);
+}
+
+FindBar::~FindBar() {
+    if (m_counting) *m_counting = false;
+    m_counter.waitForDone();
 }
 
 void FindBar::activate() {
@@ -112,39 +145,122 @@ void FindBar::search(std::int64_t from, bool forward) {
         activate();
         return;
     }
-    const std::int64_t length = m_editor.send(Sci::SCI_GETLENGTH);
-    std::optional<SourceRange> match = findMatch(m_editor, query(), from, forward ? length : 0);
+    const TextSearch search(query());
+    if (!search.problem().isEmpty()) {
+        forgetMatches();
+        say(tr("no regular expression: %1").arg(search.problem()), true);
+        return;
+    }
+    const QByteArray text = m_editor.bytes();
+    const auto look = [&](std::int64_t place) {
+        return forward ? search.next(text, place) : search.previous(text, place);
+    };
+    std::optional<SourceRange> match = look(from);
+    // An empty match where one is already: the next one.
+    const SourceRange here = selection();
+    if (match && match->length == 0 && match->offset == here.offset && here.length == 0)
+        match = forward ? look(from + 1) : from > 0 ? look(from - 1) : std::nullopt;
     const bool wrapped = !match;
-    if (wrapped) match = findMatch(m_editor, query(), forward ? 0 : length, forward ? length : 0);
+    if (wrapped) match = look(forward ? 0 : text.size());
     if (!match) {
+        forgetMatches();
         say(tr("not found"), true);
         return;
     }
+    m_wrapped = !wrapped ? QString() : forward ? tr("; went on from the top") : tr("; went on from the end");
     m_editor.reveal(*match);
-    const int matches = countMatches(m_editor, query());
-    const QString count = matches == 1 ? tr("1 match") : tr("%1 matches").arg(matches);
-    say(!wrapped  ? count
-        : forward ? tr("%1; went on from the top").arg(count)
-                  : tr("%1; went on from the end").arg(count));
+    if (m_matches.empty() || !(m_counted == query()))
+        count(text);
+    else
+        sayWhich();
+}
+
+void FindBar::count(const QByteArray& text) {
+    constexpr qsizetype countedAtOnce = 256 * 1024; // [bytes]
+    forgetMatches();
+    m_counted = query();
+    if (text.size() <= countedAtOnce) {
+        take(TextSearch(m_counted).all(text, [] { return true; }));
+        return;
+    }
+    say(tr("counting…"));
+    m_counting = std::make_shared<std::atomic<bool>>(true);
+    m_counter.start([this, text, wanted = query(), goOn = m_counting] {
+        std::vector<SourceRange> found;
+        const QString problem =
+            attempt([&] { found = TextSearch(wanted).all(text, [&goOn] { return goOn->load(); }); });
+        QMetaObject::invokeMethod(
+            this,
+            [this, goOn, problem, found] {
+                if (goOn != m_counting) return; // of another text or query
+                if (problem.isEmpty())
+                    take(found);
+                else
+                    say(problem, true);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void FindBar::take(std::vector<SourceRange> matches) {
+    m_counting.reset();
+    m_matches = std::move(matches);
+    m_editor.send(Sci::SCI_SETINDICATORCURRENT, matchIndicator);
+    for (const SourceRange match : m_matches)
+        if (match.length > 0) m_editor.send(Sci::SCI_INDICATORFILLRANGE, match.offset, match.length);
+    sayWhich();
+}
+
+void FindBar::forgetMatches() {
+    if (m_counting) *m_counting = false;
+    m_counting.reset();
+    if (m_matches.empty()) return;
+    m_matches.clear();
+    m_editor.send(Sci::SCI_SETINDICATORCURRENT, matchIndicator);
+    m_editor.send(Sci::SCI_INDICATORCLEARRANGE, 0, m_editor.send(Sci::SCI_GETLENGTH));
+}
+
+/// "2 of 5", where the selection is one of them.
+void FindBar::sayWhich() {
+    const SourceRange here = selection();
+    const auto found = std::lower_bound(m_matches.begin(), m_matches.end(), here,
+                                        [](SourceRange a, SourceRange b) { return a.offset < b.offset; });
+    const bool isOne =
+        found != m_matches.end() && found->offset == here.offset && found->length == here.length;
+    const QString all = m_matches.size() < TextSearch::mostMatches
+                            ? QString::number(m_matches.size())
+                            : tr("more than %1").arg(m_matches.size() - 1);
+    const QString which = isOne ? tr("%1 of %2").arg(QString::number(found - m_matches.begin() + 1), all)
+                                : tr("%1 found").arg(all);
+    say(which + m_wrapped);
+}
+
+SourceRange FindBar::selection() const {
+    const long begin = m_editor.send(Sci::SCI_GETSELECTIONSTART),
+               end = m_editor.send(Sci::SCI_GETSELECTIONEND);
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
 }
 
 void FindBar::searchWhileTyping() {
-    if (m_find->text().isEmpty())
+    if (m_find->text().isEmpty()) {
+        forgetMatches();
         say({});
-    else
+    } else {
         search(m_origin, true);
+    }
 }
 
 void FindBar::replaceOne() {
-    const std::int64_t begin = m_editor.send(Sci::SCI_GETSELECTIONSTART);
-    const std::int64_t end = m_editor.send(Sci::SCI_GETSELECTIONEND);
-    const std::optional<SourceRange> match = findMatch(m_editor, query(), begin, end);
-    const bool selected = match && match->offset == begin && match->end() == end;
-    if (!selected) {
+    const TextSearch search(query());
+    const QByteArray text = m_editor.bytes();
+    const SourceRange here = selection();
+    if (!search.isMatch(text, here)) {
         findNext();
         return;
     }
-    search(replaceMatch(m_editor, query(), *match, m_replace->text()), true);
+    const QByteArray written = m_editor.withLineEnds(search.replacementOf(text, here, m_replace->text()));
+    m_editor.replaceRange(here, written);
+    this->search(here.offset + written.size(), true);
 }
 
 void FindBar::replaceAll() {
@@ -154,6 +270,7 @@ void FindBar::replaceAll() {
 
 void FindBar::close() {
     hide();
+    forgetMatches();
     m_editor.setFocus();
 }
 

@@ -2,6 +2,7 @@
 #include "ui/editor/live_build.h"
 
 #include "core/base/hash.h"
+#include "ui/base/failures.h"
 
 #include <QMetaObject>
 
@@ -99,23 +100,34 @@ void LiveBuild::start() {
     stop();
     const Request request{m_text(), m_revision, m_fresh, m_threads};
     if (request.text.size() <= builtAtOnce) {
-        deliver(buildOf(request, [](double) { return true; }));
+        SharedBuild result;
+        const QString problem = attempt([&] { result = buildOf(request, [](double) { return true; }); });
+        if (problem.isEmpty())
+            deliver(result);
+        else
+            Q_EMIT failed(problem);
         return;
     }
     m_work = std::make_shared<Work>();
     m_since.lap();
     m_look.start(std::min(m_patience, lookInterval));
     m_worker.start([this, request, work = m_work] {
-        SharedBuild result = buildOf(request, [&work](double done) {
-            work->done = done;
-            return work->wanted.load();
+        SharedBuild result;
+        const QString problem = attempt([&] {
+            result = buildOf(request, [&work](double done) {
+                work->done = done;
+                return work->wanted.load();
+            });
         });
         QMetaObject::invokeMethod(
             this,
-            [this, work, result] {
+            [this, work, result, problem] {
                 if (work != m_work) return; // overtaken or cancelled
                 stop();
-                deliver(result);
+                if (problem.isEmpty())
+                    deliver(result);
+                else
+                    Q_EMIT failed(problem);
             },
             Qt::QueuedConnection);
     });

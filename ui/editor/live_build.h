@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <QString>
 #include <QThreadPool>
 #include <QTimer>
 
@@ -68,6 +69,8 @@ class LiveBuild : public QObject {
     void ended();
     /// By cancel(), and there was a build.
     void cancelled();
+    /// The build ended by an exception: memory ran out. What was built before stays.
+    void failed(const QString& problem);
 
   private:
     /// What the thread that builds and the GUI's share.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/number_scrubber.h"
 
+#include "ui/base/keys.h"
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -36,7 +38,8 @@ bool NumberScrubber::take(std::uint32_t offset) {
     const QByteArray text = m_editor.bytes();
     const std::optional<NumberAt> number = numberAt(analyse(text.toStdString()), offset);
     if (!number) return false;
-    m_grip = Grip{*number, text.mid(number->range.offset, number->range.length)};
+    const QByteArray literal = text.mid(number->range.offset, number->range.length);
+    m_grip = Grip{*number, literal, literal};
     m_editor.send(Sci::SCI_BEGINUNDOACTION);
     return true;
 }
@@ -54,8 +57,14 @@ void NumberScrubber::turnTo(std::int64_t steps) {
     if (!turnedText) return;
     const QByteArray literal = QByteArray::fromStdString(*turnedText);
     SourceRange& range = m_grip->number.range;
-    if (m_editor.bytes().mid(range.offset, range.length) == literal) return;
+    const QByteArray there = m_editor.bytesOf(range);
+    if (there != m_grip->written) { // somebody else has changed the text: never write over something else
+        letGo();
+        return;
+    }
+    if (there == literal) return;
     m_editor.replaceRange(range, literal);
+    m_grip->written = literal;
     range.length = static_cast<std::uint32_t>(literal.size());
     m_editor.send(Sci::SCI_SETEMPTYSELECTION, range.end());
     Q_EMIT turned();
@@ -71,9 +80,13 @@ void NumberScrubber::letGo() {
 
 bool NumberScrubber::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_editor) {
-        // Whatever else happens to the text is an undo step of its own.
-        const bool leaves = event->type() == QEvent::KeyPress || event->type() == QEvent::FocusOut;
-        if (leaves && !m_dragging) letGo();
+        // Whatever else happens to the text is an undo step of its own: a key, which as a shortcut comes only
+        // as ShortcutOverride, or nothing to type into.
+        if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+            if (!isModifierKey(static_cast<QKeyEvent&>(*event).key())) letGo();
+        } else if (event->type() == QEvent::FocusOut || event->type() == QEvent::Hide) {
+            letGo();
+        }
         return false;
     }
     switch (event->type()) {
@@ -114,8 +127,9 @@ bool NumberScrubber::wheel(const QWheelEvent& event) {
     const QPoint place = event.position().toPoint();
     const std::uint32_t offset =
         static_cast<std::uint32_t>(m_editor.send(Sci::SCI_POSITIONFROMPOINT, place.x(), place.y()));
-    const bool sameNumber =
-        m_grip && offset >= m_grip->number.range.offset && offset <= m_grip->number.range.end() + 1;
+    const bool sameNumber = m_grip && offset >= m_grip->number.range.offset &&
+                            offset <= m_grip->number.range.end() + 1 &&
+                            m_editor.bytesOf(m_grip->number.range) == m_grip->written;
     if (!sameNumber) {
         letGo();
         if (!takeUnder(place)) return true; // Alt+wheel elsewhere does nothing rather than scroll

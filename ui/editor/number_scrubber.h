@@ -37,6 +37,7 @@ class NumberScrubber : public QObject {
     struct Grip {
         NumberAt number;     ///< its range is kept up to date
         QByteArray original; ///< the literal when it was taken hold of
+        QByteArray written;  ///< what stands there now
     };
 
     bool take(std::uint32_t offset);

@@ -211,8 +211,24 @@ void SceneEditor::toggleComment() {
 }
 
 void SceneEditor::replaceRange(SourceRange range, const QByteArray& text) {
+    static const QByteArray byteOrderMark("\xEF\xBB\xBF");
+    const std::uint32_t marked = static_cast<std::uint32_t>(byteOrderMark.size());
+    if (range.offset == 0 && range.length == 0 && bytesOf({0, marked}) == byteOrderMark)
+        range.offset = marked;
     send(SCI_SETTARGETRANGE, range.offset, range.end());
     SendScintilla(SCI_REPLACETARGET, static_cast<uintptr_t>(text.size()), text.constData());
+}
+
+QByteArray SceneEditor::withLineEnds(QByteArray text) const {
+    text.replace("\r\n", "\n");
+    if (eolMode() == EolUnix) return text;
+    return text.replace("\n", eolMode() == EolWindows ? "\r\n" : "\r");
+}
+
+QByteArray SceneEditor::bytesOf(SourceRange range) const {
+    const std::int64_t length = send(SCI_GETLENGTH), begin = std::min<std::int64_t>(range.offset, length);
+    const std::int64_t count = std::min<std::int64_t>(range.length, length - begin);
+    return QByteArray(reinterpret_cast<const char*>(send(SCI_GETRANGEPOINTER, begin, count)), count);
 }
 
 QByteArray SceneEditor::bytes() const {
@@ -253,6 +269,24 @@ void SceneEditor::markSaved() {
 void SceneEditor::markUnsaved() {
     m_neverSaved = true;
     Q_EMIT savedStateChanged(true);
+}
+
+void SceneEditor::exchangeBytes(const QByteArray& bytes) {
+    // Only what differs: caret, folds and marks elsewhere stay as they are.
+    const QByteArray before = this->bytes();
+    const auto common = [](auto a, auto aEnd, auto b, auto bEnd) {
+        return std::mismatch(a, aEnd, b, bEnd).first - a;
+    };
+    const std::int64_t head = common(before.begin(), before.end(), bytes.begin(), bytes.end());
+    const std::int64_t tail =
+        common(before.rbegin(), before.rend() - head, bytes.rbegin(), bytes.rend() - head);
+    const QByteArray middle = bytes.mid(head, bytes.size() - head - tail);
+    send(SCI_BEGINUNDOACTION);
+    send(SCI_SETTARGETRANGE, head, before.size() - tail);
+    SendScintilla(SCI_REPLACETARGET, static_cast<uintptr_t>(middle.size()), middle.constData());
+    send(SCI_ENDUNDOACTION);
+    setEolMode(lineEndOf(bytes));
+    markSaved();
 }
 
 long SceneEditor::send(unsigned int message, std::int64_t a, std::int64_t b) const {

@@ -40,14 +40,19 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     /// Tints the lines of a declaration; an empty range clears.
     void markDeclaration(SourceRange range);
     void toggleComment();
-    /// One undo step.
+    /// One undo step. Nothing goes before a byte order mark.
     void replaceRange(SourceRange range, const QByteArray& text);
+    /// A text of our own making, with its line ends as the scene has them.
+    QByteArray withLineEnds(QByteArray text) const;
+    /// What stands there; less where the text ends before.
+    QByteArray bytesOf(SourceRange range) const;
 
     QByteArray bytes() const override;
     void setBytes(const QByteArray& bytes) override;
     bool differsFromSaved() const override { return m_neverSaved || isModified(); }
     void markSaved() override;
     void markUnsaved() override;
+    void exchangeBytes(const QByteArray& bytes) override;
 
     long send(unsigned int message, std::int64_t a = 0, std::int64_t b = 0) const;
 

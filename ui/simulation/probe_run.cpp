@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/simulation/probe_run.h"
 
+#include "ui/base/failures.h"
+
 #include "core/simulation/world.h"
 
 #include <QElapsedTimer>
@@ -68,16 +70,19 @@ void ProbeRun::work(const std::shared_ptr<Job>& job) {
             Qt::QueuedConnection);
         sinceDelivery.restart();
     };
-    if (!job->world) {
-        job->world = std::make_unique<World>(job->pipeline);
-        job->world->keepLedger(job->probes.needLedger());
-        measure();
-    }
-    while (!job->abandoned && job->hasMore()) {
-        job->world->step();
-        if (job->world->health().finite) measure();
-        if (sinceDelivery.elapsed() > deliverAfter) pass(false);
-    }
+    const QString problem = attempt([&] {
+        if (!job->world) {
+            job->world = std::make_unique<World>(job->pipeline);
+            job->world->keepLedger(job->probes.needLedger());
+            measure();
+        }
+        while (!job->abandoned && job->hasMore()) {
+            job->world->step();
+            if (job->world->health().finite) measure();
+            if (sinceDelivery.elapsed() > deliverAfter) pass(false);
+        }
+    });
+    if (!problem.isEmpty()) job->abandoned = true; // the curves end where memory did
     pass(true);
 }
 

@@ -17,6 +17,7 @@ Simulation::Simulation(QObject* parent)
                                      QMetaObject::invokeMethod(
                                          this,
                                          [this, status] {
+                                             if (status.run != m_run) return; // of a scene loaded over
                                              m_status = status;
                                              Q_EMIT stateChanged(status);
                                          },
@@ -47,7 +48,14 @@ void Simulation::load(std::shared_ptr<const Pipeline> pipeline) {
     m_underWay = false;
     m_time = 0;
     m_thread.post(LoadCommand{m_pipeline, ++m_run, 0});
+    rest();
     Q_EMIT restarted();
+}
+
+/// A run that begins anew waits; what is still said of the one before is dropped.
+void Simulation::rest() {
+    const RunState before = std::exchange(m_status, {.health = {}, .run = m_run}).state;
+    if (before != RunState::Paused) Q_EMIT stateChanged(m_status);
 }
 
 void Simulation::exchange(std::shared_ptr<const Pipeline> pipeline) {
@@ -96,6 +104,7 @@ void Simulation::reset() {
     m_underWay = false;
     m_time = 0;
     m_thread.post(ResetCommand{++m_run});
+    rest();
     Q_EMIT restarted();
 }
 

@@ -79,6 +79,7 @@ class Simulation : public QObject {
     void framesArrived(const std::vector<carom::FrameStatistics>& frames);
 
   private:
+    void rest();
     void collect();
     void show(const PublishedSnapshot& published);
 

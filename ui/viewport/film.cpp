@@ -2,6 +2,8 @@
 #include "ui/viewport/film.h"
 
 #include "core/simulation/world.h"
+#include "ui/base/failures.h"
+#include "ui/base/file_output.h"
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/gif_writer.h"
 
@@ -10,39 +12,52 @@
 #include <QImage>
 #include <QMetaObject>
 #include <QProcess>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 namespace carom {
 namespace {
 
+constexpr int mostPictures = 100'000; // of five digits
+
 QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
 
 QString numbered(const QString& path, int picture) {
     const QFileInfo file(path);
-    return file.dir().filePath(
-        QStringLiteral("%1-%2.png").arg(file.completeBaseName()).arg(picture, 5, 10, QLatin1Char('0')));
+    return file.dir().filePath(file.completeBaseName() +
+                               QStringLiteral("-%1.png").arg(picture, 5, 10, QLatin1Char('0')));
 }
 
 QString encoder() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
 
 } // namespace
 
-int FilmPlan::pictures() const { return 1 + static_cast<int>(std::floor((to - from) / speed * rate + 1e-9)); }
+int FilmPlan::pictures() const {
+    const double behind = std::floor((to - from) / speed * rate + 1e-9);
+    return 1 + static_cast<int>(std::clamp(behind, 0.0, 1e9));
+}
+
+QString firstFileOf(const QString& path) {
+    return endingOf(path) == QLatin1StringView("png") ? numbered(path, 0) : path;
+}
 
 QString objectionTo(const FilmPlan& plan) {
     const QString ending = endingOf(plan.path);
     if (!plan.look.stage || !plan.look.stage->pipeline) return Film::tr("there is no scene to film");
     if (!(plan.to >= plan.from) || plan.from < 0)
         return Film::tr("a film ends after it begins, and begins at 0 s or later");
+    if (ending == QLatin1StringView("gif") && plan.rate > GifWriter::highestRate)
+        return Film::tr("a GIF shows %1 pictures a second at most").arg(GifWriter::highestRate);
+    if (plan.pictures() > mostPictures)
+        return Film::tr("%1 pictures are too many; up to %2 can be numbered")
+            .arg(plan.pictures())
+            .arg(mostPictures);
     if (ending != QLatin1StringView("gif") && ending != QLatin1StringView("mp4") &&
         ending != QLatin1StringView("png"))
         return Film::tr("`%1` has no ending of a film; name it .gif, .mp4 or .png").arg(plan.path);
@@ -59,7 +74,7 @@ struct Film::Reel {
     int painted = 0;
     std::atomic<bool> cancelled = false;
     QString ending;
-    std::unique_ptr<QSaveFile> file; ///< of a GIF
+    std::unique_ptr<OutputDevice> file; ///< of a GIF
     std::unique_ptr<GifWriter> gif;
     std::unique_ptr<QTemporaryDir> folder; ///< of an MP4 in the making, beside its place
 
@@ -80,11 +95,9 @@ struct Film::Reel {
 
 QString Film::Reel::open() {
     if (ending == QLatin1StringView("gif")) {
-        file = std::make_unique<QSaveFile>(plan.path);
-        if (!file->open(QIODevice::WriteOnly))
-            return Film::tr("`%1` cannot be written: %2").arg(plan.path, file->errorString());
-        gif = std::make_unique<GifWriter>(*file, plan.size,
-                                          std::max(2, static_cast<int>(std::lround(100 / plan.rate))));
+        file = std::make_unique<OutputDevice>(plan.path);
+        if (const QString problem = file->problem(); !problem.isEmpty()) return problem;
+        gif = std::make_unique<GifWriter>(*file, plan.size, plan.rate);
     } else if (ending == QLatin1StringView("mp4")) {
         folder = std::make_unique<QTemporaryDir>(
             QFileInfo(plan.path).dir().filePath(QStringLiteral(".carom-film-XXXXXX")));
@@ -118,29 +131,29 @@ QString Film::Reel::write(const QImage& picture) {
     const int number = painted++;
     if (gif) {
         gif->add(picture);
-        return {};
+        return file->problem();
     }
     const QString path = numbered(folder ? folder->filePath(QStringLiteral("film.png")) : plan.path, number);
-    return picture.save(path, "PNG") ? QString() : Film::tr("`%1` cannot be written").arg(path);
+    return saveImage(path, picture);
 }
 
 QString Film::Reel::close() {
-    if (gif)
-        return gif->finish() && file->commit()
-                   ? QString()
-                   : Film::tr("`%1` cannot be written: %2").arg(plan.path, file->errorString());
+    if (gif) {
+        gif->finish();
+        return file->commit();
+    }
     return folder ? encode() : QString();
 }
 
 /// Into the folder, and from there to its place once it is whole.
 QString Film::Reel::encode() {
     constexpr int lookInterval = 30; // [ms] between two looks at whether it is still wanted
-    const QString made = folder->filePath(QStringLiteral("film.mp4"));
     QProcess process;
+    process.setWorkingDirectory(folder->path()); // a folder's name may hold what ffmpeg takes for a pattern
     process.start(encoder(), {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
                               QStringLiteral("-framerate"), QString::number(plan.rate), QStringLiteral("-i"),
-                              folder->filePath(QStringLiteral("film-%05d.png")), QStringLiteral("-pix_fmt"),
-                              QStringLiteral("yuv420p"), made});
+                              QStringLiteral("film-%05d.png"), QStringLiteral("-pix_fmt"),
+                              QStringLiteral("yuv420p"), QStringLiteral("film.mp4")});
     process.waitForStarted();
     while (process.state() != QProcess::NotRunning && !process.waitForFinished(lookInterval)) {
         if (!cancelled) continue;
@@ -152,10 +165,7 @@ QString Film::Reel::encode() {
         process.exitCode() != 0)
         return Film::tr("ffmpeg failed: %1")
             .arg(QString::fromLocal8Bit(process.readAllStandardError()).trimmed());
-    std::error_code problem;
-    std::filesystem::rename(made.toStdString(), plan.path.toStdString(), problem);
-    if (!problem) return {};
-    return Film::tr("`%1` cannot be written: %2").arg(plan.path, QString::fromStdString(problem.message()));
+    return saveCopy(plan.path, folder->filePath(QStringLiteral("film.mp4")));
 }
 
 /// What a cancelled film leaves behind.
@@ -189,11 +199,14 @@ void Film::start() {
 
 void Film::next() {
     m_pool.start([this, reel = m_reel] {
-        const std::optional<PictureJob> job = reel->advance();
+        std::optional<PictureJob> job;
+        const QString problem = attempt([&] { job = reel->advance(); });
         QMetaObject::invokeMethod(
             this,
-            [this, job] {
-                if (job)
+            [this, job, problem] {
+                if (!problem.isEmpty())
+                    end(problem);
+                else if (job)
                     m_drawing.post(*job);
                 else if (m_reel->cancelled)
                     end(m_reel->whatStays());
@@ -206,7 +219,10 @@ void Film::next() {
 
 void Film::write(const DrawnPicture& picture) {
     m_pool.start([this, reel = m_reel, image = picture.image] {
-        const QString problem = reel->cancelled ? reel->whatStays() : reel->write(image);
+        QString problem;
+        const QString failure =
+            attempt([&] { problem = reel->cancelled ? reel->whatStays() : reel->write(image); });
+        if (!failure.isEmpty()) problem = failure;
         QMetaObject::invokeMethod(
             this,
             [this, problem, written = reel->painted] {
@@ -224,7 +240,10 @@ void Film::write(const DrawnPicture& picture) {
 void Film::close() {
     if (m_reel->folder) Q_EMIT encoding();
     m_pool.start([this, reel = m_reel] {
-        const QString problem = reel->cancelled ? reel->whatStays() : reel->close();
+        QString problem;
+        const QString failure =
+            attempt([&] { problem = reel->cancelled ? reel->whatStays() : reel->close(); });
+        if (!failure.isEmpty()) problem = failure;
         QMetaObject::invokeMethod(
             this, [this, problem] { end(problem); }, Qt::QueuedConnection);
     });

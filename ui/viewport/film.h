@@ -25,8 +25,12 @@ struct FilmPlan {
     /// A .gif or .mp4 file, or the first of many pictures: `run.png` becomes run-00000.png, run-00001.png, …
     QString path;
 
+    /// Never more than an int counts, though objectionTo() allows far less.
     int pictures() const;
 };
+
+/// The file that a film of this path begins with: the path itself, or the first of its numbered pictures.
+QString firstFileOf(const QString& path);
 
 /// Why this plan cannot be filmed; empty if it can. MP4 needs the program `ffmpeg`.
 QString objectionTo(const FilmPlan& plan);

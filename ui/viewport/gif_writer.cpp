@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -169,8 +170,8 @@ QList<QRgb> bestColours(const QImage& picture, int count) {
     return colours;
 }
 
-GifWriter::GifWriter(QIODevice& device, const QSize& size, int delay)
-    : m_device(device), m_size(size), m_delay(delay) {
+GifWriter::GifWriter(QIODevice& device, const QSize& size, double rate)
+    : m_device(device), m_size(size), m_rate(std::min(rate, double{highestRate})) {
     write(QByteArrayLiteral("GIF89a") + word(size.width()) + word(size.height()) + QByteArray("\x70\0\0", 3));
     write(QByteArrayLiteral("\x21\xff\x0bNETSCAPE2.0\x03\x01") + word(0) + '\0'); // repeats for ever
 }
@@ -180,7 +181,13 @@ void GifWriter::add(const QImage& picture) {
     QList<QRgb> table = bestColours(picture, colours);
     const QImage indexed =
         picture.convertToFormat(QImage::Format_Indexed8, table, Qt::DiffuseDither | Qt::AvoidDither);
-    write(QByteArray("\x21\xf9\x04\x04", 4) + word(m_delay) + QByteArray(2, '\0'));
+    // From where this picture begins to where the next does, in whole hundredths each.
+    const auto beginning = [this](int number) {
+        return static_cast<int>(std::lround(100 * number / m_rate));
+    };
+    const int delay = beginning(m_pictures + 1) - beginning(m_pictures);
+    ++m_pictures;
+    write(QByteArray("\x21\xf9\x04\x04", 4) + word(delay) + QByteArray(2, '\0'));
     write(QByteArray(1, '\x2c') + word(0) + word(0) + word(m_size.width()) + word(m_size.height()) + '\x87');
     QByteArray palette;
     table.resize(colours);

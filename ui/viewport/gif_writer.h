@@ -13,9 +13,12 @@ namespace carom {
 /// 1990. Each picture has the 256 colours that suit it best; it repeats for ever.
 class GifWriter {
   public:
-    /// The device must be open and stay so. `delay` of every picture in hundredths of a second; viewers show
-    /// less than 2 as 10.
-    GifWriter(QIODevice& device, const QSize& size, int delay);
+    /// [1/s]; viewers show pictures of less than two hundredths of a second for ten.
+    static constexpr int highestRate = 50;
+
+    /// The device must be open and stay so. Pictures stand for whole hundredths of a second, which take turns
+    /// so that the animation keeps its `rate` [1/s].
+    GifWriter(QIODevice& device, const QSize& size, double rate);
 
     /// A picture of that size.
     void add(const QImage& picture);
@@ -27,7 +30,8 @@ class GifWriter {
 
     QIODevice& m_device;
     QSize m_size;
-    int m_delay;
+    double m_rate;      ///< pictures a second
+    int m_pictures = 0; ///< written
     bool m_complete = true;
 };
 

@@ -83,6 +83,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const std::shared_ptr<Stage> stage = std::make_shared<Stage>();
     stage->pipeline = std::move(pipeline);
     m_snapshot.reset();
+    m_moved = false;
     m_explanations.clear();
     m_lines.reset();
     m_pace.forget();
@@ -327,9 +328,12 @@ void Viewport::showEvent(QShowEvent* event) {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
+    const bool another = event->buttons() != Qt::MouseButtons(event->button());
+    if (m_grab) letGo();
+    if (another && m_letGo) return;
+    m_letGo = false;
     m_pressedAt = m_lastAt = event->position();
     m_dragging = false;
-    m_grab.reset();
     const bool turns = event->button() != Qt::LeftButton || event->modifiers().testFlag(Qt::ShiftModifier);
     if (!turns) m_grab = grabAt(event->position());
 }
@@ -354,6 +358,7 @@ std::optional<BodyGrab> Viewport::grabAt(const QPointF& position) const {
 void Viewport::dragBody(const QPointF& position, bool level) {
     const Vec3 value = draggedValue(*m_grab, m_camera, pictureSize(), {position.x(), position.y()}, level);
     // Shown at once; the scene itself follows when the text has been built.
+    if (!std::exchange(m_moved, true)) m_beforeDrag = m_snapshot;
     Snapshot moved;
     if (m_snapshot) {
         moved = *m_snapshot;
@@ -371,7 +376,31 @@ void Viewport::dragBody(const QPointF& position, bool level) {
     Q_EMIT dragged(value);
 }
 
+void Viewport::letGo() {
+    const bool held = std::exchange(m_grab, std::nullopt).has_value();
+    m_letGo = held;
+    if (std::exchange(m_dragging, false) && held) Q_EMIT dragEnded();
+}
+
+void Viewport::forgetDrag() {
+    if (!std::exchange(m_moved, false)) return;
+    m_snapshot = std::exchange(m_beforeDrag, nullptr);
+    m_lines.reset();
+    redraw();
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event) {
+    letGo();
+    QWidget::focusOutEvent(event);
+}
+
+void Viewport::hideEvent(QHideEvent* event) {
+    letGo();
+    QWidget::hideEvent(event);
+}
+
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (m_letGo) return;
     const QPointF moved = event->position() - m_lastAt;
     if (!m_dragging && (event->position() - m_pressedAt).manhattanLength() < dragStarts) return;
     if (m_grab && !m_dragging) Q_EMIT dragBegan(m_grab->body, m_grab->handle);
@@ -398,6 +427,10 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_letGo) {
+        m_letGo = event->buttons() != Qt::NoButton;
+        return;
+    }
     const bool held = std::exchange(m_grab, std::nullopt).has_value();
     if (m_dragging && held) Q_EMIT dragEnded();
     if (m_dragging || event->button() != Qt::LeftButton) return;

@@ -97,6 +97,11 @@ class Viewport : public QWidget {
     void frameSelection();
     void frameAll();
 
+    /// Ends a drag of a body, if one is under way, where it is.
+    void letGo();
+    /// Shows again what a drag has moved since the scene was shown: it has come to nothing.
+    void forgetDrag();
+
   Q_SIGNALS:
     /// noBody: the background.
     void bodyClicked(carom::BodyIndex body);
@@ -118,6 +123,8 @@ class Viewport : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     PictureSize pictureSize() const;
@@ -145,6 +152,8 @@ class Viewport : public QWidget {
     OpenGLScreen* m_screen = nullptr; ///< null: pictures come from m_drawing
     std::shared_ptr<const Stage> m_stage = std::make_shared<const Stage>(); ///< never null
     std::shared_ptr<const Snapshot> m_snapshot;
+    std::shared_ptr<const Snapshot> m_beforeDrag; ///< null where the start was shown
+    bool m_moved = false;                         ///< by a drag, since the scene was shown
     Explanations m_explanations;
     std::shared_ptr<const std::vector<LineVertex>>
         m_lines; ///< of m_snapshot; null when they must be made anew
@@ -170,6 +179,7 @@ class Viewport : public QWidget {
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
     std::optional<BodyGrab> m_grab; ///< between press and release
     bool m_dragging = false;
+    bool m_letGo = false;              ///< a drag has ended with a button down: nothing more until it is up
     const NavigationRow* m_navigation; ///< never null
     std::int64_t m_framesRendered = 0;
 };

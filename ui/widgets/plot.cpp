@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/plot.h"
 
+#include "ui/base/file_output.h"
+
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
 #include <QFontMetrics>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -369,10 +370,7 @@ QString writeChart(const ChartSpec& spec, const QString& path, const QSize& size
     plot.resize(size);
     draw(plot, spec, {Qt::white, rgb(0x202428), rgb(0xDADDE2)});
     const QByteArray bytes = encoded(plot, ending, size);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return PlotTexts::tr("`%1` cannot be written: %2").arg(path, file.errorString());
-    return {};
+    return saveFile(path, bytes);
 }
 
 PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot(this)) {

@@ -1,30 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/save_dialog.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QRegularExpression>
 
 namespace carom {
 namespace {
+
+struct SaveTexts {
+    Q_DECLARE_TR_FUNCTIONS(Save)
+};
 
 QString& lastFolder() {
     static QString folder; // empty: the program's working directory
     return folder;
 }
 
+bool mayReplace(QWidget* parent, const QString& title, const QString& path) {
+    QMessageBox box(QMessageBox::Warning, title,
+                    SaveTexts::tr("“%1” exists already. Replace it?").arg(QFileInfo(path).fileName()),
+                    QMessageBox::Yes | QMessageBox::No, parent);
+    box.setTextFormat(Qt::PlainText); // a file may be called anything
+    box.setDefaultButton(QMessageBox::No);
+    return box.exec() == QMessageBox::Yes;
+}
+
 } // namespace
 
-QString askWhereToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters) {
-    QString filter;
-    QString path =
-        QFileDialog::getSaveFileName(parent, title, QDir(lastFolder()).filePath(name), filters, &filter);
-    if (path.isEmpty()) return path;
-    static const QRegularExpression ending(QStringLiteral("\\*(\\.\\w+)"));
-    if (QFileInfo(path).suffix().isEmpty()) path += ending.match(filter).captured(1);
-    rememberFolderOf(path);
-    return path;
+QString askWhereToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
+                       const FirstFile& firstFile) {
+    QString proposed = QDir(lastFolder()).filePath(name);
+    for (;;) {
+        QString filter;
+        // What is asked about is the file that will be written, with its ending: the dialog does not know it.
+        QString path = QFileDialog::getSaveFileName(parent, title, proposed, filters, &filter,
+                                                    QFileDialog::DontConfirmOverwrite);
+        if (path.isEmpty()) return path;
+        static const QRegularExpression ending(QStringLiteral("\\*(\\.\\w+)"));
+        if (QFileInfo(path).suffix().isEmpty()) path += ending.match(filter).captured(1);
+        rememberFolderOf(path);
+        const QString written = firstFile ? firstFile(path) : path;
+        if (!QFileInfo::exists(written) || mayReplace(parent, title, written)) return path;
+        proposed = path;
+    }
 }
 
 void rememberFolderOf(const QString& path) { lastFolder() = QFileInfo(path).absolutePath(); }

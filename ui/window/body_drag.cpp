@@ -2,10 +2,14 @@
 #include "ui/window/body_drag.h"
 
 #include "core/language/number_rewrite.h"
+#include "ui/base/keys.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/simulation/simulation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/live_preview.h"
+
+#include <QApplication>
+#include <QKeyEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +56,10 @@ void BodyDrag::begin(BodyIndex body, std::string_view parameter) {
     const SourceRange value = scene.find(scene.bodies[body].source, parameter)->value;
     m_original = textOf(m_builds.latest()->build.analysis.text, value);
     m_offset = value.offset;
-    m_length = value.length;
+    m_written = QByteArray::fromStdString(m_original);
     m_dragging = true;
     m_editor.beginUndoAction();
+    qApp->installEventFilter(this);
 }
 
 void BodyDrag::moveTo(const Vec3& value) {
@@ -62,12 +67,25 @@ void BodyDrag::moveTo(const Vec3& value) {
     const int decimals = decimalsOf(m_viewport.pixelSize());
     const std::optional<std::string> text = withNumbers(m_original, {value.data(), 3}, decimals);
     if (!text) return;
-    m_editor.replaceRange({m_offset, m_length}, QByteArray::fromStdString(*text));
-    m_length = static_cast<std::uint32_t>(text->size());
+    // Whatever else may have changed the text meanwhile: never write over something else.
+    const SourceRange range{m_offset, static_cast<std::uint32_t>(m_written.size())};
+    if (m_editor.bytesOf(range) != m_written) {
+        m_viewport.letGo();
+        return;
+    }
+    m_written = QByteArray::fromStdString(*text);
+    m_editor.replaceRange(range, m_written);
+}
+
+bool BodyDrag::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && !isModifierKey(static_cast<QKeyEvent&>(*event).key()))
+        m_viewport.letGo();
+    return QObject::eventFilter(watched, event);
 }
 
 void BodyDrag::end() {
     if (!m_dragging) return;
+    qApp->removeEventFilter(this);
     m_editor.endUndoAction();
     m_dragging = false;
 }

@@ -4,6 +4,7 @@
 #include "core/base/index.h"
 #include "core/math/types.h"
 
+#include <QByteArray>
 #include <QObject>
 
 #include <cstdint>
@@ -32,6 +33,8 @@ class BodyDrag : public QObject {
     void begin(BodyIndex body, std::string_view parameter);
     void moveTo(const Vec3& value);
     void end();
+    /// While a body is dragged: a shortcut ends the drag first, whatever has the keyboard.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
     SceneEditor& m_editor;
     Viewport& m_viewport;
@@ -39,8 +42,9 @@ class BodyDrag : public QObject {
     const LiveBuild& m_builds;
     const LivePreview& m_preview;
     // Of the drag under way.
-    std::string m_original;                   ///< the value as it was written
-    std::uint32_t m_offset = 0, m_length = 0; ///< of the value in the text now [bytes]
+    std::string m_original;     ///< the value as it was written
+    std::uint32_t m_offset = 0; ///< of the value in the text [bytes]
+    QByteArray m_written;       ///< what stands there now
     bool m_dragging = false;
 };
 

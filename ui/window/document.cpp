@@ -2,11 +2,12 @@
 #include "ui/window/document.h"
 
 #include "core/base/hash.h"
+#include "core/language/analysis.h"
+#include "ui/base/file_output.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cstring>
@@ -14,7 +15,9 @@
 namespace carom {
 namespace {
 
-constexpr qint64 longestText = 64LL << 20; // [bytes], the language's own limit
+constexpr qint64 longestText = qint64{largestText};
+constexpr int quietTime = 300;        // [ms] without a change until whoever writes the file counts as done
+constexpr int looksAtAnEmptyFile = 7; // two seconds
 
 /// Of words of eight bytes: it is to tell texts apart, and to take no time for a long one.
 std::uint64_t hashOf(const QByteArray& bytes) {
@@ -29,15 +32,40 @@ std::uint64_t hashOf(const QByteArray& bytes) {
     return hash.value();
 }
 
+/// Reads a scene's text; returns what went wrong.
+std::optional<QString> read(const QString& path, QByteArray& bytes) {
+    const QFileInfo info(path);
+    if (info.isDir()) return Document::tr("“%1” is a folder; choose a scene file in it").arg(path);
+    if (info.exists() && !info.isFile()) // a FIFO or a device may never end
+        return Document::tr("“%1” is a device or a pipe; choose a scene file").arg(path);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Document::tr("“%1” cannot be read: %2").arg(path, file.errorString());
+    if (file.size() > longestText)
+        return Document::tr("“%1” has %2 MiB; a scene's text may have %3 MiB")
+            .arg(path, QString::number(file.size() >> 20), QString::number(longestText >> 20));
+    bytes = file.readAll();
+    if (file.error() == QFileDevice::NoError) return std::nullopt;
+    return Document::tr("“%1” cannot be read: %2").arg(path, file.errorString());
+}
+
+/// Of a file that is there; one that cannot be read is like no text.
+std::optional<std::uint64_t> hashOfFile(const QString& path) {
+    if (!QFileInfo::exists(path)) return std::nullopt;
+    QByteArray bytes;
+    read(path, bytes);
+    return hashOf(bytes);
+}
+
 } // namespace
 
 Document::Document(TextBuffer& buffer, QObject* parent) : QObject(parent), m_buffer(buffer) {
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this](const QString& path) {
-        QFile file(path);
-        if (!file.open(QIODevice::ReadOnly)) return; // moved or deleted: the text here is all there is
-        if (hashOf(file.readAll()) != m_onDisk) Q_EMIT changedOutside();
-        if (!m_watcher.files().contains(path)) m_watcher.addPath(path); // replaced files drop out
-    });
+    m_quiet.setSingleShot(true);
+    m_quiet.setInterval(quietTime);
+    const auto wait = [this] { m_quiet.start(); };
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, wait);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, wait);
+    connect(&m_quiet, &QTimer::timeout, this, &Document::look);
 }
 
 QString Document::name() const {
@@ -45,17 +73,18 @@ QString Document::name() const {
 }
 
 std::optional<QString> Document::open(const QString& path) {
-    const QFileInfo info(path);
-    if (info.isDir()) return tr("“%1” is a folder; choose a scene file in it").arg(path);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) return tr("“%1” cannot be read: %2").arg(path, file.errorString());
-    if (file.size() > longestText)
-        return tr("“%1” has %2 MiB; a scene's text may have 64 MiB").arg(path).arg(file.size() >> 20);
-    const QByteArray bytes = file.readAll();
-    if (file.error() != QFileDevice::NoError)
-        return tr("“%1” cannot be read: %2").arg(path, file.errorString());
-    m_onDisk = hashOf(bytes);
-    take(info.absoluteFilePath(), bytes);
+    QByteArray bytes;
+    if (const std::optional<QString> problem = read(path, bytes)) return problem;
+    take(QFileInfo(path).absoluteFilePath(), bytes);
+    return std::nullopt;
+}
+
+std::optional<QString> Document::reload() {
+    QByteArray bytes;
+    if (const std::optional<QString> problem = read(m_path, bytes)) return problem;
+    m_known = hashOf(bytes);
+    m_seen = m_known;
+    exchange([&] { m_buffer.exchangeBytes(bytes); });
     return std::nullopt;
 }
 
@@ -64,34 +93,49 @@ std::optional<QString> Document::save() { return saveAs(m_path); }
 std::optional<QString> Document::saveAs(const QString& path) {
     if (path.isEmpty()) return tr("the text has no file yet; choose a name for it");
     const QByteArray bytes = m_buffer.bytes();
-    QSaveFile file(path); // written aside and renamed: the old file stays until the new one is whole
-    const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
-    if (!m_path.isEmpty()) m_watcher.removePath(m_path); // our own writing is no change outside
-    const bool saved = written && file.commit();
-    if (!saved) {
-        watch(m_path);
-        return tr("“%1” cannot be written: %2").arg(path, file.errorString());
-    }
-    m_onDisk = hashOf(bytes);
+    const QString problem = saveFile(path, bytes);
+    if (!problem.isEmpty()) return problem;
+    m_known = hashOf(bytes);
+    m_seen = m_known;
     m_buffer.markSaved();
     watch(QFileInfo(path).absoluteFilePath());
     Q_EMIT pathChanged(m_path);
     return std::nullopt;
 }
 
+OnDisk Document::onDisk() const {
+    const std::optional<std::uint64_t> found = hashOfFile(m_path);
+    if (!found) return OnDisk::Missing;
+    return *found == m_known ? OnDisk::AsKnown : OnDisk::Changed;
+}
+
+QByteArray Document::textOnDisk() const {
+    QByteArray bytes;
+    return read(m_path, bytes) ? QByteArray() : bytes;
+}
+
 void Document::startNew(const QByteArray& text) { take({}, text); }
 
 void Document::recover(const QString& path, const QByteArray& text) {
     take(path, text);
+    // Whoever takes the text has seen what differs from the file.
+    m_seen = hashOfFile(path);
+    m_known = m_seen.value_or(0);
     m_buffer.markUnsaved();
 }
 
 void Document::noteEdit() { Q_EMIT edited(++m_revision); }
 
 void Document::take(const QString& path, const QByteArray& text) {
+    m_known = hashOf(text);
+    m_seen = m_known;
     watch(path);
+    exchange([&] { m_buffer.setBytes(text); });
+}
+
+void Document::exchange(const std::function<void()>& change) {
     const bool wasBlocked = blockSignals(true); // one signal for the whole exchange, not one an edit
-    m_buffer.setBytes(text);
+    change();
     blockSignals(wasBlocked);
     ++m_revision;
     Q_EMIT pathChanged(m_path);
@@ -99,9 +143,40 @@ void Document::take(const QString& path, const QByteArray& text) {
 }
 
 void Document::watch(const QString& path) {
-    if (!m_path.isEmpty()) m_watcher.removePath(m_path);
+    if (path != m_path) {
+        const QStringList before = m_watcher.files() + m_watcher.directories();
+        if (!before.isEmpty()) m_watcher.removePaths(before);
+    }
     m_path = path;
-    if (QFileInfo::exists(path)) m_watcher.addPath(path);
+    if (path.isEmpty()) return;
+    // A file that is replaced drops out; its folder tells when it is back.
+    const QString folder = QFileInfo(path).absolutePath();
+    if (QFileInfo::exists(path) && !m_watcher.files().contains(path)) m_watcher.addPath(path);
+    if (!m_watcher.directories().contains(folder)) m_watcher.addPath(folder);
+}
+
+/// Something has happened to the file or beside it, and nothing more for a while.
+void Document::look() {
+    if (m_path.isEmpty()) return;
+    watch(m_path);
+    const std::optional<std::uint64_t> found = hashOfFile(m_path);
+    const bool emptied = found && QFileInfo(m_path).size() == 0 && found != m_known;
+    if (emptied && ++m_emptyLooks < looksAtAnEmptyFile) {
+        m_quiet.start(); // whoever empties a file is likely to go on writing
+        return;
+    }
+    m_emptyLooks = 0;
+    if (found == m_seen) return;
+    m_seen = found;
+    if (!found) {
+        m_buffer.markUnsaved();
+        Q_EMIT removedOutside();
+    } else if (*found == hashOf(m_buffer.bytes())) { // back as it was, or what stands here
+        m_known = *found;
+        m_buffer.markSaved();
+    } else if (*found != m_known) {
+        Q_EMIT changedOutside();
+    }
 }
 
 } // namespace carom

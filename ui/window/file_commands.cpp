@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/file_commands.h"
 
+#include "ui/base/file_output.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/new_scene_dialog.h"
+#include "ui/window/outside_dialog.h"
 #include "ui/window/settings.h"
+#include "ui/window/theme.h"
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
+#include <QTimer>
+
+#include <utility>
 
 namespace carom {
 namespace {
@@ -50,6 +56,7 @@ FileCommands::FileCommands(Document& document, MainWindow& window, Settings& set
         if (!m_document.path().isEmpty()) rememberFolderOf(m_document.path());
     });
     connect(&document, &Document::changedOutside, this, &FileCommands::reactToOutsideChange);
+    connect(&document, &Document::removedOutside, this, &FileCommands::reactToRemoval);
     connect(&window.editor(), &SceneEditor::savedStateChanged, this, &FileCommands::updateTitle);
     const auto openDropped = [this](const QString& path) { open(path); };
     connect(&window.editor(), &SceneEditor::fileDropped, this, openDropped);
@@ -77,9 +84,12 @@ bool FileCommands::openText(const QString& name, const QByteArray& text) {
 
 bool FileCommands::mayDiscard() {
     if (!m_document.isModified()) return true;
-    const QMessageBox::StandardButton answer = QMessageBox::question(
-        &m_window, tr("Unsaved changes"), tr("“%1” has changes that are not saved.").arg(m_document.name()),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("“%1” has changes that are not saved.").arg(m_document.name()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    box.setTextFormat(Qt::PlainText); // a file may be called anything
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = ask(box);
     if (answer == QMessageBox::Save) return save();
     return answer == QMessageBox::Discard;
 }
@@ -106,6 +116,7 @@ void FileCommands::askAndOpen() {
 
 bool FileCommands::save() {
     if (m_document.path().isEmpty()) return saveAs();
+    if (!mayOverwrite()) return false;
     return finish(m_document.save(), tr("saved %1").arg(m_document.path()));
 }
 
@@ -123,8 +134,8 @@ bool FileCommands::saveAs() {
 }
 
 void FileCommands::reload() {
-    if (m_document.path().isEmpty() || !mayDiscard()) return;
-    reloadInPlace(tr("reloaded %1").arg(m_document.path()));
+    if (m_document.path().isEmpty()) return;
+    reloadInPlace(tr("reloaded %1; Undo brings back the text before").arg(m_document.path()));
 }
 
 /// The caret and what is in view stay where they were.
@@ -139,26 +150,54 @@ bool FileCommands::reloadInPlace(const QString& done) {
 }
 
 void FileCommands::reactToOutsideChange() {
-    if (!m_document.isModified()) {
-        reloadInPlace(tr("reloaded %1, which was changed outside").arg(m_document.path()));
+    if (m_asking) {
+        m_changedMeanwhile = true;
         return;
     }
-    const QMessageBox::StandardButton answer = QMessageBox::question(
-        &m_window, tr("Changed outside"),
-        tr("“%1” was changed by another program, and here, too. Take the file's text and "
-           "give up the changes made here?")
-            .arg(m_document.name()),
-        QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
-    if (answer == QMessageBox::Yes) reloadInPlace(tr("reloaded %1").arg(m_document.path()));
+    if (!m_document.isModified()) {
+        reloadInPlace(tr("reloaded %1, which was changed outside; Undo brings back the text before")
+                          .arg(m_document.path()));
+        return;
+    }
+    if (askAbout(false) == OutsideDialog::TakeTheFiles)
+        reloadInPlace(tr("reloaded %1").arg(m_document.path()));
+}
+
+void FileCommands::reactToRemoval() {
+    Q_EMIT reported(
+        tr("%1 was deleted or moved outside; its text is kept here, unsaved").arg(m_document.path()));
+}
+
+/// Whether this text may take the place of what is in its file.
+bool FileCommands::mayOverwrite() {
+    if (m_document.onDisk() != OnDisk::Changed) return true;
+    const int answer = askAbout(true);
+    if (answer == OutsideDialog::TakeTheFiles) reloadInPlace(tr("reloaded %1").arg(m_document.path()));
+    return answer == OutsideDialog::SaveThis;
+}
+
+int FileCommands::askAbout(bool saving) {
+    OutsideDialog dialog({m_document.name(), m_document.text(), m_document.textOnDisk()}, saving,
+                         loadTheme(m_settings.darkTheme()), &m_window);
+    return ask(dialog);
+}
+
+int FileCommands::ask(QDialog& dialog) {
+    m_asking = true;
+    const int answer = dialog.exec();
+    m_asking = false;
+    // What changed while the question stood there was not in what it showed.
+    if (std::exchange(m_changedMeanwhile, false))
+        QTimer::singleShot(0, this, &FileCommands::reactToOutsideChange);
+    return answer;
 }
 
 void FileCommands::savePicture() {
     const QString path = askWhereToSave(&m_window, tr("Save the window as a picture"),
                                         QStringLiteral("carom.png"), tr("Pictures (*.png)"));
     if (path.isEmpty()) return;
-    const bool saved = m_window.grab().save(path, "PNG");
-    finish(saved ? std::optional<QString>() : tr("“%1” cannot be written").arg(path),
-           tr("saved %1").arg(path));
+    const QString problem = saveImage(path, m_window.grab().toImage());
+    finish(problem.isEmpty() ? std::nullopt : std::optional(problem), tr("saved %1").arg(path));
 }
 
 void FileCommands::updateTitle() {
@@ -183,8 +222,11 @@ void FileCommands::fillRecent() {
 /// Reports how a file operation ended; true where it went well.
 bool FileCommands::finish(const std::optional<QString>& problem, const QString& done) {
     Q_EMIT reported(problem.value_or(done));
-    if (problem) QMessageBox::warning(&m_window, tr("Carom"), *problem);
-    return !problem;
+    if (!problem) return true;
+    QMessageBox box(QMessageBox::Warning, tr("Carom"), *problem, QMessageBox::Ok, &m_window);
+    box.setTextFormat(Qt::PlainText);
+    ask(box);
+    return false;
 }
 
 } // namespace carom

@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+class QDialog;
+
 namespace carom {
 
 class MainWindow;
@@ -35,6 +37,10 @@ class FileCommands : public QObject {
     void reload();
     bool reloadInPlace(const QString& done);
     void reactToOutsideChange();
+    void reactToRemoval();
+    bool mayOverwrite();
+    int askAbout(bool saving);
+    int ask(QDialog& dialog);
     void savePicture();
     void updateTitle();
     void fillRecent();
@@ -43,6 +49,8 @@ class FileCommands : public QObject {
     Document& m_document;
     MainWindow& m_window;
     Settings& m_settings;
+    bool m_asking = false; ///< one question about the file at a time
+    bool m_changedMeanwhile = false;
 };
 
 } // namespace carom

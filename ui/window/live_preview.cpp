@@ -36,6 +36,7 @@ void LivePreview::take(const SharedBuild& result) {
     m_viewport.setDimmed(false, {});
     const SharedBuild& newest = m_coming ? m_coming : m_shown;
     if (!result->fresh && newest && newest->meaning == result->meaning) {
+        m_viewport.forgetDrag(); // one that was taken back
         if (!m_coming) Q_EMIT noticeChanged({});
         return;
     }
@@ -56,6 +57,12 @@ void LivePreview::noteCancelled() {
     const QString badge = tr("Building was cancelled: this is the scene before it");
     m_viewport.setDimmed(true, badge);
     Q_EMIT noticeChanged(badge);
+}
+
+void LivePreview::giveUpComing() {
+    if (!m_coming) return;
+    show(std::exchange(m_coming, nullptr));
+    Q_EMIT noticeChanged({});
 }
 
 void LivePreview::reset() {

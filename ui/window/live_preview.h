@@ -22,6 +22,9 @@ class LivePreview : public QObject {
     void take(const SharedBuild& result);
     /// The newest text is not built: what is on screen is older.
     void noteCancelled();
+    /// Somebody else loads a scene: the changed one on its way to the time on screen is put there without a
+    /// run.
+    void giveUpComing();
     /// Back to frame 0, with the newest scene.
     void reset();
 

@@ -57,7 +57,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
       m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
       m_output(new OutputDock), m_stability(new StabilityDock(theme)),
       m_buildProgress(new ProgressStrip(tr("Building"), (*m_actions)[ActionId::CancelBuild])),
-      m_caret(new QLabel) {
+      m_warning(new QLabel), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -71,9 +71,15 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     m_actions->fill(*toolbar);
     addDockToggles();
     addWorkspaceButtons(*toolbar);
+    m_caret->setObjectName(QStringLiteral("caret"));
     m_caret->setProperty("role", QStringLiteral("muted"));
     m_caret->setContentsMargins(0, 0, 8, 0);
     statusBar()->addPermanentWidget(m_buildProgress);
+    m_warning->setObjectName(QStringLiteral("warning"));
+    m_warning->setProperty("role", QStringLiteral("error"));
+    m_warning->setTextFormat(Qt::PlainText);
+    m_warning->hide();
+    statusBar()->addPermanentWidget(m_warning);
     statusBar()->addPermanentWidget(m_caret);
     statusBar()->setSizeGripEnabled(false);
     // Else it grows when it first asks what it may show one day, and the picture shrinks.
@@ -223,9 +229,16 @@ void MainWindow::open(QDockWidget& dock) {
 
 void MainWindow::tell(const QString& sentence, int milliseconds) {
     constexpr int gap = 24; // [px] to the place of the caret
-    const int room = statusBar()->width() - m_caret->sizeHint().width() - gap;
+    const int warning = m_warning->isHidden() ? 0 : m_warning->sizeHint().width();
+    const int room = statusBar()->width() - m_caret->sizeHint().width() - warning - gap;
     statusBar()->showMessage(statusBar()->fontMetrics().elidedText(sentence, Qt::ElideRight, room),
                              milliseconds);
+}
+
+void MainWindow::warn(const QString& sentence) {
+    m_warning->setText(sentence);
+    m_warning->setToolTip(sentence);
+    m_warning->setHidden(sentence.isEmpty());
 }
 
 void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {

@@ -75,6 +75,8 @@ class MainWindow : public QMainWindow {
     void open(QDockWidget& dock);
     /// A sentence in the status bar, for a while or, with 0, until the next; as much of it as fits.
     void tell(const QString& sentence, int milliseconds = 0);
+    /// What the user has to know until it is over, an empty text; beside the place of the caret.
+    void warn(const QString& sentence);
     void showCaret(std::uint32_t line, std::uint32_t column);
     void saveLayout(Settings& settings) const;
     /// Asked before the window closes; false keeps it open.
@@ -114,6 +116,7 @@ class MainWindow : public QMainWindow {
     QSplitter* m_splitter = nullptr;
     Workspaces* m_workspaces = nullptr;
     ProgressStrip* m_buildProgress;
+    QLabel* m_warning;
     QLabel* m_caret;
     std::function<bool()> m_mayClose;
 };

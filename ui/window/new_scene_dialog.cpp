@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/new_scene_dialog.h"
 
+#include "ui/base/failures.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/resources.h"
 #include "ui/widgets/text_of.h"
@@ -206,9 +207,13 @@ void NewSceneDialog::make() {
     const int turn = ++m_turn;
     m_worker.clear();
     m_worker.start([this, turn, make = recipe()] {
-        Made made{make(), nullptr};
-        if (made.text.size() <= largestPreview)
-            made.build = std::make_shared<const Build>(carom::build(made.text.toStdString()));
+        Made made;
+        const QString problem = attempt([&] {
+            made.text = make();
+            if (made.text.size() <= largestPreview)
+                made.build = std::make_shared<const Build>(carom::build(made.text.toStdString()));
+        });
+        if (!problem.isEmpty()) made = {"// " + problem.toUtf8() + "\n", nullptr};
         QMetaObject::invokeMethod(
             this, [this, turn, made] { take(turn, made); }, Qt::QueuedConnection);
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/picture_commands.h"
 
+#include "ui/base/file_output.h"
 #include "ui/editor/live_build.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/simulation/simulation.h"
@@ -91,8 +92,8 @@ void PictureCommands::savePicture() {
     const QString path =
         askWhereToSave(&m_window, tr("Save the view"), QStringLiteral("view.png"), tr("Pictures (*.png)"));
     if (path.isEmpty()) return;
-    const bool saved = m_window.viewport().picture({width->value(), height->value()}).save(path, "PNG");
-    Q_EMIT reported(saved ? tr("saved %1").arg(path) : tr("“%1” cannot be written").arg(path));
+    const QString problem = saveImage(path, m_window.viewport().picture({width->value(), height->value()}));
+    Q_EMIT reported(problem.isEmpty() ? tr("saved %1").arg(path) : problem);
 }
 
 void PictureCommands::askForFilm() {
@@ -114,9 +115,9 @@ void PictureCommands::askForFilm() {
     form.addRow(tr("Rate"), rate);
     form.addRow(tr("Speed"), speed);
     if (!accepted(dialog, form)) return;
-    const QString path =
-        askWhereToSave(&m_window, tr("Record a film"), QStringLiteral("run.gif"),
-                       tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"));
+    const QString path = askWhereToSave(
+        &m_window, tr("Record a film"), QStringLiteral("run.gif"),
+        tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"), firstFileOf);
     if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
     const Viewport& viewport = m_window.viewport();
@@ -171,7 +172,7 @@ void PictureCommands::copyCamera() {
     if (declared)
         m_window.editor().replaceRange(declared->declaration, text);
     else
-        m_window.editor().replaceRange({0, 0}, text + "\n");
+        m_window.editor().replaceRange({0, 0}, m_window.editor().withLineEnds(text + "\n"));
     Q_EMIT reported(tr("the camera is in the scene now"));
 }
 

@@ -34,6 +34,12 @@ constexpr int mostFont = 40;         // [pt]
 constexpr int leastMemory = 16;      // [MiB]
 constexpr int mostMemory = 65536;    // [MiB]
 
+bool belongsToAPanel(const QKeySequence& keys) {
+    for (int digit = 0; digit < 10; ++digit)
+        if (keys == QKeySequence(QStringLiteral("Alt+%1").arg(digit))) return true;
+    return false;
+}
+
 QLabel* remark(const QString& text) {
     QLabel* label = new QLabel(text);
     label->setWordWrap(true);
@@ -141,7 +147,8 @@ QWidget* Preferences::keysPage() {
     m_keys->setColumnWidth(1, 190);
     column->addWidget(words);
     column->addWidget(m_keys, 1);
-    column->addWidget(remark(tr("A key that belongs to another command is taken from it.")));
+    column->addWidget(remark(tr("A key that belongs to another command is taken from it; those of the "
+                                "panels, Alt and a digit, stay theirs.")));
     connect(words, &QLineEdit::textChanged, this, &Preferences::fillKeys);
     fillKeys({});
     return page;
@@ -181,6 +188,13 @@ void Preferences::fillKeys(const QString& words) {
     }
 }
 
+/// What the command has now.
+QKeySequence Preferences::keysOf(const QString& action) const {
+    for (const ActionRow& row : actionRows())
+        if (row.text != nullptr && action == QLatin1StringView(row.name)) return m_actions[row.id].shortcut();
+    return {};
+}
+
 /// The name of the action that has these keys, other than `butNot`.
 QString Preferences::holderOf(const QKeySequence& keys, const QString& butNot) const {
     for (const ActionRow& row : actionRows()) {
@@ -191,6 +205,11 @@ QString Preferences::holderOf(const QKeySequence& keys, const QString& butNot) c
 }
 
 void Preferences::setKeys(const QString& action, const QKeySequence& keys) {
+    if (belongsToAPanel(keys)) { // two actions of one key would answer to neither
+        QKeySequenceEdit* edit = m_keys->findChild<QKeySequenceEdit*>(action);
+        if (edit != nullptr) edit->setKeySequence(keysOf(action));
+        return;
+    }
     const QString holder = keys.isEmpty() ? QString() : holderOf(keys, action);
     if (!holder.isEmpty()) {
         m_settings.setKeysOf(holder, QString());

@@ -33,6 +33,7 @@ class Preferences : public QDialog {
     void fillKeys(const QString& words);
     void setKeys(const QString& action, const QKeySequence& keys);
     QString holderOf(const QKeySequence& keys, const QString& butNot) const;
+    QKeySequence keysOf(const QString& action) const;
 
     Settings& m_settings;
     Actions& m_actions;

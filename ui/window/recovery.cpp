@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/recovery.h"
 
+#include "core/base/file_writer.h"
+#include "ui/base/failures.h"
+
 #include <QDataStream>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStandardPaths>
 #include <QUuid>
 
@@ -25,18 +27,26 @@ std::optional<LostText> readSwap(const QString& swapFile) {
     if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
     QDataStream stream(&file);
     quint32 found = 0;
-    LostText lost{swapFile, {}, {}, QFileInfo(file).lastModified()};
+    LostText lost{swapFile, {}, {}, QFileInfo(file).lastModified(), {}};
     stream >> found >> lost.path >> lost.text;
     if (found != signature || stream.status() != QDataStream::Ok) return std::nullopt;
     return lost;
 }
 
-bool writeSwap(const QString& swapFile, const QString& path, const QByteArray& text) {
-    QSaveFile file(swapFile);
-    if (!file.open(QIODevice::WriteOnly)) return false;
-    QDataStream stream(&file);
+/// What went wrong, in words, or an empty text.
+QString writeSwap(const QString& swapFile, const QString& path, const QByteArray& text) {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
     stream << signature << path << text;
-    return file.commit();
+    return QString::fromStdString(writeWholeFile(QFile::encodeName(swapFile).toStdString(),
+                                                 {bytes.constData(), static_cast<std::size_t>(bytes.size())},
+                                                 FileReaders::OwnerOnly));
+}
+
+bool isInItsFile(const LostText& lost) {
+    if (!QFileInfo(lost.path).isFile()) return false;
+    QFile file(lost.path);
+    return file.open(QIODevice::ReadOnly) && file.size() == lost.text.size() && file.readAll() == lost.text;
 }
 
 } // namespace
@@ -44,6 +54,7 @@ bool writeSwap(const QString& swapFile, const QString& path, const QByteArray& t
 Recovery::Recovery(const Document& document, const QString& folder, QObject* parent)
     : QObject(parent), m_document(document) {
     QDir().mkpath(folder);
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     m_swapFile = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ending);
     m_lock = std::make_unique<QLockFile>(lockOf(m_swapFile));
     m_lock->setStaleLockTime(0); // stale only when its process is gone
@@ -58,33 +69,47 @@ Recovery::~Recovery() {
     QFile::remove(m_swapFile);
 }
 
-void Recovery::keep() {
+bool Recovery::keep() {
     m_writer.waitForDone(); // what it writes is older
     if (!m_document.isModified()) {
         QFile::remove(m_swapFile);
         m_kept = -1;
-        return;
+        note(-1, {});
+        return true;
     }
-    if (m_kept == m_document.revision()) return;
-    if (writeSwap(m_swapFile, m_document.path(), m_document.text())) m_kept = m_document.revision();
+    if (m_kept != m_document.revision())
+        note(m_document.revision(), writeSwap(m_swapFile, m_document.path(), m_document.text()));
+    return m_kept == m_document.revision();
 }
 
 void Recovery::keepBehind() {
     if (m_writing) return; // the disk is slow; next time
     const bool nothingToWrite = !m_document.isModified() || m_kept == m_document.revision();
-    if (nothingToWrite) return keep();
+    if (nothingToWrite) {
+        keep();
+        return;
+    }
     m_writing = true;
     m_writer.start([this, swapFile = m_swapFile, path = m_document.path(), text = m_document.text(),
                     revision = m_document.revision()] {
-        const bool written = writeSwap(swapFile, path, text);
+        QString problem;
+        const QString failure = attempt([&] { problem = writeSwap(swapFile, path, text); });
+        if (!failure.isEmpty()) problem = failure;
         QMetaObject::invokeMethod(
             this,
-            [this, written, revision] {
+            [this, problem, revision] {
                 m_writing = false;
-                if (written) m_kept = std::max(m_kept, revision);
+                note(revision, problem);
             },
             Qt::QueuedConnection);
     });
+}
+
+void Recovery::note(std::int64_t revision, const QString& problem) {
+    if (problem.isEmpty()) m_kept = std::max(m_kept, revision);
+    if (problem == m_problem) return;
+    m_problem = problem;
+    Q_EMIT keepingChanged(problem);
 }
 
 QString Recovery::standardFolder() {
@@ -92,17 +117,29 @@ QString Recovery::standardFolder() {
         .filePath(QStringLiteral("recovery"));
 }
 
-std::vector<LostText> Recovery::lostTexts(const QString& folder) {
-    std::vector<LostText> found;
+LostTexts Recovery::lostTexts(const QString& folder) {
+    LostTexts found;
     const QDir directory(folder);
-    for (const QString& name : directory.entryList({u'*' + ending}, QDir::Files)) {
-        const QString swapFile = directory.filePath(name);
-        QLockFile lock(lockOf(swapFile));
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0)) continue; // its session lives
-        if (std::optional<LostText> lost = readSwap(swapFile)) found.push_back(std::move(*lost));
+    for (const QString& name : directory.entryList({u'*' + ending, u'*' + lockOf(ending)}, QDir::Files)) {
+        const bool isLock = name.endsWith(lockOf(ending));
+        const QString swapFile =
+            directory.filePath(isLock ? name.chopped(lockOf(ending).size() - ending.size()) : name);
+        if (isLock && QFileInfo::exists(swapFile)) continue; // seen with its swap file
+        const auto lock = std::make_shared<QLockFile>(lockOf(swapFile));
+        lock->setStaleLockTime(0);
+        if (!lock->tryLock(0)) continue; // its session lives, or another window offers it
+        if (isLock) continue;            // nobody's: unlocking removes it
+        std::optional<LostText> lost = readSwap(swapFile);
+        if (!lost) {
+            found.unreadable << swapFile;
+        } else if (isInItsFile(*lost)) {
+            discard(*lost);
+        } else {
+            lost->lock = lock;
+            found.texts.push_back(std::move(*lost));
+        }
     }
-    std::sort(found.begin(), found.end(),
+    std::sort(found.texts.begin(), found.texts.end(),
               [](const LostText& a, const LostText& b) { return a.written > b.written; });
     return found;
 }

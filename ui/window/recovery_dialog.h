@@ -7,9 +7,10 @@
 #include <QDialog>
 
 class QListWidget;
-class QPlainTextEdit;
 
 namespace carom {
+
+class DifferenceView;
 
 /// What crashed sessions left, each with what it changes in its file: one takes a text up, throws it away, or
 /// decides later.
@@ -24,12 +25,10 @@ class RecoveryDialog : public QDialog {
 
   private:
     void showChosen();
-    void showDifference(const QByteArray& before, const QByteArray& after);
 
     std::vector<LostText> m_lost;
-    Theme m_theme;
     QListWidget* m_list;
-    QPlainTextEdit* m_difference;
+    DifferenceView* m_difference;
 };
 
 } // namespace carom

@@ -188,13 +188,20 @@ void RunCommands::showStatus(const RunStatus& status) {
     m_window.transport().showStatus(status);
     if (!stopped) return;
     m_window.timeline().markWarning(status.health.frame);
-    const std::string name = m_simulation.pipeline()->scene().nameOf(status.health.body);
-    const QString quantity = textOf(status.health.quantity);
-    const QString sentence = tr("Stopped at frame %1: the %2 of %3 is no longer a finite number")
-                                 .arg(status.health.frame)
-                                 .arg(quantity, QString::fromStdString(name));
+    const QString sentence = whyItStopped(status);
     m_window.transport().showNotice(sentence);
     Q_EMIT reported(sentence);
+}
+
+QString RunCommands::whyItStopped(const RunStatus& status) const {
+    const QString frame = QString::number(status.health.frame);
+    if (status.cause == StopCause::Memory)
+        return tr("Stopped at frame %1: there is not enough memory for it").arg(frame);
+    if (status.cause == StopCause::Error)
+        return tr("Stopped at frame %1 by an error inside the program").arg(frame);
+    return tr("Stopped at frame %1: the %2 of %3 is no longer a finite number")
+        .arg(frame, textOf(status.health.quantity),
+             QString::fromStdString(m_simulation.pipeline()->scene().nameOf(status.health.body)));
 }
 
 } // namespace carom

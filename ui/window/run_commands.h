@@ -32,6 +32,7 @@ class RunCommands : public QObject {
     void connectBreakpoints();
     void describeRun();
     void showStatus(const RunStatus& status);
+    QString whyItStopped(const RunStatus& status) const;
 
     MainWindow& m_window;
     Simulation& m_simulation;

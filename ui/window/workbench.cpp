@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workbench.h"
 
+#include "core/language/analysis.h"
 #include "core/language/simulation_edit.h"
+#include "ui/base/failures.h"
 #include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
@@ -92,23 +94,34 @@ bool Workbench::openLastOrFirst() {
 }
 
 bool Workbench::offerRecovery() {
-    std::vector<LostText> lost = Recovery::lostTexts(Recovery::standardFolder());
-    if (lost.empty()) return false;
-    RecoveryDialog dialog(std::move(lost), loadTheme(m_settings.darkTheme()), m_window.get());
+    LostTexts lost = Recovery::lostTexts(Recovery::standardFolder());
+    for (const QString& file : lost.unreadable)
+        m_window->output().add(
+            tr("%1 should hold unsaved text and cannot be read; it stays where it is").arg(file));
+    if (!lost.unreadable.isEmpty())
+        m_window->tell(tr("Unsaved text was found that cannot be read; the Output panel says where it is"));
+    if (lost.texts.empty()) return false;
+    RecoveryDialog dialog(std::move(lost.texts), loadTheme(m_settings.darkTheme()), m_window.get());
     const int answer = dialog.exec();
     if (answer == RecoveryDialog::Later) return false; // asked again next time
     const LostText& chosen = dialog.chosen();
     if (answer == RecoveryDialog::TakeUp) {
         m_document->recover(chosen.path, chosen.text);
-        m_recovery->keep(); // in this session's own file, before the old one goes
         m_window->output().add(tr("recovered the unsaved text of %1").arg(m_document->name()));
     }
-    Recovery::discard(chosen);
+    // The old swap file goes when its text is in this session's own.
+    if (answer == RecoveryDialog::ThrowAway || m_recovery->keep()) Recovery::discard(chosen);
     return answer == RecoveryDialog::TakeUp;
 }
 
 void Workbench::keepUnsavedText() {
     m_recovery = std::make_unique<Recovery>(*m_document, Recovery::standardFolder());
+    connect(m_recovery.get(), &Recovery::keepingChanged, this, [this](const QString& problem) {
+        m_window->warn(problem.isEmpty() ? QString() : tr("Unsaved text is not kept: %1").arg(problem));
+        m_window->output().add(
+            problem.isEmpty() ? tr("unsaved text is kept again")
+                              : tr("unsaved text cannot be kept for the case of a crash: %1").arg(problem));
+    });
 }
 
 void Workbench::connectText() {
@@ -151,11 +164,13 @@ void Workbench::connectProgress() {
 void Workbench::connectAccuracy() {
     AccuracyDock& dock = m_window->accuracy();
     connect(&dock, &AccuracyDock::runWanted, this, [this](const std::shared_ptr<const Pipeline>& pipeline) {
+        m_preview->giveUpComing();
         m_simulation->load(pipeline);
         m_simulation->play();
     });
     connect(&dock, &AccuracyDock::settingWanted, this, [this](const SimulationSettings& settings) {
-        const Analysis& analysis = m_builds->latest()->build.analysis;
+        // Of the text as it is now: what is built may be older.
+        const Analysis analysis = analyse(m_document->text().toStdString());
         m_window->editor().replaceRange({0, static_cast<std::uint32_t>(analysis.text.size())},
                                         QByteArray::fromStdString(withSettings(analysis, settings)));
     });
@@ -171,10 +186,9 @@ void Workbench::showBuild(const SharedBuild& result) {
     m_selection->followCaret();
     if (!result->fresh) return;
     m_window->output().add(tr("%1: %2 bodies, %3 problems, built in %4 ms")
-                               .arg(m_document->name())
-                               .arg(result->scene().bodies.size())
-                               .arg(result->build.diagnostics.size())
-                               .arg(result->milliseconds, 0, 'f', 1));
+                               .arg(m_document->name(), QString::number(result->scene().bodies.size()),
+                                    QString::number(result->build.diagnostics.size()),
+                                    QString::number(result->milliseconds, 'f', 1)));
 }
 
 void Workbench::connectReports() {
@@ -193,6 +207,11 @@ void Workbench::connectReports() {
     connect(&m_window->stability(), &StabilityDock::reported, this, report);
     connect(&m_window->stability(), &StabilityDock::sceneWanted, m_files, &FileCommands::openText);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
+    connect(m_builds.get(), &LiveBuild::failed, this,
+            [report](const QString& problem) { report(tr("the text was not built: %1").arg(problem)); });
+    if (const Application* application = qobject_cast<Application*>(qApp))
+        connect(application, &Application::failed, this,
+                [report](const QString& problem) { report(tr("that failed: %1").arg(problem)); });
     connect(m_selection, &Selection::bodySelected, this, [this](const QString& name) {
         const BodyIndex body = m_window->viewport().selectedBody();
         m_window->inspector().showBody(body);

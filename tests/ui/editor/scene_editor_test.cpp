@@ -12,6 +12,8 @@
 #include <QCheckBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -198,20 +200,24 @@ class SceneEditorTest : public QObject {
         SceneEditor editor(m_theme);
         editor.setBytes("vel 1, 2, 3\nvel 40, 5, 6\n");
         const SearchQuery query{QStringLiteral("vel ([0-9]+), ([0-9]+)"), true, true};
-        QCOMPARE(countMatches(editor, query), 2);
         QCOMPARE(replaceAllMatches(editor, query, QStringLiteral("vel \\2, \\1")), 2);
         QCOMPARE(editor.bytes(), QByteArray("vel 2, 1, 3\nvel 5, 40, 6\n"));
         editor.undo();
         QCOMPARE(editor.bytes(), QByteArray("vel 1, 2, 3\nvel 40, 5, 6\n"));
+        QCOMPARE(replaceAllMatches(editor, {QStringLiteral("^"), true, false}, QStringLiteral("#")), 3);
+        QCOMPARE(editor.bytes(), QByteArray("#vel 1, 2, 3\n#vel 40, 5, 6\n#"));
     }
 
-    void emptyMatchesAndBrokenExpressionsEnd() {
+    void linesThatAreInsertedEndAsTheSceneDoesAndNothingGoesBeforeAByteOrderMark() {
         SceneEditor editor(m_theme);
-        editor.setBytes("a\nb\n");
-        QCOMPARE(countMatches(editor, {QStringLiteral("x*"), true, false}), 5);
-        QCOMPARE(countMatches(editor, {QStringLiteral("("), true, false}), 0);
-        QCOMPARE(replaceAllMatches(editor, {QStringLiteral("^"), true, false}, QStringLiteral("#")), 3);
-        QCOMPARE(editor.bytes(), QByteArray("#a\n#b\n#"));
+        editor.setBytes("\xEF\xBB\xBFwall;\r\nsphere;\r\n");
+        editor.replaceRange({0, 0}, editor.withLineEnds("camera;\n"));
+        QCOMPARE(editor.bytes(), QByteArray("\xEF\xBB\xBF"
+                                            "camera;\r\nwall;\r\nsphere;\r\n"));
+        editor.undo();
+        editor.setBytes("wall;\nsphere;\n");
+        editor.replaceRange({0, 0}, editor.withLineEnds("a\r\nb\n"));
+        QCOMPARE(editor.bytes(), QByteArray("a\nb\nwall;\nsphere;\n"));
     }
 
     void typingOffersWhatMayStandThere() {
@@ -275,7 +281,10 @@ class SceneEditorTest : public QObject {
         QLineEdit* find = bar.findChild<QLineEdit*>(QStringLiteral("find"));
         QTest::keyClicks(find, QStringLiteral("sph"));
         QCOMPARE(editor.selectedText(), QStringLiteral("sph"));
+        const QLabel* message = bar.findChild<QLabel*>();
+        QCOMPARE(message->text(), QStringLiteral("1 of 2"));
         QTest::keyClick(find, Qt::Key_Return);
+        QCOMPARE(message->text(), QStringLiteral("2 of 2"));
         QCOMPARE(editor.send(Sci::SCI_GETSELECTIONSTART), 14L);
         QTest::keyClick(find, Qt::Key_Return); // around the end
         QCOMPARE(editor.send(Sci::SCI_GETSELECTIONSTART), 0L);
@@ -284,6 +293,26 @@ class SceneEditorTest : public QObject {
         QTest::keyClicks(replace, QStringLiteral("cub"));
         QTest::keyClick(replace, Qt::Key_Return);
         QVERIFY(editor.bytes().startsWith("cubere; wall;"));
+        bar.findChild<QCheckBox*>()->setChecked(true); // a regular expression
+        find->setText(QString());
+        QTest::keyClicks(find, QStringLiteral("("));
+        QVERIFY2(message->text().startsWith(QStringLiteral("no regular expression")),
+                 qPrintable(message->text()));
+    }
+
+    void matchesOfALongTextAreCountedBesideTheWindow() {
+        QWidget parent;
+        SceneEditor editor(m_theme, &parent);
+        FindBar bar(editor, &parent);
+        parent.show();
+        editor.setBytes(QByteArray("sphere { radius 1 }\n").repeated(20'000));
+        bar.activate();
+        QLineEdit* find = bar.findChild<QLineEdit*>(QStringLiteral("find"));
+        QTest::keyClicks(find, QStringLiteral("radius"));
+        QTRY_COMPARE_WITH_TIMEOUT(bar.findChild<QLabel*>()->text(), QStringLiteral("1 of 20000"), patience);
+        QVERIFY(editor.send(Sci::SCI_INDICATORVALUEAT, 14, 9 + 20 * 777) != 0); // all are marked
+        QTest::keyClick(find, Qt::Key_Escape);
+        QCOMPARE(editor.send(Sci::SCI_INDICATORVALUEAT, 14, 9 + 20 * 777), 0L);
     }
 
     void typingGoesToEverySelectionAndColumnsCanBeSelected() {

@@ -35,11 +35,11 @@ QImage noise(Random& random, const QSize& size, int colours) {
     return image;
 }
 
-QByteArray written(const QList<QImage>& pictures) {
+QByteArray written(const QList<QImage>& pictures, double rate = 25) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    GifWriter writer(buffer, pictures.first().size(), 4);
+    GifWriter writer(buffer, pictures.first().size(), rate);
     for (const QImage& picture : pictures) writer.add(picture);
     return writer.finish() ? bytes : QByteArray();
 }
@@ -66,6 +66,21 @@ class GifWriterTest : public QObject {
             QCOMPARE(reader.nextImageDelay(), 40);
         }
         QCOMPARE(reader.loopCount(), -1); // for ever
+    }
+
+    void anAnimationTakesAsLongAsItsPicturesSay() {
+        // 30 pictures a second are 3.33 hundredths each: rounded one by one they would run 11 % fast.
+        for (const double rate : {30.0, 24.0, 7.0, 50.0}) {
+            const QImage picture(4, 4, QImage::Format_RGB32);
+            const int pictures = static_cast<int>(rate) * 10;
+            QByteArray bytes = written(QList<QImage>(pictures, picture), rate);
+            QBuffer buffer(&bytes);
+            buffer.open(QIODevice::ReadOnly);
+            QImageReader reader(&buffer, "gif");
+            int milliseconds = 0;
+            while (reader.canRead() && !reader.read().isNull()) milliseconds += reader.nextImageDelay();
+            QCOMPARE(milliseconds, 10'000);
+        }
     }
 
     void aPhotographKeepsItsLook() {

@@ -5,8 +5,11 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -18,18 +21,24 @@ namespace {
 constexpr int opens = 300; // [ms] until the dialog is there; it is asked for again if it is not
 
 /// What the dialog shows when it opens, and what comes back once `name` has been typed and Return pressed.
+/// Whoever may not replace a file changes their mind.
 struct Asked {
-    QString folder, proposed, path;
+    QString folder, proposed, path, question;
 
-    explicit Asked(const QString& name) {
+    explicit Asked(const QString& name, bool mayReplace = true, const FirstFile& firstFile = {}) {
         QTimer user;
-        QObject::connect(&user, &QTimer::timeout, [this, &name] {
+        QObject::connect(&user, &QTimer::timeout, [this, &name, mayReplace] {
+            if (QMessageBox* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                question = box->text();
+                box->button(mayReplace ? QMessageBox::Yes : QMessageBox::No)->click();
+                return;
+            }
             QFileDialog* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             if (dialog == nullptr) return;
             QLineEdit* line = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
             folder = dialog->directory().canonicalPath();
             proposed = line->text();
-            if (name.isNull()) {
+            if (name.isNull() || (!question.isEmpty() && !mayReplace)) {
                 QTest::keyClick(dialog, Qt::Key_Escape);
                 return;
             }
@@ -38,7 +47,7 @@ struct Asked {
         });
         user.start(opens);
         path = askWhereToSave(nullptr, QStringLiteral("Record"), QStringLiteral("run.gif"),
-                              QStringLiteral("Animated (*.gif);;Films (*.mp4)"));
+                              QStringLiteral("Animated (*.gif);;Films (*.mp4)"), firstFile);
     }
 };
 
@@ -60,6 +69,25 @@ class SaveDialogTest : public QObject {
         const Asked second(other + QStringLiteral("/clip.png")); // an ending of one's own stays
         QCOMPARE(second.path, other + QStringLiteral("/clip.png"));
         QCOMPARE(Asked(QString()).folder, other);
+    }
+
+    void theFileThatWillBeWrittenIsNotReplacedWithoutAQuestion() {
+        const QTemporaryDir folder;
+        rememberFolderOf(folder.filePath(QStringLiteral("wall.sdl")));
+        QFile old(folder.filePath(QStringLiteral("clip.gif")));
+        QVERIFY(old.open(QIODevice::WriteOnly));
+        // Typed without its ending, so that the dialog itself sees no such file.
+        const Asked kept(QStringLiteral("clip"), false);
+        QVERIFY2(kept.question.contains(QStringLiteral("clip.gif")), qPrintable(kept.question));
+        QVERIFY(kept.path.isEmpty());
+        QCOMPARE(Asked(QStringLiteral("clip")).path, folder.filePath(QStringLiteral("clip.gif")));
+        QVERIFY(Asked(QStringLiteral("other")).question.isEmpty());
+        // Where the first of many is another file, that one counts.
+        const auto first = [](const QString& path) { return path + QStringLiteral("-0"); };
+        QVERIFY(Asked(QStringLiteral("clip"), true, first).question.isEmpty());
+        QFile numbered(folder.filePath(QStringLiteral("new.gif-0")));
+        QVERIFY(numbered.open(QIODevice::WriteOnly));
+        QVERIFY(Asked(QStringLiteral("new"), true, first).question.contains(QStringLiteral("new.gif-0")));
     }
 
     void whoeverChangesTheirMindGetsNoPath() { QVERIFY(Asked(QString()).path.isEmpty()); }

@@ -74,6 +74,54 @@ class BodyDragTest : public QObject {
         QTest::mouseRelease(&ide.viewport, Qt::LeftButton, {}, there);
     }
 
+    void whateverInterruptsADragClosesItAndItsUndoStep_data() {
+        QTest::addColumn<QString>("how");
+        for (const char* how :
+             {"another button", "a shortcut", "the keyboard goes", "the viewport is hidden"})
+            QTest::newRow(how) << how;
+    }
+    void whateverInterruptsADragClosesItAndItsUndoStep() {
+        QFETCH(QString, how);
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QPoint from = pixelOf(ide, {-1, 1, 0}), to = pixelOf(ide, {-1, 2, 0});
+        ide.viewport.setFocus();
+        QTest::mousePress(&ide.viewport, Qt::LeftButton, {}, from);
+        const auto moveTo = [&](const QPoint& at, Qt::MouseButtons buttons) {
+            QMouseEvent move(QEvent::MouseMove, at, ide.viewport.mapToGlobal(at), Qt::NoButton, buttons, {});
+            QApplication::sendEvent(&ide.viewport, &move);
+        };
+        moveTo(to, Qt::LeftButton);
+        const QByteArray dragged = ide.editor.bytes();
+        QVERIFY(dragged != scene);
+        if (how == QStringLiteral("another button")) {
+            QMouseEvent press(QEvent::MouseButtonPress, to, ide.viewport.mapToGlobal(to), Qt::RightButton,
+                              Qt::LeftButton | Qt::RightButton, {});
+            QApplication::sendEvent(&ide.viewport, &press);
+        } else if (how == QStringLiteral("a shortcut")) {
+            QKeyEvent key(QEvent::ShortcutOverride, Qt::Key_S, Qt::ControlModifier);
+            QApplication::sendEvent(&ide.viewport, &key);
+        } else if (how == QStringLiteral("the keyboard goes")) {
+            ide.editor.setFocus();
+        } else {
+            ide.viewport.hide();
+        }
+        moveTo(from, Qt::LeftButton); // the button is down, and nothing moves any more
+        QCOMPARE(ide.editor.bytes(), dragged);
+        ide.viewport.show();
+        QTest::mouseRelease(&ide.viewport, Qt::LeftButton, {}, from);
+        typeAtTheEnd(ide.editor, "// x");
+        ide.editor.undo(); // the typing alone
+        QCOMPARE(ide.editor.bytes(), dragged);
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), scene);
+        // And one can drag again.
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-1, 1, 0)).norm() < pixel, patience);
+        drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-1, 2, 0}));
+        QVERIFY(ide.editor.bytes() != scene);
+    }
+
     void withCtrlABodyStaysAtItsHeight() {
         Ide ide(scene);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);

@@ -89,7 +89,7 @@ struct Desk {
         return files.size() == 1 ? readFile(swaps + u'/' + files.front()) : QByteArray();
     }
     QByteArray lost() const {
-        const std::vector<LostText> texts = Recovery::lostTexts(swaps);
+        const std::vector<LostText> texts = Recovery::lostTexts(swaps).texts;
         return texts.empty() ? QByteArray() : texts.front().text;
     }
 };
@@ -159,7 +159,7 @@ class CrashTest : public QObject {
                 std::max(onDisk, desk.lost(),
                          [](const QByteArray& a, const QByteArray& b) { return a.size() < b.size(); });
             QVERIFY2(best.startsWith(before + typed.left(oldEnough)), best.constData());
-            for (const LostText& lost : Recovery::lostTexts(desk.swaps)) Recovery::discard(lost);
+            for (const LostText& lost : Recovery::lostTexts(desk.swaps).texts) Recovery::discard(lost);
         }
     }
 };

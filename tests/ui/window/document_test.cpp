@@ -6,10 +6,16 @@
 #include <QFileSystemWatcher>
 #include <QSignalSpy>
 
+#include <sys/stat.h>
+
+#include <cstdio>
+
 using namespace carom;
 using namespace carom::test;
 
 namespace {
+
+constexpr int quiet = 300; // [ms] after which whoever writes a file counts as done
 
 class PlainBuffer : public TextBuffer {
   public:
@@ -20,6 +26,7 @@ class PlainBuffer : public TextBuffer {
     bool differsFromSaved() const override { return content != saved; }
     void markSaved() override { saved = content; }
     void markUnsaved() override { saved = content + '?'; }
+    void exchangeBytes(const QByteArray& bytes) override { content = saved = bytes; }
 };
 
 /// Everything an editor could spoil: a byte order mark, mixed line ends, a zero, bytes that are not UTF-8, no
@@ -117,6 +124,89 @@ class DocumentTest : public QObject {
         QCOMPARE(outside.count(), 0);
         writeFile(path, "three");
         QTRY_VERIFY_WITH_TIMEOUT(outside.count() > 0, patience);
+        QTest::qWait(3 * quiet);
+        QCOMPARE(outside.count(), 1); // once for each text
+        QCOMPARE(document.onDisk(), OnDisk::Changed);
+        QVERIFY(!document.reload());
+        QCOMPARE(buffer.content, QByteArray("three"));
+        QCOMPARE(document.onDisk(), OnDisk::AsKnown);
+    }
+
+    void aFileWrittenInPiecesIsToldOfWhenItIsWhole() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.sdl"));
+        writeFile(path, "one");
+        PlainBuffer buffer;
+        Document document(buffer);
+        QVERIFY(!document.open(path));
+        QByteArray found;
+        connect(&document, &Document::changedOutside, &document, [&] { found = document.textOnDisk(); });
+        QFile slow(path);
+        QVERIFY(slow.open(QIODevice::WriteOnly | QIODevice::Unbuffered)); // now it is empty
+        QByteArray whole;
+        for (int piece = 0; piece < 8; ++piece) {
+            slow.write("piece ");
+            whole += "piece ";
+            QTest::qWait(quiet / 3);
+        }
+        slow.close();
+        QTRY_COMPARE_WITH_TIMEOUT(found, whole, patience);
+    }
+
+    void aFileDeletedOutsideLeavesItsTextUnsaved_data() {
+        QTest::addColumn<bool>("moved");
+        QTest::newRow("deleted") << false;
+        QTest::newRow("moved away") << true;
+    }
+    void aFileDeletedOutsideLeavesItsTextUnsaved() {
+        QFETCH(bool, moved);
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.sdl"));
+        writeFile(path, "one");
+        PlainBuffer buffer;
+        Document document(buffer);
+        QVERIFY(!document.open(path));
+        QSignalSpy removals(&document, &Document::removedOutside);
+        QVERIFY(moved ? QFile::rename(path, folder.filePath(QStringLiteral("b.sdl"))) : QFile::remove(path));
+        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, patience);
+        QVERIFY(document.isModified());
+        QCOMPARE(document.onDisk(), OnDisk::Missing);
+        // Back as it was, as version control does it, it counts as saved again.
+        writeFile(path, "one");
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isModified(), patience);
+    }
+
+    void aFileDeletedAndWrittenAnewIsWatchedOn() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.sdl"));
+        writeFile(path, "one");
+        PlainBuffer buffer;
+        Document document(buffer);
+        QVERIFY(!document.open(path));
+        QSignalSpy outside(&document, &Document::changedOutside),
+            removals(&document, &Document::removedOutside);
+        QVERIFY(QFile::remove(path));
+        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, patience);
+        writeFile(path, "two");
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, patience);
+        QCOMPARE(document.onDisk(), OnDisk::Changed);
+        writeFile(path, "three"); // the new file is watched, too
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 2, patience);
+        // Replaced by a rename, as most editors do.
+        const QString other = folder.filePath(QStringLiteral("b.sdl"));
+        writeFile(other, "four");
+        QVERIFY(std::rename(qPrintable(other), qPrintable(path)) == 0);
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 3, patience);
+    }
+
+    void aPipeOrADeviceIsRefusedAtOnce() {
+        QTemporaryDir folder;
+        const QString pipe = folder.filePath(QStringLiteral("pipe"));
+        QCOMPARE(::mkfifo(qPrintable(pipe), 0600), 0);
+        PlainBuffer buffer;
+        Document document(buffer);
+        for (const QString& path : {pipe, QStringLiteral("/dev/zero")})
+            QVERIFY(document.open(path).value_or(QString()).contains(QStringLiteral("device or a pipe")));
     }
 };
 

@@ -148,6 +148,25 @@ class LanguageTest : public QObject {
         QCOMPARE(ide.editor.bytes(), twoBalls);
     }
 
+    void aShortcutBetweenTwoTurnsOfTheWheelEatsNoByte() {
+        Ide ide;
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 11); // from -1 to 10: one letter less
+        QVERIFY(ide.editor.bytes().contains("centre 10,1,0 vel"));
+        QTest::keyClick(&ide.editor, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 3);
+        QByteArray turned = twoBalls;
+        turned.replace("centre -1,1,0 vel", "centre 2,1,0 vel");
+        QCOMPARE(ide.editor.bytes(), turned);
+        // Nor does a change that no key announces.
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 1);
+        turned = twoBalls;
+        turned.replace("centre -1,1,0 vel", "centre 0,1,0 vel");
+        QCOMPARE(ide.editor.bytes(), turned);
+    }
+
     void aDragTurnsANumberLiveInThePictureAsOneUndoStep() {
         Ide ide;
         dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {12, 0});

@@ -73,6 +73,46 @@ class ProgramTest : public QObject {
         QCOMPARE(ended.exitCode, 3);
     }
 
+    void aDisplayThatCannotBeReachedEndsWithASentence() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("DISPLAY"), QStringLiteral(":987"));
+        environment.remove(QStringLiteral("QT_LOGGING_RULES"));
+        const Ended ended =
+            runCommand(program, {scenes + QStringLiteral("/pool_break.sdl")}, {}, environment);
+        QCOMPARE(ended.exitCode, 3);
+        QCOMPARE(ended.err,
+                 QStringLiteral("carom: the display cannot be reached; `carom run SCENE` simulates "
+                                "without one\n"));
+    }
+
+    void aPictureWithoutOpenGLNamesIt() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        environment.remove(QStringLiteral("DISPLAY")); // whose OpenGL it would take
+        const Ended ended =
+            runCommand(program,
+                       {scenes + QStringLiteral("/pool_break.sdl"), QStringLiteral("--picture"),
+                        m_home.filePath(QStringLiteral("a.png"))},
+                       {}, environment);
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains(QStringLiteral("OpenGL")), qPrintable(ended.err));
+        QVERIFY(!QFile::exists(m_home.filePath(QStringLiteral("a.png"))));
+    }
+
+    void chartsAreDrawnWithoutAWordOfQt() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* variable : {"DISPLAY", "XDG_RUNTIME_DIR", "QT_QPA_PLATFORM", "QT_LOGGING_RULES"})
+            environment.remove(QLatin1StringView(variable));
+        const Ended ended =
+            runCommand(program,
+                       {QStringLiteral("bench"), QStringLiteral("--scene=pyramid"), QStringLiteral("-n"),
+                        QStringLiteral("10"), QStringLiteral("--frames=4"), QStringLiteral("-o"),
+                        m_home.filePath(QStringLiteral("charts"))},
+                       {}, environment);
+        QCOMPARE(ended.exitCode, 0);
+        QCOMPARE(ended.err, QString());
+    }
+
     void everyShippedSceneOpensAndRuns_data() {
         QTest::addColumn<QString>("path");
         QDir folder(scenes);

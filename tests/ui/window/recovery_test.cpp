@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/failing_files.h"
 #include "tests/support/ide.h"
 #include "ui/window/recovery.h"
 
 #include <QDir>
+#include <QLabel>
 #include <QProcess>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QStandardPaths>
 
+#include <cerrno>
 #include <csignal>
 
 using namespace carom;
@@ -14,6 +18,18 @@ using namespace carom::test;
 
 class RecoveryTest : public QObject {
     Q_OBJECT
+
+    /// A session that had this text of that file unsaved when it was killed.
+    static void killedWith(const QString& swaps, const QString& path, const QByteArray& text) {
+        QProcess victim;
+        victim.start(QCoreApplication::applicationFilePath(),
+                     {QStringLiteral("recovery_test"), QStringLiteral("victim"), swaps, path,
+                      QString::fromUtf8(text)});
+        if (!victim.waitForReadyRead(patience)) qFatal("the victim has not kept its text");
+        victim.kill();
+        victim.waitForFinished(patience);
+    }
+
   private Q_SLOTS:
     void unsavedTextIsKeptUntilItIsSaved() {
         QTemporaryDir folder;
@@ -29,7 +45,7 @@ class RecoveryTest : public QObject {
         editor.insert(QStringLiteral("sphere;"));
         recovery.keep();
         QCOMPARE(swapFiles(), 1);
-        QVERIFY(Recovery::lostTexts(folder.path()).empty()); // not lost: this session lives
+        QVERIFY(Recovery::lostTexts(folder.path()).texts.empty()); // not lost: this session lives
         QVERIFY(!document.saveAs(folder.filePath(QStringLiteral("a.sdl"))));
         recovery.keep();
         QCOMPARE(swapFiles(), 0);
@@ -40,26 +56,114 @@ class RecoveryTest : public QObject {
         QTemporaryDir folder;
         QProcess victim;
         victim.start(QCoreApplication::applicationFilePath(),
-                     {QStringLiteral("recovery_test"), QStringLiteral("victim"), folder.path()});
+                     {QStringLiteral("recovery_test"), QStringLiteral("victim"), folder.path(), QString(),
+                      QString::fromUtf8("// größer\nsphere;")});
         QVERIFY(victim.waitForReadyRead(patience));
-        QVERIFY(Recovery::lostTexts(folder.path()).empty());
+        QVERIFY(Recovery::lostTexts(folder.path()).texts.empty());
         victim.kill();
         QVERIFY(victim.waitForFinished(patience));
-        const std::vector<LostText> lost = Recovery::lostTexts(folder.path());
+        std::vector<LostText> lost = Recovery::lostTexts(folder.path()).texts;
         QCOMPARE(lost.size(), std::size_t{1});
         QCOMPARE(lost[0].text, QByteArray("// gr\xC3\xB6\xC3\x9F"
                                           "er\nsphere;"));
         QVERIFY(lost[0].path.isEmpty());
+        // While one window offers it, no other does; nor does one see a lock as unsaved text.
+        QVERIFY(Recovery::lostTexts(folder.path()).texts.empty());
         Recovery::discard(lost[0]);
-        QVERIFY(Recovery::lostTexts(folder.path()).empty());
+        lost.clear();
+        QVERIFY(QDir(folder.path()).isEmpty()); // no lock stays
+        QVERIFY(Recovery::lostTexts(folder.path()).texts.empty());
+    }
+
+    void aSwapFileThatSaysWhatTheFileSaysIsNoLoss() {
+        // Killed between a save and the next look at whether anything is unsaved.
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("a.sdl"));
+        const QString swaps = folder.filePath(QStringLiteral("swaps"));
+        killedWith(swaps, path, "sphere;");
+        writeFile(path, "other");
+        QCOMPARE(Recovery::lostTexts(swaps).texts.size(), std::size_t{1});
+        writeFile(path, "sphere;");
+        QVERIFY(Recovery::lostTexts(swaps).texts.empty());
+        QVERIFY(QDir(swaps).isEmpty());
+    }
+
+    void onlyTheOwnerMayReadIt() {
+        QTemporaryDir folder;
+        const QString swaps = folder.filePath(QStringLiteral("swaps"));
+        SceneEditor editor(loadTheme(true));
+        Document document(editor);
+        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        Recovery recovery(document, swaps);
+        editor.insert(QStringLiteral("secret;"));
+        QVERIFY(recovery.keep());
+        const QFileDevice::Permissions others = QFile::ReadGroup | QFile::ReadOther | QFile::ExeGroup |
+                                                QFile::ExeOther | QFile::WriteGroup | QFile::WriteOther;
+        QCOMPARE(QFile::permissions(swaps) & others, QFileDevice::Permissions());
+        for (const QFileInfo& file : QDir(swaps).entryInfoList({QStringLiteral("*.swap")}))
+            QCOMPARE(file.permissions() & others, QFileDevice::Permissions());
+    }
+
+    void whatCannotBeKeptIsSaidUntilItCan() {
+        QTemporaryDir folder;
+        SceneEditor editor(loadTheme(true));
+        Document document(editor);
+        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        Recovery recovery(document, folder.path());
+        QSignalSpy changes(&recovery, &Recovery::keepingChanged);
+        editor.insert(QStringLiteral("one"));
+        {
+            const FailingFiles full("write", 1, ENOSPC, qPrintable(folder.path()));
+            QVERIFY(!recovery.keep());
+            QVERIFY(!recovery.keep());
+        }
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(changes.takeFirst().first().toString(), QStringLiteral("No space left on device"));
+        QVERIFY(recovery.keep());
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(changes.takeFirst().first().toString(), QString());
+        QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.swap")}).size(), 1);
+    }
+
+    void withoutAFolderForItOneIsToldAsWell() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("file"));
+        writeFile(file, "in the way");
+        SceneEditor editor(loadTheme(true));
+        Document document(editor);
+        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        Recovery recovery(document, file + QStringLiteral("/recovery"));
+        QSignalSpy changes(&recovery, &Recovery::keepingChanged);
+        editor.insert(QStringLiteral("one"));
+        QVERIFY(!recovery.keep());
+        QCOMPARE(changes.first().first().toString(), QStringLiteral("Not a directory"));
     }
 
     void filesThatAreNoSwapFilesAreLeftAlone() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("other.swap"));
         writeFile(path, "not ours");
-        QVERIFY(Recovery::lostTexts(folder.path()).empty());
+        const LostTexts found = Recovery::lostTexts(folder.path());
+        QVERIFY(found.texts.empty());
+        QCOMPARE(found.unreadable, QStringList{path}); // it may be a swap file that the disk has spoilt
         QCOMPARE(readFile(path), QByteArray("not ours"));
+    }
+
+    void aWindowSaysInItsStatusBarThatTextIsNotKept() {
+        const QString swaps = Recovery::standardFolder();
+        Workbench bench;
+        bench.window().show();
+        bench.keepUnsavedText();
+        const QLabel* warning = bench.window().findChild<QLabel*>(QStringLiteral("warning"));
+        QVERIFY(!warning->isVisible());
+        {
+            const FailingFiles full("write", 1, ENOSPC, qPrintable(swaps));
+            bench.window().editor().insert(QStringLiteral("one"));
+            QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
+            QVERIFY(warning->text().contains(QStringLiteral("No space left on device")));
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!warning->isVisible(), patience);
+        bench.window().editor().markSaved();
     }
 
     void aRecoveredTextIsUnsavedAndBelongsToItsFile() {
@@ -80,12 +184,12 @@ class RecoveryTest : public QObject {
 namespace {
 
 /// The process that is killed: types, keeps, says so and waits.
-int beVictim(const QString& folder) {
+int beVictim(const QString& folder, const QString& path, const QByteArray& text) {
     SceneEditor editor(loadTheme(true));
     Document document(editor);
     QObject::connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
     Recovery recovery(document, folder);
-    editor.insert(QString::fromUtf8("// größer\nsphere;"));
+    document.recover(path, text);
     recovery.keep();
     std::puts("kept");
     std::fflush(stdout);
@@ -101,7 +205,8 @@ int recovery_test(int argc, char** argv);
 // The program's second instance is the one that is killed.
 int carom::test::recovery_test(int argc, char** argv) {
     IdeApplication application(argc, argv);
-    if (argc == 3 && QByteArray(argv[1]) == "victim") return beVictim(QString::fromLocal8Bit(argv[2]));
+    if (argc == 5 && QByteArray(argv[1]) == "victim")
+        return beVictim(QString::fromLocal8Bit(argv[2]), QString::fromLocal8Bit(argv[3]), argv[4]);
     RecoveryTest test;
     return QTest::qExec(&test, argc, argv);
 }

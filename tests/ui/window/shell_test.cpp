@@ -146,7 +146,7 @@ class ShellTest : public QObject {
         Ide ide;
         placeCaretBehind(ide.editor, "sphere");
         const QStatusBar& bar = *ide.bench.window().statusBar();
-        const QLabel* place = bar.findChild<QLabel*>();
+        const QLabel* place = bar.findChild<QLabel*>(QStringLiteral("caret"));
         QTRY_VERIFY_WITH_TIMEOUT(place->text().contains(u'3'), patience);
         ide.bench.window().tell(QString(500, u'm'));
         QVERIFY(bar.currentMessage().endsWith(u'…'));
@@ -250,7 +250,7 @@ class ShellTest : public QObject {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("a.sdl"));
         writeFile(path, "one\ntwo\nthree\n");
-        const LostText lost{QString(), path, "one\n2\nthree\nfour\n", QDateTime::currentDateTime()};
+        const LostText lost{QString(), path, "one\n2\nthree\nfour\n", QDateTime::currentDateTime(), {}};
         RecoveryDialog dialog({lost}, loadTheme(true), nullptr);
         QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText(),
                  QString::fromUtf8("  one\n− two\n+ 2\n  three\n+ four"));
@@ -398,6 +398,10 @@ class ShellTest : public QObject {
         const Actions& actions = ide.bench.window().actions();
         QCOMPARE(actions[ActionId::Comment].shortcut(), QKeySequence(Qt::Key_F12));
         QVERIFY(actions[ActionId::Definition].shortcuts().isEmpty());
+        edit->setKeySequence(QKeySequence(QStringLiteral("Alt+3"))); // a panel's, which is in no table
+        Q_EMIT edit->editingFinished();
+        QCOMPARE(actions[ActionId::Comment].shortcut(), QKeySequence(Qt::Key_F12));
+        QCOMPARE(edit->keySequence(), QKeySequence(Qt::Key_F12));
         dialog->close();
         ide.bench.window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&ide.bench.window(), patience));

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/whole_ide.h"
+
+#include "ui/window/file_commands.h"
+#include "ui/window/outside_dialog.h"
+
+#include <QDir>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+
+// Other programs change the scene's file while it is open here.
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+const QByteArray theirs = twoBalls + "// by somebody else\n";
+
+void press(QWidget& dialog, const char* button) {
+    QPushButton* found = dialog.findChild<QPushButton*>(QLatin1StringView(button));
+    QVERIFY(found != nullptr);
+    found->click();
+}
+
+} // namespace
+
+class OutsideTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void aReloadIsOneStepThatCanBeUndone() {
+        Ide ide;
+        writeFile(ide.path, theirs);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.bytes(), theirs, patience);
+        QVERIFY(!ide.bench.document().isModified());
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+        QVERIFY(ide.bench.document().isModified());
+        ide.editor.redo();
+        QCOMPARE(ide.editor.bytes(), theirs);
+        QVERIFY(!ide.bench.document().isModified());
+    }
+
+    void aSaveOverAFileChangedOutsideAsksAndShowsWhatDiffers() {
+        Ide ide;
+        typeAtTheEnd(ide.editor, "// mine");
+        const QByteArray mine = ide.editor.bytes();
+        // The save comes before the window has noticed by itself.
+        writeFile(ide.path, theirs);
+        QString shown;
+        answerNextDialog([&shown](QWidget& dialog) {
+            shown = dialog.findChild<QPlainTextEdit*>()->toPlainText();
+            press(dialog, "keep");
+        });
+        ide.trigger(ActionId::Save);
+        QVERIFY2(shown.contains(QStringLiteral("// by somebody else")) &&
+                     shown.contains(QStringLiteral("+ // mine")),
+                 qPrintable(shown));
+        QCOMPARE(readFile(ide.path), theirs);
+        QVERIFY(ide.bench.document().isModified());
+
+        answerNextDialog([](QWidget& dialog) { press(dialog, "save"); });
+        ide.trigger(ActionId::Save);
+        QCOMPARE(readFile(ide.path), mine);
+        QVERIFY(!ide.bench.document().isModified());
+    }
+
+    void theFilesTextCanBeTakenAndWhatWasTypedComesBackByUndo() {
+        Ide ide;
+        typeAtTheEnd(ide.editor, "// mine");
+        const QByteArray mine = ide.editor.bytes();
+        bool asked = false;
+        answerNextDialog([&asked](QWidget& dialog) {
+            asked = true;
+            press(dialog, "take");
+        });
+        writeFile(ide.path, theirs);
+        QTRY_VERIFY_WITH_TIMEOUT(asked, patience);
+        QCOMPARE(ide.editor.bytes(), theirs);
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), mine);
+    }
+
+    void oneQuestionAtATime() {
+        Ide ide;
+        typeAtTheEnd(ide.editor, "// mine");
+        int questions = 0;
+        bool second = false;
+        answerNextDialog([&](QWidget& dialog) {
+            ++questions;
+            // While it stands there the file changes again: no second question over the first.
+            writeFile(ide.path, theirs + "// again\n");
+            QTest::qWait(1500);
+            QCOMPARE(QApplication::activeModalWidget(), &dialog);
+            answerNextDialog([&](QWidget& next) {
+                second = next.findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("again"));
+                press(next, "keep");
+            });
+            press(dialog, "keep");
+        });
+        writeFile(ide.path, theirs);
+        QTRY_VERIFY_WITH_TIMEOUT(second, patience);
+        QCOMPARE(questions, 1);
+    }
+
+    void theTextOfADeletedFileIsSaidToBeUnsavedAndClosingAsks() {
+        Ide ide;
+        QSignalSpy reports(&ide.bench.files(), &FileCommands::reported);
+        QVERIFY(QFile::remove(ide.path));
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.window().isWindowModified(), patience);
+        QVERIFY(reports.last().first().toString().contains(QStringLiteral("deleted or moved")));
+        bool asked = false;
+        answerNextDialog([&asked](QWidget& box) {
+            asked = true;
+            static_cast<QMessageBox&>(box).button(QMessageBox::Save)->click();
+        });
+        ide.bench.window().close();
+        QVERIFY(asked);
+        QCOMPARE(readFile(ide.path), twoBalls);
+    }
+
+    void aNameIsShownAsItIs() {
+        // Qt takes a text that looks like HTML for HTML.
+        Ide ide;
+        const QString path =
+            ide.folder.filePath(QStringLiteral("<b>bold<")); // no `/`: a name may not hold one
+        writeFile(path, twoBalls);
+        QVERIFY(!ide.bench.document().open(path));
+        typeAtTheEnd(ide.editor, "x");
+        Qt::TextFormat format = Qt::AutoText;
+        answerNextDialog([&format](QWidget& box) {
+            format = static_cast<QMessageBox&>(box).textFormat();
+            static_cast<QMessageBox&>(box).button(QMessageBox::Cancel)->click();
+        });
+        ide.bench.window().close();
+        QCOMPARE(format, Qt::PlainText);
+    }
+};
+
+CAROM_TEST_WITH(IdeApplication, outside_test, OutsideTest)
+#include "outside_test.moc"
