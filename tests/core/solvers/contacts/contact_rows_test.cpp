@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/solver_rows.h"
+#include "tests/support/test_class.h"
+
+#include "core/solvers/contacts/contact_rows.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <vector>
+
+// Groups of four contacts: everything that was put in is in them once, no body is twice in one, and where a
+// pair goes depends on the pairs alone.
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t seed = 20261;
+constexpr double rounding = 1e-12; // of products of a few numbers of the size of 1
+
+using test::OwnedPair;
+using test::RowKind;
+using test::RowScene;
+
+/// Where the rows have put the pairs: a list of sources for every group.
+std::vector<std::array<std::uint32_t, wideLanes>> placementOf(const ContactRows& rows) {
+    std::vector<std::array<std::uint32_t, wideLanes>> result;
+    for (const RowGroup& group : rows.groups()) result.push_back(group.source);
+    return result;
+}
+
+// One body in the middle of many contacts, and some beside it.
+RowScene hub(Random& random, std::size_t contacts) {
+    RowScene scene = test::randomBodies(random, contacts + 1);
+    for (std::uint32_t i = 1; i <= contacts; ++i) {
+        scene.pairs.push_back(test::randomPair(random, scene, 0, i, {}));
+        if (i % 3 == 0) scene.pairs.push_back(test::randomPair(random, scene, i, i - 1, {}));
+        if (i % 5 == 0) scene.pairs.push_back(test::randomPair(random, scene, scene.immobile(), i, {}));
+        if (i % 7 == 0) scene.pairs.push_back(test::randomPair(random, scene, scene.immobile(), 0, {}));
+    }
+    return scene;
+}
+
+std::vector<RowScene> manyScenes() {
+    qInfo("seed %llu", static_cast<unsigned long long>(seed));
+    Random random(seed);
+    std::vector<RowScene> scenes;
+    RowKind kind;
+    kind.rolling = 0.1;
+    for (int trial = 0; trial < 60; ++trial) {
+        const std::size_t bodies = 1 + random.below(60);
+        kind.immobileShare = random.uniform();
+        scenes.push_back(test::randomRows(random, bodies, random.below(300), kind));
+    }
+    for (const std::size_t contacts : {63U, 64U, 65U, 66U, 200U, 500U})
+        scenes.push_back(hub(random, contacts));
+    return scenes;
+}
+
+/// The groups as the header describes them, by looking through all open ones.
+class ObviousGroups {
+  public:
+    explicit ObviousGroups(std::uint32_t immobile) : m_immobile(immobile) {}
+
+    void add(const OwnedPair& pair, std::uint32_t source) {
+        const std::size_t count = pair.points.size();
+        Shelf& shelf = m_shelves[count == 1 ? 0 : count == 2 ? 1 : 2];
+        std::size_t slot = 0;
+        while (slot < mostOpen && !(shelf.open[slot] && isFree(*shelf.open[slot], pair))) ++slot;
+        if (slot == mostOpen) {
+            slot = 0;
+            while (slot < mostOpen && shelf.open[slot]) ++slot;
+            if (slot == mostOpen) { // all are open: the next in turn is closed
+                slot = shelf.turn;
+                shelf.turn = (shelf.turn + 1) % mostOpen;
+            }
+            shelf.open[slot] = Group{m_groups.size(), {}, 0};
+            m_groups.emplace_back().fill(ContactRows::noPair);
+        }
+        Group& group = *shelf.open[slot];
+        m_groups[group.number][group.filled++] = source;
+        for (const std::uint32_t body : {pair.laws.a, pair.laws.b})
+            if (body != m_immobile) group.bodies.insert(body);
+        if (group.filled == wideLanes) shelf.open[slot].reset();
+    }
+    const std::vector<std::array<std::uint32_t, wideLanes>>& groups() const { return m_groups; }
+
+  private:
+    static constexpr std::size_t mostOpen = 64;
+    struct Group {
+        std::size_t number;
+        std::set<std::uint32_t> bodies;
+        std::size_t filled;
+    };
+    struct Shelf {
+        std::array<std::optional<Group>, mostOpen> open;
+        std::size_t turn = 0;
+    };
+    bool isFree(const Group& group, const OwnedPair& pair) const {
+        return !group.bodies.contains(pair.laws.a) && !group.bodies.contains(pair.laws.b);
+    }
+
+    std::uint32_t m_immobile;
+    std::array<Shelf, 3> m_shelves;
+    std::vector<std::array<std::uint32_t, wideLanes>> m_groups;
+};
+
+Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
+    return {from[0][lane], from[1][lane], from[2][lane]};
+}
+
+/// W of a point, by its definition: the velocity of the point of B relative to A after an impulse.
+Mat3 responseOf(const SolverBody& a, const SolverBody& b, const PointInput& point) {
+    Mat3 response;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const Vec3 p = Vec3::Unit(axis);
+        const auto after = [&](const SolverBody& body, const Vec3& arm) -> Vec3 {
+            const Vec3 spin = test::inverseInertiaOf(body) * arm.cross(p);
+            return body.inverseMass * p + spin.cross(arm);
+        };
+        response.col(axis) = after(a, point.armA) + after(b, point.armB);
+    }
+    return response;
+}
+
+} // namespace
+
+class ContactRowsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void noMobileBodyIsTwiceInAGroup() {
+        for (const RowScene& scene : manyScenes()) {
+            const ContactRows rows = scene.rows();
+            for (const RowGroup& group : rows.groups()) {
+                std::set<std::uint32_t> seen;
+                for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                    for (const std::uint32_t body : {group.a[lane], group.b[lane]}) {
+                        QVERIFY(body <= rows.immobile());
+                        if (body != rows.immobile()) QVERIFY(seen.insert(body).second);
+                    }
+            }
+        }
+    }
+
+    void everyPairIsKeptOnceWithItsData() {
+        for (const RowScene& scene : manyScenes()) {
+            const ContactRows rows = scene.rows();
+            std::vector<int> found(scene.pairs.size(), 0);
+            std::vector<int> owned(rows.points().size(), 0);
+            for (const RowGroup& group : rows.groups()) {
+                QVERIFY(group.points == 1 || group.points == 2 || group.points == 4);
+                QVERIFY(group.firstPoint + group.points <= rows.points().size());
+                for (std::uint32_t k = 0; k < group.points; ++k) ++owned[group.firstPoint + k];
+                bool bounces = false;
+                for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                    if (group.source[lane] == ContactRows::noPair) {
+                        QCOMPARE(group.a[lane], rows.immobile());
+                        QCOMPARE(group.b[lane], rows.immobile());
+                        for (std::uint32_t k = 0; k < group.points; ++k) {
+                            const RowPoint& point = rows.points()[group.firstPoint + k];
+                            QVERIFY(point.massNormal[lane] == 0 && point.massTangent[lane] == 0);
+                            QVERIFY(rows.impulseOf(group, static_cast<int>(lane), k) == Vec3::Zero());
+                        }
+                        continue;
+                    }
+                    QVERIFY(group.source[lane] < scene.pairs.size());
+                    ++found[group.source[lane]];
+                    const OwnedPair& pair = scene.pairs[group.source[lane]];
+                    QCOMPARE(group.a[lane], pair.laws.a);
+                    QCOMPARE(group.b[lane], pair.laws.b);
+                    QVERIFY(laneOf(group.normal, lane) == pair.laws.normal);
+                    const Vec3 tangent = laneOf(group.tangent, lane);
+                    QVERIFY(std::abs(tangent.norm() - 1) < rounding);
+                    QVERIFY(std::abs(tangent.dot(pair.laws.normal)) < rounding);
+                    QVERIFY(group.friction[lane] == pair.laws.friction);
+                    QVERIFY(group.restitution[lane] == pair.laws.restitution);
+                    QVERIFY(group.push[lane] == pair.laws.push);
+                    const bool held = pair.laws.a == rows.immobile() || pair.laws.b == rows.immobile();
+                    QVERIFY(group.stiffness[lane] == (held ? 1 : 0.5));
+                    bounces = bounces || pair.laws.restitution > 0;
+                    const std::size_t room = pair.points.size() == 3 ? 4 : pair.points.size();
+                    QCOMPARE(std::size_t{group.points}, room);
+                    comparePoints(scene, rows, group, lane);
+                }
+                QCOMPARE(group.bounces, bounces);
+            }
+            QVERIFY(std::ranges::all_of(found, [](int times) { return times == 1; }));
+            QVERIFY(std::ranges::all_of(owned, [](int times) { return times == 1; }));
+        }
+    }
+
+    void rollingRowsBelongToTheirPairs() {
+        for (const RowScene& scene : manyScenes()) {
+            ContactRows rows = scene.rows();
+            std::size_t expected = 0;
+            for (const OwnedPair& pair : scene.pairs) expected += pair.laws.rolling > 0;
+            QCOMPARE(rows.rolling().size(), expected);
+            std::set<std::uint32_t> seen;
+            for (const RollingRow& row : rows.rolling()) {
+                const std::uint32_t source = rows.groups()[row.group].source[row.lane];
+                QVERIFY(seen.insert(source).second);
+                const OwnedPair& pair = scene.pairs[source];
+                QVERIFY(row.a == pair.laws.a && row.b == pair.laws.b);
+                QVERIFY(row.rolling == pair.laws.rolling && row.normal == pair.laws.normal);
+                QVERIFY(row.torque == Vec3::Zero());
+                // 1 over the larger eigenvalue of the response across the normal.
+                const Mat3 across = Mat3::Identity() - row.normal * row.normal.transpose();
+                const Mat3 response = across *
+                                      (test::inverseInertiaOf(scene.bodies[row.a]) +
+                                       test::inverseInertiaOf(scene.bodies[row.b])) *
+                                      across;
+                const double larger = Eigen::SelfAdjointEigenSolver<Mat3>(response).eigenvalues().maxCoeff();
+                QVERIFY(std::abs(row.inertia * larger - 1) < rounding);
+            }
+        }
+    }
+
+    void pairsGoWhereASearchThroughAllOpenGroupsPutsThem() {
+        std::size_t crowded = 0;
+        for (const RowScene& scene : manyScenes()) {
+            ObviousGroups expected(scene.immobile());
+            for (std::size_t i = 0; i < scene.pairs.size(); ++i)
+                expected.add(scene.pairs[i], static_cast<std::uint32_t>(i));
+            QVERIFY(placementOf(scene.rows()) == expected.groups());
+            crowded += expected.groups().size() > 64;
+        }
+        QVERIFY(crowded >= 3); // some scenes have more groups than can be open
+    }
+
+    void orderIsAFunctionOfThePairsAlone() {
+        Random random(seed, 1);
+        ContactRows used; // rows that held something else before
+        for (const RowScene& scene : manyScenes()) {
+            const auto expected = placementOf(scene.rows());
+            scene.fill(used);
+            QVERIFY(placementOf(used) == expected);
+
+            RowScene other = scene; // other bodies and other contacts between the same pairs
+            for (std::size_t i = 0; i < other.mobileCount(); ++i) other.bodies[i] = test::randomBody(random);
+            for (OwnedPair& pair : other.pairs) {
+                const std::size_t count = pair.points.size();
+                pair = test::randomPair(random, other, pair.laws.a, pair.laws.b, {});
+                pair.points.resize(count, pair.points.front());
+            }
+            QVERIFY(placementOf(other.rows()) == expected);
+
+            RowScene larger = scene; // the same among more bodies
+            larger.bodies.insert(larger.bodies.end(), 7, SolverBody());
+            larger.places.insert(larger.places.end(), 7, Vec3::Zero());
+            for (OwnedPair& pair : larger.pairs)
+                for (std::uint32_t* body : {&pair.laws.a, &pair.laws.b})
+                    if (*body == scene.immobile()) *body = larger.immobile();
+            QVERIFY(placementOf(larger.rows()) == expected);
+        }
+    }
+
+    void groupsOfIndependentPairsAreFull() {
+        Random random(seed, 2);
+        RowScene scene = test::randomBodies(random, 400);
+        for (std::uint32_t i = 0; i < 400; i += 2) {
+            OwnedPair pair = test::randomPair(random, scene, i, i + 1, {});
+            pair.points.resize(2, pair.points.front());
+            scene.pairs.push_back(pair);
+        }
+        QCOMPARE(scene.rows().groups().size(), 200U / wideLanes);
+    }
+
+    void forcesBecomeImpulses() {
+        for (const RowScene& scene : manyScenes()) {
+            ContactRows rows = scene.rows();
+            rows.scaleImpulses(0.25); // a power of two: exact
+            const ContactRows whole = scene.rows();
+            for (const RowGroup& group : whole.groups())
+                for (int lane = 0; lane < wideLanes; ++lane)
+                    for (std::uint32_t k = 0; k < group.points; ++k)
+                        QVERIFY(rows.impulseOf(group, lane, k) ==
+                                Vec3(0.25 * whole.impulseOf(group, lane, k)));
+        }
+    }
+
+  private:
+    static void comparePoints(const RowScene& scene, const ContactRows& rows, const RowGroup& group,
+                              std::size_t lane) {
+        const OwnedPair& pair = scene.pairs[group.source[lane]];
+        const Vec3 normal = laneOf(group.normal, lane), tangent = laneOf(group.tangent, lane);
+        Mat3 frame;
+        frame << normal.transpose(), tangent.transpose(), normal.cross(tangent).transpose();
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            const RowPoint& row = rows.points()[group.firstPoint + k];
+            if (k >= pair.points.size()) { // the fourth of three points does nothing
+                QVERIFY(row.massNormal[lane] == 0 && row.massTangent[lane] == 0);
+                QVERIFY(rows.impulseOf(group, static_cast<int>(lane), k) == Vec3::Zero());
+                continue;
+            }
+            const PointInput& point = pair.points[k];
+            QVERIFY(laneOf(row.armA, lane) == point.armA);
+            QVERIFY(laneOf(row.armB, lane) == point.armB);
+            QVERIFY(row.gap[lane] == point.separation);
+            QVERIFY((rows.impulseOf(group, static_cast<int>(lane), k) - point.impulse).norm() < rounding);
+            const Mat3 response = frame *
+                                  responseOf(scene.bodies[pair.laws.a], scene.bodies[pair.laws.b], point) *
+                                  frame.transpose();
+            QVERIFY(std::abs(row.massNormal[lane] * response(0, 0) - 1) < rounding);
+            const Eigen::Matrix2d across = response.bottomRightCorner<2, 2>();
+            const double larger =
+                Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(across).eigenvalues().maxCoeff();
+            QVERIFY(std::abs(row.massTangent[lane] * larger - 1) < rounding);
+            QVERIFY(std::abs(row.coupling1[lane] - response(0, 1)) < rounding * response.norm());
+            QVERIFY(std::abs(row.coupling2[lane] - response(0, 2)) < rounding * response.norm());
+        }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(contact_rows_test, carom::ContactRowsTest)
+#include "contact_rows_test.moc"

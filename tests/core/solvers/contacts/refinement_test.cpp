@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+
+#include "core/math/random.h"
+#include "core/solvers/contacts/refinement.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// Who decides how much work refinement may take: budgets add up to no more than is documented, what is not
+// refined takes the base path, and what failed waits.
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t seed = 20264;
+constexpr double rounding = 1e-12; // relative
+constexpr double substep = 1.0 / 240;
+constexpr double earth = 9.81;
+
+/// Bodies without walls, coupled as `pairs` say; what is in no pair is alone.
+struct Crowd {
+    explicit Crowd(std::size_t count) {
+        Scene scene;
+        for (std::size_t i = 0; i < count; ++i)
+            scene.bodies.push_back(test::sphere(0.1, 1, {static_cast<double>(i), 0, 0}));
+        bodies = bodiesOf(scene);
+        state = initialStateOf(scene);
+    }
+
+    void join(BodyIndex a, BodyIndex b) {
+        ContactPair pair;
+        pair.a = std::min(a, b);
+        pair.b = std::max(a, b);
+        pairs.push_back(pair);
+    }
+    /// Bodies in chains of so many.
+    void chain(const std::vector<std::size_t>& lengths) {
+        BodyIndex first = 0;
+        for (const std::size_t length : lengths) {
+            for (std::size_t i = 1; i < length; ++i)
+                join(first + static_cast<BodyIndex>(i) - 1, first + static_cast<BodyIndex>(i));
+            first += static_cast<BodyIndex>(length);
+        }
+    }
+    void find() {
+        std::sort(pairs.begin(), pairs.end(), [](const ContactPair& one, const ContactPair& other) {
+            return one.bodies() < other.bodies();
+        });
+        islands.find(bodies, bodies.mobileBodies, pairs, links);
+        canMeet.resize(pairs.size(), 1);
+    }
+    RefinementInput input(int part = 0, int parts = 1) const {
+        return {bodies, state, islands, canMeet, {0, -earth, 0}, substep, part, parts};
+    }
+    /// Bodies and pairs of islands that have pairs: what a budget grows with.
+    double items() const {
+        std::size_t sum = 0;
+        for (std::size_t i = 0; i < islands.count(); ++i)
+            if (!islands[i].pairs.empty()) sum += islands[i].bodies.size() + islands[i].pairs.size();
+        return static_cast<double>(sum);
+    }
+
+    Bodies bodies;
+    State state;
+    std::vector<ContactPair> pairs;
+    std::vector<BodyPair> links;
+    std::vector<std::uint8_t> canMeet; // by pair
+    Islands islands;
+};
+
+Crowd randomCrowd(Random& random, std::size_t most) {
+    Crowd crowd(1 + random.below(most));
+    const std::size_t count = crowd.bodies.count();
+    const std::size_t pairs = random.below(2 * count);
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const std::uint64_t a = random.below(count);
+        const std::uint64_t near = std::min<std::uint64_t>(count - 1, a + 1 + random.below(3));
+        if (a != near) crowd.join(static_cast<BodyIndex>(a), static_cast<BodyIndex>(near));
+    }
+    for (Vec3& velocity : crowd.state.velocity)
+        if (random.below(2) == 0) velocity = {random.uniform(0, 2), 0, 0};
+    crowd.find();
+    return crowd;
+}
+
+RefinementBudget randomBudget(Random& random) {
+    return {.floor = std::pow(10, random.uniform(3, 6)),
+            .perItem = random.uniform(0, 2000),
+            .start = random.below(2) == 0 ? 0 : std::pow(10, random.uniform(4, 8)),
+            .saved = std::pow(10, random.uniform(4, 7))};
+}
+
+bool isRefined(const Refinement& refinement, std::uint32_t island) {
+    return std::ranges::any_of(refinement.refined(),
+                               [&](const Refinement::Choice& one) { return one.island == island; });
+}
+
+/// Islands in the order they are refined, with their budgets.
+std::vector<std::pair<std::uint32_t, double>> choicesOf(const Refinement& refinement) {
+    std::vector<std::pair<std::uint32_t, double>> result;
+    for (const Refinement::Choice& one : refinement.refined()) result.emplace_back(one.island, one.budget);
+    return result;
+}
+
+} // namespace
+
+class RefinementTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void budgetsAddUpToNoMoreThanIsDocumented() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        double closest = 0;
+        for (int trial = 0; trial < 300; ++trial) {
+            const Crowd crowd = randomCrowd(random, 300);
+            const RefinementBudget budget = randomBudget(random);
+            const int parts = 1 + static_cast<int>(random.below(8));
+            Refinement refinement(crowd.bodies.count());
+            double saved = budget.start;
+            for (int frame = 0; frame < 3; ++frame) {
+                double sum = 0;
+                const double savedBefore = std::max(saved, 0.0);
+                for (int part = 0; part < parts; ++part) {
+                    refinement.choose(crowd.input(part, parts), budget);
+                    double used = 0;
+                    for (const Refinement::Choice& one : refinement.refined()) used += one.budget;
+                    sum += used;
+                    // All of it is used up.
+                    refinement.pay(used, 0);
+                }
+                const double whole = budget.floor + budget.perItem * crowd.items();
+                // What comes in during the frame is saved, and may be used in its later parts.
+                const double bound = Refinement::mostShares * budget.floor +
+                                     (Refinement::mostOverrun + 1) * whole + savedBefore;
+                closest = std::max(closest, sum / bound);
+                QVERIFY2(sum <= bound * (1 + rounding),
+                         qPrintable(QStringLiteral("trial %1: %2 of %3").arg(trial).arg(sum).arg(bound)));
+                saved = refinement.memory().saved;
+                QVERIFY(saved >= 0 && saved <= std::max(budget.saved, savedBefore));
+            }
+        }
+        qInfo("at most %g of the bound", closest);
+        QVERIFY(closest > 0.1);
+    }
+
+    void whatAFrameDoesNotUseIsKeptUpToTheLimit() {
+        Crowd crowd(4);
+        crowd.chain({2, 2});
+        crowd.find();
+        const RefinementBudget budget{.floor = 1e6, .perItem = 0, .start = 1e7, .saved = 4e6};
+        Refinement refinement(4);
+        refinement.choose(crowd.input(), budget);
+        refinement.pay(9e6, 0); // left 1e6, then the income
+        QCOMPARE(refinement.memory().saved, 2e6);
+        refinement.choose(crowd.input(), budget);
+        refinement.pay(0, 0.5e6); // the base path is paid from the same
+        QCOMPARE(refinement.memory().saved, 2.5e6);
+        for (int k = 0; k < 5; ++k) {
+            refinement.choose(crowd.input(), budget);
+            refinement.pay(0, 0);
+        }
+        QCOMPARE(refinement.memory().saved, budget.saved);
+        refinement.choose(crowd.input(), budget);
+        refinement.pay(1e9, 0);
+        QCOMPARE(refinement.memory().saved, 1e6); // no debts: the income alone
+    }
+
+    void everyIslandIsRefinedSteppedOrLone() {
+        Random random(seed, 1);
+        std::size_t passedOver = 0;
+        for (int trial = 0; trial < 300; ++trial) {
+            const Crowd crowd = randomCrowd(random, 200);
+            const RefinementBudget budget = randomBudget(random);
+            Refinement refinement(crowd.bodies.count());
+            refinement.choose(crowd.input(), budget);
+            std::vector<int> times(crowd.islands.count(), 0);
+            for (const Refinement::Choice& one : refinement.refined()) ++times[one.island];
+            for (const std::uint32_t island : refinement.stepped()) {
+                ++times[island];
+                for (const BodyIndex body : crowd.islands[island].bodies) QVERIFY(refinement.isStepped(body));
+            }
+            for (const BodyIndex body : refinement.lone()) QVERIFY(!refinement.isStepped(body));
+            for (std::uint32_t island = 0; island < times.size(); ++island) {
+                const Island it = crowd.islands[island];
+                const bool alone = it.pairs.empty();
+                QCOMPARE(times[island], alone ? 0 : 1);
+                if (alone) QVERIFY(std::ranges::binary_search(refinement.lone(), it.bodies.front()));
+                if (isRefined(refinement, island))
+                    for (const BodyIndex body : it.bodies) QVERIFY(!refinement.isStepped(body));
+            }
+            QVERIFY(std::ranges::is_sorted(refinement.lone()));
+            QVERIFY(std::ranges::is_sorted(refinement.stepped()));
+            QVERIFY(std::ranges::is_sorted(refinement.refined(), {}, &Refinement::Choice::island));
+            QCOMPARE(refinement.passedOver(), refinement.stepped().size());
+            passedOver += refinement.passedOver();
+            for (const ContactPair& pair : crowd.pairs)
+                QCOMPARE(refinement.isStepped(crowd.bodies, pair.bodies()),
+                         refinement.isStepped(pair.a) && refinement.isStepped(pair.b));
+        }
+        QVERIFY(passedOver > 100);
+    }
+
+    void islandsInWhichNothingCanMeetAreLone() {
+        Crowd crowd(7);
+        crowd.chain({3, 2, 2});
+        crowd.find();
+        crowd.canMeet = {0, 0, 1, 0}; // pairs 0-1 and 1-2, then 3-4, then 5-6
+        Refinement refinement(7);
+        refinement.choose(crowd.input(), {});
+        QCOMPARE(refinement.refined().size(), 1U);
+        QCOMPARE(refinement.refined()[0].island, 1U);
+        const std::vector<BodyIndex> expected = {0, 1, 2, 5, 6};
+        QVERIFY(std::ranges::equal(refinement.lone(), expected));
+        crowd.canMeet[1] = 1; // one pair that can is enough for the whole island
+        refinement.choose(crowd.input(), {});
+        QCOMPARE(refinement.refined().size(), 2U);
+        QCOMPARE(refinement.lone().size(), 2U);
+    }
+
+    void islandsThatCostLeastComeFirst() {
+        Random random(seed, 2);
+        for (int trial = 0; trial < 100; ++trial) {
+            const Crowd crowd = randomCrowd(random, 200);
+            RefinementBudget budget = randomBudget(random);
+            budget.start = budget.saved = 0;
+            Refinement refinement(crowd.bodies.count());
+            refinement.choose(crowd.input(), budget);
+            const auto sizeOf = [&](std::uint32_t island) {
+                return 300 * crowd.islands[island].bodies.size() + 1500 * crowd.islands[island].pairs.size();
+            };
+            std::size_t largest = 0;
+            for (const Refinement::Choice& one : refinement.refined())
+                largest = std::max(largest, sizeOf(one.island));
+            for (const std::uint32_t island : refinement.stepped()) QVERIFY(sizeOf(island) >= largest);
+        }
+    }
+
+    void savedWorkGoesToWhatIsNearlyAtRest() {
+        Crowd crowd(4);
+        crowd.chain({2, 2});
+        crowd.state.velocity[0] = {2 * 10 * earth * substep, 0, 0}; // too fast
+        crowd.find();
+        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6};
+        Refinement refinement(4);
+        refinement.choose(crowd.input(), budget);
+        QCOMPARE(refinement.refined().size(), 2U);
+        QVERIFY(refinement.refined()[0].budget < budget.start);
+        QVERIFY(refinement.refined()[1].budget >= budget.start);
+        crowd.state.velocity[0] = {0.5 * 10 * earth * substep, 0, 0};
+        refinement.choose(crowd.input(), budget);
+        QVERIFY(refinement.refined()[0].budget >= budget.start); // to the first, the other may be left none
+        QVERIFY(refinement.refined()[1].budget < budget.start);
+        crowd.state.angularVelocity[1] = {0, 0, 2 * 10 * earth * substep / 0.1};
+        refinement.choose(crowd.input(), budget);
+        QVERIFY(refinement.refined()[0].budget < budget.start);
+    }
+
+    void islandThatFailsWaitsTwiceAsLongEachTime() {
+        Crowd crowd(3);
+        crowd.chain({2});
+        crowd.find();
+        const RefinementBudget budget;
+        Refinement refinement(3);
+        for (int failures = 1; failures <= 8; ++failures) {
+            refinement.choose(crowd.input(), budget);
+            QCOMPARE(refinement.refined().size(), 1U);
+            refinement.setBack(crowd.islands[0]);
+            QVERIFY(refinement.isStepped(0) && refinement.isStepped(1) && !refinement.isStepped(2));
+            const int wait = (1 << std::min(failures, 6)) - 1;
+            for (int k = 0; k < wait; ++k) {
+                refinement.choose(crowd.input(), budget);
+                QVERIFY2(refinement.refined().empty(), qPrintable(QString::number(failures)));
+                QCOMPARE(refinement.stepped().size(), 1U);
+            }
+        }
+        refinement.choose(crowd.input(), budget);
+        QCOMPARE(refinement.refined().size(), 1U);
+        refinement.succeeded(crowd.islands[0]); // and begins again from one
+        refinement.choose(crowd.input(), budget);
+        QCOMPARE(refinement.refined().size(), 1U);
+        refinement.setBack(crowd.islands[0]);
+        refinement.choose(crowd.input(), budget);
+        QVERIFY(refinement.refined().empty());
+        refinement.choose(crowd.input(), budget);
+        QCOMPARE(refinement.refined().size(), 1U);
+    }
+
+    void islandWaitsAsLongAsAnyOfItsBodies() {
+        Crowd crowd(4);
+        crowd.chain({2, 2});
+        crowd.find();
+        const RefinementBudget budget;
+        Refinement refinement(4);
+        refinement.choose(crowd.input(), budget);
+        for (int k = 0; k < 3; ++k) refinement.setBack(crowd.islands[0]); // waits seven substeps
+        crowd.join(1, 2);
+        crowd.find(); // one island now
+        for (int k = 0; k < 7; ++k) {
+            refinement.choose(crowd.input(), budget);
+            QVERIFY(refinement.refined().empty());
+        }
+        refinement.choose(crowd.input(), budget);
+        QCOMPARE(refinement.refined().size(), 1U);
+    }
+
+    void whatItRemembersGoesOnAsItDid() {
+        Random random(seed, 3);
+        const Crowd crowd = randomCrowd(random, 100);
+        const RefinementBudget budget{.floor = 3e4, .perItem = 300, .start = 1e6, .saved = 1e5};
+        Refinement one(crowd.bodies.count());
+        const auto live = [&](Refinement& refinement, std::uint64_t stream) {
+            Random fate(seed, stream);
+            refinement.choose(crowd.input(), budget);
+            for (const Refinement::Choice& choice : refinement.refined())
+                if (fate.below(2) == 0)
+                    refinement.setBack(crowd.islands[choice.island]);
+                else
+                    refinement.succeeded(crowd.islands[choice.island]);
+            refinement.pay(fate.uniform(0, 1e5), fate.uniform(0, 1e4));
+        };
+        for (std::uint64_t k = 0; k < 50; ++k) live(one, k);
+        Refinement other(crowd.bodies.count());
+        live(other, 1000); // something else before
+        other.recall(one.memory());
+        bool waited = false;
+        for (std::uint64_t k = 50; k < 300; ++k) {
+            live(one, k);
+            live(other, k);
+            QVERIFY(choicesOf(one) == choicesOf(other));
+            QVERIFY(std::ranges::equal(one.stepped(), other.stepped()));
+            QVERIFY(std::ranges::equal(one.lone(), other.lone()));
+            for (const BodyIndex body : crowd.bodies.mobileBodies)
+                QCOMPARE(one.isStepped(body), other.isStepped(body));
+            QCOMPARE(one.memory().saved, other.memory().saved);
+            waited = waited || !one.stepped().empty();
+        }
+        QVERIFY(waited);
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(refinement_test, carom::RefinementTest)
+#include "refinement_test.moc"

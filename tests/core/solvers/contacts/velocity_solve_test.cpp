@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/solver_rows.h"
+#include "tests/support/test_class.h"
+
+#include "core/solvers/contacts/velocity_solve.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <vector>
+
+// The passes of the velocity solve, four contacts at a time, against the same formulas for one contact after
+// another, and against the laws they stand for.
+
+namespace carom {
+namespace {
+
+using test::inverseInertiaOf;
+using test::OwnedPair;
+using test::RowKind;
+using test::RowScene;
+using test::vectorOf;
+
+constexpr std::uint64_t seed = 20262;
+/// Of velocities of about 1 m/s after some passes with masses of about 1 kg.
+constexpr double rounding = 1e-11;
+
+enum class Pass { Feedback, Relax, Rebound };
+
+Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
+    return {from[0][lane], from[1][lane], from[2][lane]};
+}
+
+void push(SolverBody& body, const Vec3& arm, const Vec3& impulse) {
+    const Vec3 velocity = vectorOf(body.velocity) + body.inverseMass * impulse;
+    const Vec3 spin = vectorOf(body.spin) + inverseInertiaOf(body) * arm.cross(impulse);
+    for (std::size_t k = 0; k < 3; ++k) {
+        body.velocity[k] = velocity[static_cast<Eigen::Index>(k)];
+        body.spin[k] = spin[static_cast<Eigen::Index>(k)];
+    }
+}
+
+Vec3 relativeVelocity(const SolverBody& a, const SolverBody& b, const Vec3& armA, const Vec3& armB) {
+    return vectorOf(b.velocity) + vectorOf(b.spin).cross(armB) - vectorOf(a.velocity) -
+           vectorOf(a.spin).cross(armA);
+}
+
+/// One contact after another, as the head comment of velocity_solve.h has it.
+class Obvious {
+  public:
+    Obvious(const ContactRows& itsRows, std::span<const SolverBody> itsBodies)
+        : rows(itsRows), bodies(itsBodies.begin(), itsBodies.end()) {}
+
+    ContactRows rows;
+    std::vector<SolverBody> bodies;
+    /// By how much a tangential impulse was outside its disc when it was set [N s].
+    double violationWhenSet = 0;
+
+    void warmStart() {
+        forEach(false, [this](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t k) {
+            apply(group, row, lane, rows.impulseOf(group, static_cast<int>(lane), k));
+        });
+    }
+
+    bool recordApproach(const StepSettings& settings) {
+        bool any = false;
+        forEach(false, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
+            const double closing = -laneOf(group.normal, lane).dot(velocityAt(group, row, lane));
+            const bool counts = group.restitution[lane] > 0 && !(row.normal[lane] > 0) &&
+                                closing > settings.resting && closing * settings.duration > row.gap[lane];
+            row.approach[lane] = counts ? closing : 0;
+            any = any || counts;
+        });
+        return any;
+    }
+
+    double pass(Pass kind, std::span<const Displacement> moved, const StepSettings& settings, bool back) {
+        double worst = 0;
+        forEach(back, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
+            worst = std::max(worst, solve(kind, group, row, lane, moved, settings));
+        });
+        return worst;
+    }
+
+    int finishRebound() {
+        int impacts = 0;
+        forEach(false, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
+            if (group.bounces && row.approach[lane] > 0 && row.normal[lane] > 0) {
+                ++impacts;
+                row.normal[lane] = row.along1[lane] = row.along2[lane] = 0;
+            }
+            if (group.bounces) row.approach[lane] = 0;
+        });
+        return impacts;
+    }
+
+  private:
+    template<class Do>
+    void forEach(bool back, const Do& perform) {
+        const std::size_t count = rows.groups().size();
+        for (std::size_t i = 0; i < count; ++i) {
+            RowGroup& group = rows.groups()[back ? count - 1 - i : i];
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                if (group.source[lane] == ContactRows::noPair) continue;
+                for (std::uint32_t k = 0; k < group.points; ++k) {
+                    RowPoint& row = rows.points()[group.firstPoint + k];
+                    if (row.massNormal[lane] > 0) perform(group, row, lane, k);
+                }
+            }
+        }
+    }
+
+    Vec3 velocityAt(const RowGroup& group, const RowPoint& row, std::size_t lane) const {
+        return relativeVelocity(bodies[group.a[lane]], bodies[group.b[lane]], laneOf(row.armA, lane),
+                                laneOf(row.armB, lane));
+    }
+
+    void apply(const RowGroup& group, const RowPoint& row, std::size_t lane, const Vec3& impulse) {
+        push(bodies[group.a[lane]], laneOf(row.armA, lane), -impulse);
+        push(bodies[group.b[lane]], laneOf(row.armB, lane), impulse);
+    }
+
+    double solve(Pass kind, const RowGroup& group, RowPoint& row, std::size_t lane,
+                 std::span<const Displacement> moved, const StepSettings& settings) {
+        const Vec3 n = laneOf(group.normal, lane), t1 = laneOf(group.tangent, lane), t2 = n.cross(t1);
+        const Vec3 armA = laneOf(row.armA, lane), armB = laneOf(row.armB, lane);
+        const double h = settings.duration;
+
+        // Friction, within the disc of the normal impulse so far.
+        Vec3 u = velocityAt(group, row, lane);
+        Eigen::Vector2d tangential(row.along1[lane], row.along2[lane]);
+        const Eigen::Vector2d before = tangential;
+        tangential -= row.massTangent[lane] * Eigen::Vector2d(t1.dot(u), t2.dot(u));
+        const double radius = group.friction[lane] * row.normal[lane];
+        if (tangential.norm() > radius) tangential *= radius / tangential.norm();
+        const Eigen::Vector2d change = tangential - before;
+        apply(group, row, lane, change.x() * t1 + change.y() * t2);
+
+        // The separation now.
+        double gap = row.gap[lane];
+        if (!moved.empty()) {
+            const Displacement &a = moved[group.a[lane]], &b = moved[group.b[lane]];
+            gap += n.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(armB) - vectorOf(a.shift) -
+                         vectorOf(a.turn).cross(armA));
+        }
+        double bias = 0, part = 1, decay = 0;
+        if (gap > 0) {
+            bias = gap / h;
+        } else if (kind == Pass::Feedback) { // a damped spring, implicit
+            const double angle = 2 * std::numbers::pi * settings.hardness * 2 * group.stiffness[lane];
+            const double omega = angle / h, damping = settings.damping;
+            const double rate = omega / (2 * damping + h * omega);
+            const double k = h * omega * (2 * damping + h * omega);
+            bias = std::max(rate * gap, -group.push[lane]);
+            part = k / (1 + k);
+            decay = 1 / (1 + k);
+        }
+        if (kind == Pass::Rebound && row.approach[lane] > 0 && row.normal[lane] > 0)
+            bias = -group.restitution[lane] * row.approach[lane];
+        u = velocityAt(group, row, lane);
+        const double old = row.normal[lane];
+        const double normal =
+            std::max(0.0, old - part * row.massNormal[lane] * (n.dot(u) + bias) - decay * old);
+        apply(group, row, lane, (normal - old) * n);
+
+        row.normal[lane] = normal;
+        row.along1[lane] = tangential.x();
+        row.along2[lane] = tangential.y();
+        violationWhenSet = std::max(violationWhenSet, tangential.norm() - radius);
+        return std::max({std::abs(normal - old) / row.massNormal[lane],
+                         std::abs(change.x()) / row.massTangent[lane],
+                         std::abs(change.y()) / row.massTangent[lane]});
+    }
+};
+
+double largestDifference(std::span<const SolverBody> one, std::span<const SolverBody> other) {
+    double largest = 0;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        largest = std::max({largest, (vectorOf(one[i].velocity) - vectorOf(other[i].velocity)).norm(),
+                            (vectorOf(one[i].spin) - vectorOf(other[i].spin)).norm()});
+    return largest;
+}
+
+double largestDifference(const ContactRows& one, const ContactRows& other) {
+    double largest = 0;
+    for (const RowGroup& group : one.groups())
+        for (int lane = 0; lane < wideLanes; ++lane)
+            for (std::uint32_t k = 0; k < group.points; ++k) {
+                largest = std::max(largest,
+                                   (one.impulseOf(group, lane, k) - other.impulseOf(group, lane, k)).norm());
+                const std::size_t l = static_cast<std::size_t>(lane);
+                largest = std::max(largest, std::abs(one.points()[group.firstPoint + k].approach[l] -
+                                                     other.points()[group.firstPoint + k].approach[l]));
+            }
+    return largest;
+}
+
+std::vector<Displacement> randomDisplacements(Random& random, std::size_t mobile, double size) {
+    std::vector<Displacement> moved(mobile + 1); // the last stays
+    for (std::size_t i = 0; i < mobile; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            moved[i].shift[k] = random.uniform(-size, size);
+            moved[i].turn[k] = random.uniform(-size, size);
+        }
+    return moved;
+}
+
+void move(RowScene& scene, std::vector<Displacement>& moved, double duration) {
+    for (std::size_t i = 0; i < scene.mobileCount(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            moved[i].shift[k] += duration * scene.bodies[i].velocity[k];
+            moved[i].turn[k] += duration * scene.bodies[i].spin[k];
+        }
+}
+
+bool sameBits(const SolverBody& one, const SolverBody& other) {
+    return std::memcmp(&one, &other, sizeof(SolverBody)) == 0;
+}
+
+/// A ball of 1 kg and radius .1 m above an immobile plane that faces `normal`.
+RowScene ballOnWall(const Vec3& normal, double speed, double restitution, double friction, double gap) {
+    RowScene scene;
+    SolverBody& ball = scene.bodies.emplace_back();
+    ball.inverseMass = 1;
+    test::setInverseInertia(Mat3::Identity() * (2.5 / 0.01), ball);
+    const Vec3 velocity = -speed * normal + Vec3(0.3, -0.2, 0.5).cross(normal);
+    for (std::size_t k = 0; k < 3; ++k) ball.velocity[k] = velocity[static_cast<Eigen::Index>(k)];
+    scene.bodies.emplace_back();
+    scene.places.assign(2, Vec3::Zero());
+    OwnedPair& pair = scene.pairs.emplace_back();
+    pair.laws.a = scene.immobile();
+    pair.laws.b = 0;
+    pair.laws.normal = normal;
+    pair.laws.friction = friction;
+    pair.laws.restitution = restitution;
+    PointInput& point = pair.points.emplace_back();
+    point.armB = -0.1 * normal;
+    point.separation = gap;
+    return scene;
+}
+
+/// A whole step without gravity, as the base path makes it. The number of impacts.
+int step(RowScene& scene, ContactRows& rows, const StepSettings& settings, int passes, int reboundPasses) {
+    recordApproach(rows, scene.bodies, settings);
+    warmStart(rows, scene.bodies);
+    for (int pass = 0; pass < passes; ++pass)
+        solveVelocities(rows, scene.bodies, {}, settings, pass % 2 != 0);
+    std::vector<Displacement> moved(scene.bodies.size());
+    move(scene, moved, settings.duration);
+    for (int pass = 0; pass < passes; ++pass)
+        relaxVelocities(rows, scene.bodies, moved, settings, pass % 2 != 0);
+    return rebound(rows, scene.bodies, moved, settings, reboundPasses);
+}
+
+} // namespace
+
+class VelocitySolveTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyPassIsTheScalarOne() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        int impacts = 0;
+        for (int trial = 0; trial < 100; ++trial) {
+            RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40));
+            ContactRows rows = scene.rows();
+            Obvious expected(rows, scene.bodies);
+            const StepSettings settings{.duration = random.uniform(0.001, 0.02),
+                                        .hardness = random.uniform(0.05, 0.3),
+                                        .damping = random.uniform(0.5, 10),
+                                        .resting = random.uniform(0, 0.1)};
+            const auto agrees = [&](double within) {
+                return largestDifference(scene.bodies, expected.bodies) < within &&
+                       largestDifference(rows, expected.rows) < within;
+            };
+            QCOMPARE(recordApproach(rows, scene.bodies, settings), expected.recordApproach(settings));
+            QVERIFY(agrees(rounding));
+            warmStart(rows, scene.bodies);
+            expected.warmStart();
+            QVERIFY(agrees(rounding));
+            const std::vector<Displacement> moved = randomDisplacements(random, scene.mobileCount(), 0.02);
+            for (int pass = 0; pass < 3; ++pass) {
+                const bool back = pass % 2 != 0;
+                solveVelocities(rows, scene.bodies, {}, settings, back);
+                expected.pass(Pass::Feedback, {}, settings, back);
+                QVERIFY(agrees(rounding));
+            }
+            for (int pass = 0; pass < 3; ++pass) {
+                const bool back = pass % 2 == 0;
+                solveVelocities(rows, scene.bodies, moved, settings, back);
+                expected.pass(Pass::Feedback, moved, settings, back);
+                QVERIFY(agrees(rounding));
+            }
+            for (int pass = 0; pass < 3; ++pass) {
+                const bool back = pass % 2 != 0;
+                const double residual = relaxVelocities(rows, scene.bodies, moved, settings, back);
+                const double other = expected.pass(Pass::Relax, moved, settings, back);
+                QVERIFY(std::abs(residual - other) < rounding * (1 + other));
+                QVERIFY(agrees(rounding));
+            }
+            const int struck = rebound(rows, scene.bodies, moved, settings, 3);
+            for (int pass = 0; pass < 3; ++pass) expected.pass(Pass::Rebound, moved, settings, pass % 2 != 0);
+            QCOMPARE(struck, expected.finishRebound());
+            QVERIFY(agrees(rounding));
+            impacts += struck;
+            QVERIFY(expected.violationWhenSet < rounding);
+        }
+        QVERIFY(impacts > 50);
+    }
+
+    void rollingResistanceIsTheObviousOne() {
+        Random random(seed, 1);
+        for (int trial = 0; trial < 100; ++trial) {
+            RowKind kind;
+            kind.rolling = 0.2;
+            RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40), kind);
+            ContactRows rows = scene.rows();
+            for (int pass = 0; pass < 2; ++pass) { // the second begins with torques
+                std::vector<SolverBody> bodies = scene.bodies;
+                std::vector<Vec3> torques;
+                for (const RollingRow& row : rows.rolling()) {
+                    const RowGroup& group = rows.groups()[row.group];
+                    double normal = 0;
+                    for (std::uint32_t k = 0; k < group.points; ++k)
+                        normal += rows.impulseOf(group, static_cast<int>(row.lane), k).dot(row.normal);
+                    const Vec3 spin = vectorOf(bodies[row.b].spin) - vectorOf(bodies[row.a].spin);
+                    Vec3 torque = row.torque - row.inertia * (spin - spin.dot(row.normal) * row.normal);
+                    if (torque.norm() > row.rolling * normal) torque *= row.rolling * normal / torque.norm();
+                    const auto turn = [&](SolverBody& body, const Vec3& by) {
+                        const Vec3 spinAfter = vectorOf(body.spin) + inverseInertiaOf(body) * by;
+                        for (std::size_t k = 0; k < 3; ++k)
+                            body.spin[k] = spinAfter[static_cast<Eigen::Index>(k)];
+                    };
+                    turn(bodies[row.a], row.torque - torque);
+                    turn(bodies[row.b], torque - row.torque);
+                    torques.push_back(torque);
+                }
+                resistRolling(rows, scene.bodies);
+                QVERIFY(largestDifference(scene.bodies, bodies) < rounding);
+                for (std::size_t i = 0; i < torques.size(); ++i) {
+                    QVERIFY((rows.rolling()[i].torque - torques[i]).norm() < rounding);
+                    QVERIFY(std::abs(rows.rolling()[i].torque.dot(rows.rolling()[i].normal)) < rounding);
+                }
+            }
+        }
+    }
+
+    void momentumBetweenMobileBodiesIsKept() {
+        Random random(seed, 2);
+        for (int trial = 0; trial < 50; ++trial) {
+            RowKind kind;
+            kind.immobileShare = 0;
+            RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40), kind);
+            std::erase_if(scene.pairs, [&](const OwnedPair& pair) {
+                return pair.laws.a == scene.immobile() || pair.laws.b == scene.immobile();
+            });
+            ContactRows rows = scene.rows();
+            const Vec3 momentum = scene.momentum(), angular = scene.angularMomentum();
+            const StepSettings settings{.duration = 0.005};
+            const auto isKept = [&] {
+                return (scene.momentum() - momentum).norm() < rounding &&
+                       (scene.angularMomentum() - angular).norm() < rounding;
+            };
+            warmStart(rows, scene.bodies);
+            QVERIFY(isKept());
+            solveVelocities(rows, scene.bodies, {}, settings, false);
+            QVERIFY(isKept());
+            const std::vector<Displacement> moved = randomDisplacements(random, scene.mobileCount(), 0.01);
+            solveVelocities(rows, scene.bodies, moved, settings, true);
+            QVERIFY(isKept());
+            relaxVelocities(rows, scene.bodies, moved, settings, false);
+            QVERIFY(isKept());
+            recordApproach(rows, scene.bodies, settings);
+            rebound(rows, scene.bodies, moved, settings, 2);
+            resistRolling(rows, scene.bodies);
+            QVERIFY(isKept());
+        }
+    }
+
+    void whatCannotMoveStaysAsItIs() {
+        Random random(seed, 3);
+        for (int trial = 0; trial < 50; ++trial) {
+            RowKind kind;
+            kind.immobileShare = 0.8;
+            kind.rolling = 0.1;
+            RowScene scene = test::randomRows(random, 1 + random.below(20), 1 + random.below(40), kind);
+            ContactRows rows = scene.rows();
+            const StepSettings settings{.duration = 0.005};
+            for (int k = 0; k < 3; ++k) {
+                step(scene, rows, settings, 2, 2);
+                resistRolling(rows, scene.bodies);
+                QVERIFY(scene.bodies.back().inverseMass == 0);
+                QVERIFY(vectorOf(scene.bodies.back().velocity) == Vec3::Zero());
+                QVERIFY(vectorOf(scene.bodies.back().spin) == Vec3::Zero());
+            }
+        }
+    }
+
+    void aLaneDoesNotDependOnTheOthers() {
+        Random random(seed, 4);
+        for (int trial = 0; trial < 100; ++trial) {
+            // One pair, alone; then in each lane beside three others, some of them very fast.
+            RowScene alone = test::randomRows(random, 2, 1);
+            const std::size_t count = alone.pairs[0].points.size();
+            const StepSettings settings{.duration = 0.004, .resting = 0.01};
+            const RowScene start = alone;
+            ContactRows rowsAlone = alone.rows();
+            step(alone, rowsAlone, settings, 2, 2);
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                RowScene scene = test::randomBodies(random, 8);
+                const double fast = trial % 2 == 0 ? 1 : 1e100;
+                for (std::uint32_t i = 0; i < 4; ++i) {
+                    const std::uint32_t a = 2 * i, b = a + 1;
+                    if (i == lane) {
+                        OwnedPair pair = start.pairs[0];
+                        for (std::uint32_t* body : {&pair.laws.a, &pair.laws.b})
+                            *body = *body == start.immobile() ? scene.immobile() : a + *body;
+                        scene.bodies[a] = start.bodies[0];
+                        scene.bodies[b] = start.bodies[1];
+                        scene.pairs.push_back(pair);
+                        continue;
+                    }
+                    for (double& speed : scene.bodies[a].velocity) speed *= fast;
+                    scene.pairs.push_back(test::randomPair(random, scene, a, b, {}));
+                    scene.pairs.back().points.resize(count, scene.pairs.back().points.front());
+                }
+                ContactRows rows = scene.rows();
+                QCOMPARE(rows.groups().size(), 1U);
+                QCOMPARE(std::size_t{rows.groups()[0].source[lane]}, lane);
+                step(scene, rows, settings, 2, 2);
+                QVERIFY(sameBits(scene.bodies[2 * lane], alone.bodies[0]));
+                QVERIFY(sameBits(scene.bodies[2 * lane + 1], alone.bodies[1]));
+                for (std::uint32_t k = 0; k < rows.groups()[0].points; ++k)
+                    QVERIFY(rows.impulseOf(rows.groups()[0], static_cast<int>(lane), k) ==
+                            rowsAlone.impulseOf(rowsAlone.groups()[0], 0, k));
+            }
+        }
+    }
+
+    void normalImpulsesPushAndFrictionIsWithinItsConeWhenSet() {
+        Random random(seed, 5);
+        double worst = 0; // outside the cone after a pass, relative to the normal impulse
+        for (int trial = 0; trial < 100; ++trial) {
+            RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40));
+            ContactRows rows = scene.rows();
+            const StepSettings settings{.duration = 0.004};
+            std::vector<Displacement> moved(scene.bodies.size());
+            for (int pass = 0; pass < 4; ++pass) {
+                const ContactRows before = rows;
+                if (pass < 2)
+                    solveVelocities(rows, scene.bodies, {}, settings, pass % 2 != 0);
+                else
+                    relaxVelocities(rows, scene.bodies, moved, settings, pass % 2 != 0);
+                for (const RowGroup& group : rows.groups())
+                    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                        for (std::uint32_t k = 0; k < group.points; ++k) {
+                            const RowPoint& row = rows.points()[group.firstPoint + k];
+                            const RowPoint& old = before.points()[group.firstPoint + k];
+                            QVERIFY(row.normal[lane] >= 0);
+                            const double along = std::hypot(row.along1[lane], row.along2[lane]);
+                            const double friction = group.friction[lane];
+                            QVERIFY(along <= friction * old.normal[lane] + rounding);
+                            worst = std::max(worst, along - friction * row.normal[lane]);
+                        }
+            }
+        }
+        qInfo("outside the cone after a pass by up to %g N s", worst);
+    }
+
+    void aBallPartsFromAWallAtETimesItsClosingSpeed_data() {
+        QTest::addColumn<double>("restitution");
+        for (const double e : {0.0, 0.1, 0.5, 0.9, 1.0}) QTest::addRow("e = %g", e) << e;
+    }
+    void aBallPartsFromAWallAtETimesItsClosingSpeed() {
+        QFETCH(double, restitution);
+        Random random(seed, 6);
+        for (int trial = 0; trial < 200; ++trial) {
+            const Vec3 normal = test::directionOf(random);
+            const double speed = random.uniform(0.1, 10), duration = 0.004;
+            // From touching to what it reaches just before the step ends, and overlapping a little.
+            const double gap = random.uniform(-0.05, 0.95) * speed * duration;
+            const double friction = trial % 2 == 0 ? 0 : random.uniform();
+            RowScene scene = ballOnWall(normal, speed, restitution, friction, gap);
+            const double before = scene.energy();
+            ContactRows rows = scene.rows();
+            const StepSettings settings{.duration = duration, .resting = 0.01};
+            const int impacts = step(scene, rows, settings, 2, 2);
+            const double parting = normal.dot(vectorOf(scene.bodies[0].velocity));
+            if (restitution > 0) {
+                QCOMPARE(impacts, 1);
+                QVERIFY(std::abs(parting - restitution * speed) < rounding * speed);
+                QVERIFY(rows.impulseOf(rows.groups()[0], 0, 0) == Vec3::Zero());
+            } else {
+                // It stops at the surface.
+                QCOMPARE(impacts, 0);
+                QVERIFY(parting >= -rounding && parting < rounding + 1e-3 * speed);
+            }
+            QVERIFY(scene.energy() <= before * (1 + rounding));
+        }
+    }
+
+    void slowOrDistantContactsDoNotRebound() {
+        const StepSettings settings{.duration = 0.004, .resting = 0.1};
+        for (const auto& [speed, gap] : {std::pair{0.09, 0.0}, {1.0, 0.0041}, {-1.0, -0.001}}) {
+            RowScene scene = ballOnWall(Vec3::UnitY(), speed, 1, 0, gap);
+            ContactRows rows = scene.rows();
+            QVERIFY(!recordApproach(rows, scene.bodies, settings));
+        }
+        RowScene carried = ballOnWall(Vec3::UnitY(), 1, 1, 0, 0); // it has an impulse: no new contact
+        carried.pairs[0].points[0].impulse = 0.01 * Vec3::UnitY();
+        ContactRows rows = carried.rows();
+        QVERIFY(!recordApproach(rows, carried.bodies, settings));
+    }
+
+    void openContactsCloseNoFurtherThanToTouch() {
+        for (const double part : {0.1, 0.5, 0.99}) {
+            RowScene scene = ballOnWall(Vec3::UnitY(), 2, 0, 0, part * 2 * 0.004);
+            ContactRows rows = scene.rows();
+            const StepSettings settings{.duration = 0.004};
+            solveVelocities(rows, scene.bodies, {}, settings, false);
+            QVERIFY(std::abs(scene.bodies[0].velocity[1] + part * 2) < rounding);
+        }
+    }
+
+    void frictionlessImpactsDoNotGainEnergy_data() {
+        QTest::addColumn<int>("bodies");
+        QTest::addColumn<int>("pairs");
+        QTest::addColumn<int>("points"); // at most, of a pair
+        QTest::addColumn<double>("restitution");
+        QTest::newRow("one point, e = 1") << 2 << 1 << 1 << 1.0;
+        QTest::newRow("one point, e = 0.9") << 2 << 1 << 1 << 0.9;
+        QTest::newRow("one pair, e = 0.5") << 2 << 1 << 4 << 0.5;
+        QTest::newRow("many pairs, e = 0.5") << 12 << 20 << 4 << 0.5;
+    }
+    void frictionlessImpactsDoNotGainEnergy() {
+        QFETCH(int, bodies);
+        QFETCH(int, pairs);
+        QFETCH(int, points);
+        QFETCH(double, restitution);
+        Random random(seed, 7);
+        int impacts = 0;
+        for (int trial = 0; trial < 1000; ++trial) {
+            const RowKind kind{.friction = 0, .gap = 0, .impulse = 0};
+            RowScene scene = test::randomRows(random, static_cast<std::size_t>(bodies),
+                                              static_cast<std::size_t>(pairs), kind);
+            for (OwnedPair& pair : scene.pairs) {
+                pair.laws.restitution = restitution;
+                pair.points.resize(std::min(pair.points.size(), static_cast<std::size_t>(points)));
+            }
+            const double before = scene.energy();
+            ContactRows rows = scene.rows();
+            impacts += step(scene, rows, {.duration = 0.002, .resting = 1e-3}, 2, 2);
+            QVERIFY(scene.energy() <= before * (1 + rounding));
+        }
+        QVERIFY(impacts > 100);
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(velocity_solve_test, carom::VelocitySolveTest)
+#include "velocity_solve_test.moc"

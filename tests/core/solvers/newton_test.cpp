@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
+#include "core/math/random.h"
+#include "core/math/rotation.h"
+#include "core/solvers/contacts/work_budget.h"
+#include "core/solvers/newton.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// Newton's method within a budget of work: what it takes, what it leaves, and that the same problem costs the
+// same.
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t seed = 20266;
+constexpr double tolerance = 1e-10; // [m/s]
+
+Vec3 uniformIn(Random& random, double half) {
+    const double x = random.uniform(-half, half), y = random.uniform(-half, half);
+    return {x, y, random.uniform(-half, half)};
+}
+
+// A heap: every body touches the one before, some further back, and some the ground.
+ContactProblem heap(Random& random, int count, double friction) {
+    ContactProblem problem;
+    for (int i = 0; i < count; ++i) {
+        ContactBody& body = problem.bodies.emplace_back();
+        body.mass = random.uniform(0.5, 2);
+        body.inertia = Mat3::Identity() * (body.mass / 6);
+        body.inverseInertia = body.inertia.inverse();
+        body.gyration = 1 / std::sqrt(6.0);
+        body.freeVelocity << uniformIn(random, 1), uniformIn(random, 1);
+    }
+    for (int b = 0; b < count; ++b)
+        for (int k = 0; k < 3; ++k) {
+            const int back = 1 + static_cast<int>(random.below(6));
+            ContactRow row;
+            row.a = b - back < 0 ? immobile : b - back;
+            row.b = b;
+            const Vec3 normal = (Vec3::UnitY() + uniformIn(random, 0.5)).normalized();
+            const Tangents tangents = tangentsOf(normal);
+            row.frame << normal.transpose(), tangents.first.transpose(), tangents.second.transpose();
+            row.armA = 0.5 * normal + uniformIn(random, 0.2);
+            row.armB = -0.5 * normal + uniformIn(random, 0.2);
+            row.friction = friction;
+            prepareRow(problem, row);
+            problem.rows.push_back(row);
+        }
+    return problem;
+}
+
+double rowWork(const ContactProblem& problem) {
+    return work::row * static_cast<double>(problem.rows.size()) +
+           work::body * static_cast<double>(problem.bodies.size());
+}
+
+/// The work of one step at most: the coupled matrix and the symmetric one, and a line search that looks at
+/// all rows half so often.
+double stepWork(const ContactProblem& problem) {
+    std::vector<BlockEdge> edges;
+    for (const ContactRow& row : problem.rows)
+        if (row.a != immobile && row.b != immobile)
+            edges.emplace_back(std::min(row.a, row.b), std::max(row.a, row.b));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    BlockMatrix matrix;
+    matrix.analyse(static_cast<int>(problem.bodies.size()), edges);
+    constexpr double looks = 50; // 2 × 40 slopes that cost half a look each, and the errors
+    return looks * rowWork(problem) +
+           3 * work::block * static_cast<double>(matrix.updates() + problem.bodies.size());
+}
+
+} // namespace
+
+class NewtonTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void workStaysWithinTheBudget() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        double worst = 0; // beyond the budget, in steps
+        int ended = 0;
+        for (int trial = 0; trial < 100; ++trial) {
+            const ContactProblem problem =
+                heap(random, 1 + static_cast<int>(random.below(25)), random.below(2) == 0 ? 0 : 0.5);
+            ContactProblem whole = problem;
+            NewtonSolver solver;
+            const NewtonReport free = solver.solve(whole, tolerance);
+            const double most = free.work * random.uniform(0, 1.2);
+            ContactProblem bounded = problem;
+            const NewtonReport report = NewtonSolver().solve(bounded, tolerance, most);
+            worst = std::max(worst, (report.work - most) / stepWork(problem));
+            if (most >= free.work) {
+                QCOMPARE(report.solved, free.solved);
+                QCOMPARE(report.work, free.work);
+                QCOMPARE(report.residual, free.residual);
+            } else {
+                ended += !report.solved;
+            }
+        }
+        qInfo("beyond the budget by %g steps at most; %d ended early", worst, ended);
+        QVERIFY(ended > 20);
+        QVERIFY(worst <= 1);
+    }
+
+    void whatIsLeftIsNoWorseThanTheStart() {
+        Random random(seed, 1);
+        for (int trial = 0; trial < 100; ++trial) {
+            ContactProblem problem =
+                heap(random, 1 + static_cast<int>(random.below(25)), random.below(2) == 0 ? 0 : 0.5);
+            if (trial % 2 == 0) // from about the solution
+                NewtonSolver().solve(problem, 1e-3);
+            velocitiesFromImpulses(problem);
+            const double before = residualOf(problem);
+            const NewtonReport report =
+                NewtonSolver().solve(problem, tolerance, std::pow(10, random.uniform(2, 7)));
+            QVERIFY(report.residual <= before || report.solved);
+            QCOMPARE(report.residual, residualOf(problem));
+            // The velocities belong to the impulses.
+            std::vector<Vec6> velocities;
+            for (const ContactBody& body : problem.bodies) velocities.push_back(body.velocity);
+            velocitiesFromImpulses(problem);
+            for (std::size_t i = 0; i < velocities.size(); ++i)
+                QVERIFY(problem.bodies[i].velocity == velocities[i]);
+        }
+    }
+
+    void withoutABudgetNothingIsFactored() {
+        Random random(seed, 2);
+        for (int trial = 0; trial < 30; ++trial) {
+            ContactProblem problem = heap(random, 20, 0.5);
+            const std::vector<ContactRow> rows = problem.rows;
+            const NewtonReport report = NewtonSolver().solve(problem, tolerance, 0);
+            QCOMPARE(report.factorisations, 0);
+            QVERIFY(!report.solved);
+            for (std::size_t i = 0; i < rows.size(); ++i) QVERIFY(problem.rows[i].impulse == rows[i].impulse);
+            // Looking once at the problem, and choosing the order.
+            QVERIFY(report.work <= rowWork(problem) + work::ordering * static_cast<double>(rows.size() + 20));
+        }
+    }
+
+    void solverThatDidSomethingElseBeforeDoesTheSame() {
+        Random random(seed, 3);
+        NewtonSolver used;
+        for (int trial = 0; trial < 30; ++trial) {
+            const ContactProblem problem = heap(random, 1 + static_cast<int>(random.below(30)), 0.5);
+            const double most = std::pow(10, random.uniform(3, 7));
+            ContactProblem one = problem, other = problem;
+            const NewtonReport first = used.solve(one, tolerance, most);
+            const NewtonReport second = NewtonSolver().solve(other, tolerance, most);
+            QCOMPARE(first.work, second.work);
+            QCOMPARE(first.residual, second.residual);
+            for (std::size_t i = 0; i < one.rows.size(); ++i)
+                QVERIFY(one.rows[i].impulse == other.rows[i].impulse);
+        }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(newton_test, carom::NewtonTest)
+#include "newton_test.moc"
