@@ -29,6 +29,19 @@ class PlainBuffer : public TextBuffer {
     void exchangeBytes(const QByteArray& bytes) override { content = saved = bytes; }
 };
 
+/// A document that was read from a file in a folder of its own.
+struct OpenDocument {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.sdl"));
+    PlainBuffer buffer;
+    Document document{buffer};
+
+    explicit OpenDocument(const QByteArray& text) {
+        writeFile(path, text);
+        QVERIFY(!document.open(path));
+    }
+};
+
 /// Everything an editor could spoil: a byte order mark, mixed line ends, a zero, bytes that are not UTF-8, no
 /// line end at the end.
 const QByteArray awkward("\xEF\xBB\xBF// a\r\nsphere\n\rx\0y\xFF\xC3(\t ", 24);
@@ -54,12 +67,8 @@ class DocumentTest : public QObject {
     }
 
     void aFailedSaveLeavesTheOldFileAndTheUnsavedState() {
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        writeFile(path, "old");
-        PlainBuffer buffer;
-        Document document(buffer);
-        QVERIFY(!document.open(path));
+        OpenDocument opened("old");
+        auto& [folder, path, buffer, document] = opened;
         buffer.content = "new";
         const std::optional<QString> problem =
             document.saveAs(folder.filePath(QStringLiteral("no/such/folder.sdl")));
@@ -104,12 +113,8 @@ class DocumentTest : public QObject {
     }
 
     void aChangeByAnotherProgramIsNoticedAndOurOwnIsNot() {
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        writeFile(path, "one");
-        PlainBuffer buffer;
-        Document document(buffer);
-        QVERIFY(!document.open(path));
+        OpenDocument opened("one");
+        auto& [folder, path, buffer, document] = opened;
         QSignalSpy outside(&document, &Document::changedOutside);
         buffer.content = "two";
         QVERIFY(!document.save());
@@ -133,12 +138,8 @@ class DocumentTest : public QObject {
     }
 
     void aFileWrittenInPiecesIsToldOfWhenItIsWhole() {
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        writeFile(path, "one");
-        PlainBuffer buffer;
-        Document document(buffer);
-        QVERIFY(!document.open(path));
+        OpenDocument opened("one");
+        auto& [folder, path, buffer, document] = opened;
         QByteArray found;
         connect(&document, &Document::changedOutside, &document, [&] { found = document.textOnDisk(); });
         QFile slow(path);
@@ -160,12 +161,8 @@ class DocumentTest : public QObject {
     }
     void aFileDeletedOutsideLeavesItsTextUnsaved() {
         QFETCH(bool, moved);
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        writeFile(path, "one");
-        PlainBuffer buffer;
-        Document document(buffer);
-        QVERIFY(!document.open(path));
+        OpenDocument opened("one");
+        auto& [folder, path, buffer, document] = opened;
         QSignalSpy removals(&document, &Document::removedOutside);
         QVERIFY(moved ? QFile::rename(path, folder.filePath(QStringLiteral("b.sdl"))) : QFile::remove(path));
         QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, patience);
@@ -177,12 +174,8 @@ class DocumentTest : public QObject {
     }
 
     void aFileDeletedAndWrittenAnewIsWatchedOn() {
-        QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("a.sdl"));
-        writeFile(path, "one");
-        PlainBuffer buffer;
-        Document document(buffer);
-        QVERIFY(!document.open(path));
+        OpenDocument opened("one");
+        auto& [folder, path, buffer, document] = opened;
         QSignalSpy outside(&document, &Document::changedOutside),
             removals(&document, &Document::removedOutside);
         QVERIFY(QFile::remove(path));

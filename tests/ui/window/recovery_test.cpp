@@ -16,6 +16,18 @@
 using namespace carom;
 using namespace carom::test;
 
+namespace {
+
+/// A document in an editor, as the window has it.
+struct EditedDocument {
+    SceneEditor editor{loadTheme(true)};
+    Document document{editor};
+
+    EditedDocument() { QObject::connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit); }
+};
+
+} // namespace
+
 class RecoveryTest : public QObject {
     Q_OBJECT
 
@@ -33,9 +45,8 @@ class RecoveryTest : public QObject {
   private Q_SLOTS:
     void unsavedTextIsKeptUntilItIsSaved() {
         QTemporaryDir folder;
-        SceneEditor editor(loadTheme(true));
-        Document document(editor);
-        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        EditedDocument edited;
+        auto& [editor, document] = edited;
         Recovery recovery(document, folder.path());
         const auto swapFiles = [&] {
             return QDir(folder.path()).entryList({QStringLiteral("*.swap")}).size();
@@ -91,9 +102,8 @@ class RecoveryTest : public QObject {
     void onlyTheOwnerMayReadIt() {
         QTemporaryDir folder;
         const QString swaps = folder.filePath(QStringLiteral("swaps"));
-        SceneEditor editor(loadTheme(true));
-        Document document(editor);
-        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        EditedDocument edited;
+        auto& [editor, document] = edited;
         Recovery recovery(document, swaps);
         editor.insert(QStringLiteral("secret;"));
         QVERIFY(recovery.keep());
@@ -106,9 +116,8 @@ class RecoveryTest : public QObject {
 
     void whatCannotBeKeptIsSaidUntilItCan() {
         QTemporaryDir folder;
-        SceneEditor editor(loadTheme(true));
-        Document document(editor);
-        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        EditedDocument edited;
+        auto& [editor, document] = edited;
         Recovery recovery(document, folder.path());
         QSignalSpy changes(&recovery, &Recovery::keepingChanged);
         editor.insert(QStringLiteral("one"));
@@ -129,9 +138,8 @@ class RecoveryTest : public QObject {
         QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("file"));
         writeFile(file, "in the way");
-        SceneEditor editor(loadTheme(true));
-        Document document(editor);
-        connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+        EditedDocument edited;
+        auto& [editor, document] = edited;
         Recovery recovery(document, file + QStringLiteral("/recovery"));
         QSignalSpy changes(&recovery, &Recovery::keepingChanged);
         editor.insert(QStringLiteral("one"));
@@ -185,9 +193,8 @@ namespace {
 
 /// The process that is killed: types, keeps, says so and waits.
 int beVictim(const QString& folder, const QString& path, const QByteArray& text) {
-    SceneEditor editor(loadTheme(true));
-    Document document(editor);
-    QObject::connect(&editor, &SceneEditor::textChanged, &document, &Document::noteEdit);
+    EditedDocument edited;
+    auto& [editor, document] = edited;
     Recovery recovery(document, folder);
     document.recover(path, text);
     recovery.keep();
