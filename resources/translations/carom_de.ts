@@ -476,10 +476,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
 „Untersuchen“ beginnt sie; die Simulation oben geht dabei weiter.</translation>
     </message>
-    <message>
-        <source>Stopped: %1</source>
-        <translation>Angehalten: %1</translation>
-    </message>
 </context>
 <context>
     <name>carom::Actions</name>
@@ -1336,10 +1332,6 @@ Die Simulation oben geht dabei weiter.</translation>
     <message>
         <source>there are no single frames; compare all on this scene first</source>
         <translation>es gibt keine einzelnen Bilder; zuerst auf dieser Szene alle vergleichen</translation>
-    </message>
-    <message>
-        <source>Stopped: %1</source>
-        <translation>Angehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -2783,6 +2775,9 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
         <source>hard cases: %1</source>
         <translation>harte Fälle: %1</translation>
     </message>
+</context>
+<context>
+    <name>carom::StudyRunner</name>
     <message>
         <source>Stopped: %1</source>
         <translation>Angehalten: %1</translation>

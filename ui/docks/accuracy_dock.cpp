@@ -7,7 +7,6 @@
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
-#include "ui/base/failures.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
@@ -135,6 +134,11 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     setWidget(content);
     setFocusProxy(m_start);
     connect(m_start, &QPushButton::clicked, this, &AccuracyDock::startOrStop);
+    connect(&m_runner, &StudyRunner::failed, this, [this](const QString& sentence) {
+        updateControls();
+        m_state->setText(sentence);
+        Q_EMIT reported(sentence);
+    });
     connect(m_plot, &PlotWidget::pointClicked, this, &AccuracyDock::choose);
     connect(m_keep, &QToolButton::toggled, this, [this](bool kept) {
         m_kept = kept ? m_result : std::nullopt;
@@ -175,15 +179,15 @@ void AccuracyDock::setScene(const SharedBuild& build, const QString& name) {
 
 void AccuracyDock::updateControls() {
     const bool moves = m_build && !m_build->build.pipeline->bodies().mobileBodies.empty();
-    m_start->setText(m_running ? tr("Stop") : canGoOn() ? tr("Go on") : tr("Study"));
-    m_start->setEnabled(m_running || moves);
-    m_start->setToolTip(m_running   ? tr("Show what was computed so far")
-                        : canGoOn() ? tr("Take the study up where it was stopped")
-                        : moves     ? tr("Run the scene with every setting chosen")
-                                    : tr("Nothing in the scene can move"));
-    m_knobs->setEnabled(!m_running);
-    m_duration->setEnabled(!m_running);
-    m_progress->setVisible(m_running);
+    m_start->setText(m_runner.isRunning() ? tr("Stop") : canGoOn() ? tr("Go on") : tr("Study"));
+    m_start->setEnabled(m_runner.isRunning() || moves);
+    m_start->setToolTip(m_runner.isRunning() ? tr("Show what was computed so far")
+                        : canGoOn()          ? tr("Take the study up where it was stopped")
+                        : moves              ? tr("Run the scene with every setting chosen")
+                                             : tr("Nothing in the scene can move"));
+    m_knobs->setEnabled(!m_runner.isRunning());
+    m_duration->setEnabled(!m_runner.isRunning());
+    m_progress->setVisible(m_runner.isRunning());
     const bool figures = hasFigures(m_result);
     m_empty->setEmpty(!figures);
     m_keep->setVisible(figures);
@@ -203,42 +207,30 @@ AccuracyPlan AccuracyDock::chosenPlan() const {
 }
 
 bool AccuracyDock::canGoOn() const {
-    return m_result && !m_result->complete && !m_running && sameText(m_build, m_studied) &&
+    return m_result && !m_result->complete && !m_runner.isRunning() && sameText(m_build, m_studied) &&
            m_result->plan.duration == m_duration->value();
 }
 
 void AccuracyDock::startOrStop() {
-    if (m_running) {
-        m_thread.request_stop();
+    if (m_runner.isRunning()) {
+        m_runner.stop();
         return;
     }
     const std::vector<AccuracyPoint> known = canGoOn() ? m_result->points : std::vector<AccuracyPoint>();
-    m_running = true;
     m_studied = m_build;
     m_studiedName = m_name;
     m_chosen.reset();
     m_progress->setValue(0);
     m_state->setText(tr("looking for the truth"));
-    updateControls();
-    m_thread = std::jthread([this, known, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
-        const QString problem = attempt([&] { run(stop, build, plan, known); });
-        if (problem.isEmpty()) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, problem] {
-                m_thread.join();
-                m_running = false;
-                updateControls();
-                m_state->setText(tr("Stopped: %1").arg(problem));
-                Q_EMIT reported(m_state->text());
-            },
-            Qt::QueuedConnection);
+    m_runner.start([this, known, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
+        return run(stop, build, plan, known);
     });
+    updateControls();
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
-void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
-                       const std::vector<AccuracyPoint>& known) {
+StudyRunner::Finish AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build,
+                                      const AccuracyPlan& plan, const std::vector<AccuracyPoint>& known) {
     const Stopwatch whole;
     Stopwatch sinceReport, sinceChart;
     AccuracyListener listener;
@@ -259,8 +251,7 @@ void AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build, co
     };
     const AccuracyStudy study = runAccuracy(build->scene(), plan, listener, known);
     const double seconds = 1e-3 * whole.elapsed();
-    QMetaObject::invokeMethod(
-        this, [this, study, seconds] { finish(study, seconds); }, Qt::QueuedConnection);
+    return [this, study, seconds] { finish(study, seconds); };
 }
 
 void AccuracyDock::showProgress(double done, double secondsLeft) {
@@ -276,8 +267,6 @@ void AccuracyDock::take(const AccuracyStudy& study) {
 }
 
 void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
-    m_thread.join();
-    m_running = false;
     take(study);
     const QString sentence = QString::fromStdString(recommendation(study));
     m_state->setText(study.complete ? sentence : tr("Stopped. %1").arg(sentence));

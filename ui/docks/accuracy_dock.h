@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/study/accuracy.h"
+#include "ui/base/study_runner.h"
 #include "ui/editor/live_build.h"
 #include "ui/widgets/accuracy_chart.h"
 
@@ -9,7 +10,6 @@
 
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 class QDoubleSpinBox;
@@ -54,8 +54,8 @@ class AccuracyDock : public QDockWidget {
     AccuracyPlan chosenPlan() const;
     /// Whether the study was stopped and what it has serves the scene as it is now.
     bool canGoOn() const;
-    void run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
-             const std::vector<AccuracyPoint>& known);
+    StudyRunner::Finish run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
+                            const std::vector<AccuracyPoint>& known);
     void showProgress(double done, double secondsLeft);
     void take(const AccuracyStudy& study);
     void finish(const AccuracyStudy& study, double seconds);
@@ -82,8 +82,7 @@ class AccuracyDock : public QDockWidget {
     QLabel* m_point;
     QPushButton *m_run, *m_use;
     EmptyState* m_empty;
-    bool m_running = false;
-    std::jthread m_thread; ///< last: it ends before what it speaks to
+    StudyRunner m_runner; ///< last: its study ends before what it speaks to
 };
 
 } // namespace carom

@@ -6,7 +6,6 @@
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
-#include "ui/base/failures.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 #include "ui/widgets/value_table.h"
@@ -89,6 +88,11 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     column->addLayout(top);
     column->addWidget(m_empty, 1);
     connect(m_button, &QPushButton::clicked, this, &BroadphaseComparison::startOrStop);
+    connect(&m_runner, &StudyRunner::failed, this, [this](const QString& sentence) {
+        updateControls();
+        m_state->setText(sentence);
+        Q_EMIT reported(sentence);
+    });
     connect(m_subject, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::updateControls);
     connect(m_chart, &QComboBox::currentIndexChanged, this, &BroadphaseComparison::showChart);
     updateControls();
@@ -98,17 +102,17 @@ void BroadphaseComparison::setPipeline(std::shared_ptr<const Pipeline> pipeline)
     if (pipeline == m_pipeline) return;
     m_pipeline = std::move(pipeline);
     updateControls();
-    if (!m_running && m_result) m_state->setText(sentenceOf(*m_result));
+    if (!m_runner.isRunning() && m_result) m_state->setText(sentenceOf(*m_result));
 }
 
 void BroadphaseComparison::updateControls() {
     const bool generated = m_subject->currentData().isValid();
-    m_button->setText(m_running ? tr("Stop") : tr("Compare all"));
-    m_button->setEnabled(m_running || generated || m_pipeline);
-    m_button->setToolTip(m_running ? tr("Show what was computed so far")
-                                   : m_subject->currentData(Qt::ToolTipRole).toString());
-    m_subject->setEnabled(!m_running);
-    m_progress->setVisible(m_running);
+    m_button->setText(m_runner.isRunning() ? tr("Stop") : tr("Compare all"));
+    m_button->setEnabled(m_runner.isRunning() || generated || m_pipeline);
+    m_button->setToolTip(m_runner.isRunning() ? tr("Show what was computed so far")
+                                              : m_subject->currentData(Qt::ToolTipRole).toString());
+    m_subject->setEnabled(!m_runner.isRunning());
+    m_progress->setVisible(m_runner.isRunning());
     const bool figures = m_result && !m_result->points.empty();
     m_empty->setEmpty(!figures);
     m_export->setVisible(figures);
@@ -129,35 +133,24 @@ BroadphaseComparison::Study BroadphaseComparison::chosenStudy() const {
 }
 
 void BroadphaseComparison::startOrStop() {
-    if (m_running) {
-        m_thread.request_stop();
+    if (m_runner.isRunning()) {
+        m_runner.stop();
         return;
     }
-    m_running = true;
     m_progress->setValue(0);
     m_state->clear();
-    updateControls();
     const bool generated = m_subject->currentData().isValid();
     m_compared = generated ? nullptr : m_pipeline;
     const Remaining remaining = generated ? Remaining::Unknown : Remaining::Foreseeable;
-    m_thread = std::jthread([this, study = chosenStudy(), remaining](const std::stop_token& stop) {
-        const QString problem = attempt([&] { run(stop, study, remaining); });
-        if (problem.isEmpty()) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, problem] {
-                m_thread.join();
-                m_running = false;
-                updateControls();
-                m_state->setText(tr("Stopped: %1").arg(problem));
-                Q_EMIT reported(m_state->text());
-            },
-            Qt::QueuedConnection);
+    m_runner.start([this, study = chosenStudy(), remaining](const std::stop_token& stop) {
+        return run(stop, study, remaining);
     });
+    updateControls();
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
-void BroadphaseComparison::run(const std::stop_token& stop, const Study& study, Remaining remaining) {
+StudyRunner::Finish BroadphaseComparison::run(const std::stop_token& stop, const Study& study,
+                                              Remaining remaining) {
     const Stopwatch whole;
     Stopwatch sinceReport;
     const BenchmarkListener listener = [&](std::int64_t done, std::int64_t total) {
@@ -173,8 +166,7 @@ void BroadphaseComparison::run(const std::stop_token& stop, const Study& study, 
     };
     const Benchmark result = study(listener);
     const double seconds = 1e-3 * whole.elapsed();
-    QMetaObject::invokeMethod(
-        this, [this, result, seconds] { finish(result, seconds); }, Qt::QueuedConnection);
+    return [this, result, seconds] { finish(result, seconds); };
 }
 
 void BroadphaseComparison::showProgress(std::int64_t done, std::int64_t total,
@@ -186,8 +178,6 @@ void BroadphaseComparison::showProgress(std::int64_t done, std::int64_t total,
 }
 
 void BroadphaseComparison::finish(const Benchmark& result, double seconds) {
-    m_thread.join();
-    m_running = false;
     m_result = result;
     m_charts = comparisonCharts(result);
     updateControls();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/study/benchmark.h"
+#include "ui/base/study_runner.h"
 #include "ui/widgets/benchmark_charts.h"
 
 #include <QWidget>
@@ -9,7 +10,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 class QComboBox;
@@ -51,7 +51,7 @@ class BroadphaseComparison : public QWidget {
 
     void startOrStop();
     Study chosenStudy() const;
-    void run(const std::stop_token& stop, const Study& study, Remaining remaining);
+    StudyRunner::Finish run(const std::stop_token& stop, const Study& study, Remaining remaining);
     void showProgress(std::int64_t done, std::int64_t total, std::optional<double> secondsLeft);
     void finish(const Benchmark& result, double seconds);
     void updateControls();
@@ -72,8 +72,7 @@ class BroadphaseComparison : public QWidget {
     EmptyState* m_empty;
     ValueTable* m_table = nullptr;
     PlotWidget* m_plot;
-    bool m_running = false;
-    std::jthread m_thread; ///< last: it ends before what it speaks to
+    StudyRunner m_runner; ///< last: its study ends before what it speaks to
 };
 
 } // namespace carom

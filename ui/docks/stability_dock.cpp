@@ -3,7 +3,6 @@
 
 #include "core/study/stability_report.h"
 #include "ui/widgets/export_menu.h"
-#include "ui/base/failures.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
@@ -67,6 +66,11 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
     setFocusProxy(m_table);
 
     connect(m_button, &QPushButton::clicked, this, &StabilityDock::startOrStop);
+    connect(&m_runner, &StudyRunner::failed, this, [this](const QString& sentence) {
+        updateControls();
+        m_state->setText(sentence);
+        Q_EMIT reported(sentence);
+    });
     connect(m_export, &QPushButton::clicked, this, &StabilityDock::askForExport);
     connect(m_table, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::updateControls);
     connect(m_table, &QTreeWidget::itemActivated, this, &StabilityDock::open);
@@ -105,17 +109,17 @@ QTreeWidgetItem* StabilityDock::itemOf(const HardCase& hardCase) const {
 
 void StabilityDock::updateControls() {
     const qsizetype selected = m_table->selectedItems().size();
-    m_button->setText(m_running      ? tr("Stop")
-                      : selected > 0 ? tr("Run the %n selected", nullptr, static_cast<int>(selected))
-                                     : tr("Run all"));
-    m_long->setEnabled(!m_running);
-    m_progress->setVisible(m_running);
+    m_button->setText(m_runner.isRunning() ? tr("Stop")
+                      : selected > 0       ? tr("Run the %n selected", nullptr, static_cast<int>(selected))
+                                           : tr("Run all"));
+    m_long->setEnabled(!m_runner.isRunning());
+    m_progress->setVisible(m_runner.isRunning());
     m_export->setEnabled(!m_study.results.empty());
 }
 
 void StabilityDock::startOrStop() {
-    if (m_running) {
-        m_thread.request_stop();
+    if (m_runner.isRunning()) {
+        m_runner.stop();
         return;
     }
     std::vector<const HardCase*> cases;
@@ -127,32 +131,18 @@ void StabilityDock::startOrStop() {
 }
 
 void StabilityDock::run(std::vector<const HardCase*> cases) {
-    if (m_running || cases.empty()) return;
+    if (m_runner.isRunning() || cases.empty()) return;
     StabilityPlan plan;
     plan.cases = std::move(cases);
     plan.length = m_long->isChecked() ? StudyLength::Long : StudyLength::Short;
     m_progress->setRange(0, static_cast<int>(plan.cases.size() * plan.columns.size()));
     m_progress->setValue(0);
-    m_running = true;
+    m_runner.start([this, plan](const std::stop_token& stop) { return work(stop, plan); });
     updateControls();
-    m_thread = std::jthread([this, plan](const std::stop_token& stop) {
-        const QString problem = attempt([&] { work(stop, plan); });
-        if (problem.isEmpty()) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, problem] {
-                m_thread.join();
-                m_running = false;
-                updateControls();
-                m_state->setText(tr("Stopped: %1").arg(problem));
-                Q_EMIT reported(m_state->text());
-            },
-            Qt::QueuedConnection);
-    });
 }
 
 // On the thread: whatever touches a widget is handed to the GUI's.
-void StabilityDock::work(const std::stop_token& stop, const StabilityPlan& plan) {
+StudyRunner::Finish StabilityDock::work(const std::stop_token& stop, const StabilityPlan& plan) {
     StabilityListener listener;
     listener.goOn = [&stop] { return !stop.stop_requested(); };
     listener.starts = [this](const HardCase& hardCase, StudyColumn column) {
@@ -165,8 +155,7 @@ void StabilityDock::work(const std::stop_token& stop, const StabilityPlan& plan)
             this, [this, result] { take(result); }, Qt::QueuedConnection);
     };
     const bool complete = runStability(plan, listener).complete;
-    QMetaObject::invokeMethod(
-        this, [this, complete] { finish(complete); }, Qt::QueuedConnection);
+    return [this, complete] { finish(complete); };
 }
 
 void StabilityDock::take(const TrialResult& result) {
@@ -197,8 +186,6 @@ void StabilityDock::showResult(const TrialResult& result) {
 }
 
 void StabilityDock::finish(bool complete) {
-    m_thread.join();
-    m_running = false;
     QStringList tallies;
     for (const StudyColumn column : studyColumns) tallies += QString::fromStdString(tallyOf(m_study, column));
     m_state->setText((complete ? QString() : tr("Stopped. ")) + tallies.join(QStringLiteral("; ")));

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "core/study/stability.h"
+#include "ui/base/study_runner.h"
 #include "ui/window/theme.h"
 
 #include <QDockWidget>
 
 #include <optional>
-#include <thread>
 
 class QCheckBox;
 class QLabel;
@@ -29,7 +29,7 @@ class StabilityDock : public QDockWidget {
     void setTheme(const Theme& theme);
     /// Runs these cases; nothing happens while others run.
     void run(std::vector<const HardCase*> cases);
-    bool isRunning() const { return m_running; }
+    bool isRunning() const { return m_runner.isRunning(); }
     /// Every trial so far, a row a figure (figuresAsCsv). Returns what went wrong, or an empty text.
     QString exportTo(const QString& path) const;
 
@@ -42,7 +42,7 @@ class StabilityDock : public QDockWidget {
   private:
     void fillCases();
     void startOrStop();
-    void work(const std::stop_token& stop, const StabilityPlan& plan);
+    StudyRunner::Finish work(const std::stop_token& stop, const StabilityPlan& plan);
     void take(const TrialResult& result);
     void showResult(const TrialResult& result);
     void finish(bool complete);
@@ -59,9 +59,7 @@ class StabilityDock : public QDockWidget {
     QLabel* m_state;
     QTreeWidget* m_table;
     StabilityStudy m_study; ///< the newest trial of each case and column
-    bool m_running = false;
-    std::jthread
-        m_thread; ///< last: told to stop and waited for (a frame at most) before what it speaks to goes
+    StudyRunner m_runner;   ///< last: its study ends before what it speaks to
 };
 
 } // namespace carom
