@@ -51,7 +51,7 @@ bool Candidates::shareReach(const Bodies& bodies, const Near& near, Neighbours& 
 std::span<const BodyPair> Candidates::find(const Bodies& bodies) {
     const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
         chosen.clear();
-        if (chosen.capacity() < from.size()) chosen.reserve(from.size() + from.size() / 2);
+        if (chosen.capacity() < from.size()) chosen.reserve(2 * from.size());
         for (const Near& near : from)
             if (near.gap <= marginOf(bodies, near.pair)) chosen.push_back(near.pair);
     };

@@ -281,7 +281,7 @@ void Contacts::findContacts(const SolverInput& input, std::span<const BodyPair> 
         double gap = std::numeric_limits<double>::infinity();
         for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
             gap = std::min(gap, point.separation);
-        m_canMeet.push_back(gap <= approachOf(here(input), pair) ? 1 : 0);
+        m_canMeet.push_back(canMeet(here(input), pair, gap) ? 1 : 0);
     }
     while (carried != carriedEnd) m_manifolds.remove((carried++)->place);
 }

@@ -25,14 +25,6 @@ inline Vec3 directionOf(Random& random) {
     return Vec3(x, y, random.gaussian()).normalized();
 }
 
-inline Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }
-
-inline Mat3 inverseInertiaOf(const SolverBody& body) {
-    Mat3 inertia;
-    inertia << body.xx, body.xy, body.xz, body.xy, body.yy, body.yz, body.xz, body.yz, body.zz;
-    return inertia;
-}
-
 inline void setInverseInertia(const Mat3& inverse, SolverBody& body) {
     body.xx = inverse(0, 0);
     body.xy = inverse(0, 1);

@@ -12,18 +12,12 @@ namespace {
 
 constexpr std::size_t fewGroups = 256;
 
-Mat3 inverseInertiaOf(const SolverBody& body) {
-    Mat3 inertia;
-    inertia << body.xx, body.xy, body.xz, body.xy, body.yy, body.yz, body.xz, body.yz, body.zz;
-    return inertia;
-}
-
 /// W of a point along the axes of its frame (rows n, t1, t2).
 Mat3 responseOf(const SolverBody& a, const SolverBody& b, const PointInput& point, const Mat3& frame) {
     Mat3 response = (a.inverseMass + b.inverseMass) * Mat3::Identity();
     const auto add = [&](const SolverBody& body, const Vec3& arm) {
         if (body.inverseMass == 0) return;
-        if (body.xy == 0 && body.xz == 0 && body.yz == 0 && body.xx == body.yy && body.yy == body.zz) {
+        if (isIsotropic(body)) {
             const Vec3 along = frame * arm;
             response += body.xx * (along.squaredNorm() * Mat3::Identity() - along * along.transpose());
             return;

@@ -3,6 +3,7 @@
 
 #include "core/base/wide.h"
 #include "core/math/types.h"
+#include "core/solvers/contacts/solver_body.h"
 
 #include <array>
 #include <cstddef>
@@ -12,7 +13,6 @@
 
 // What the velocity solve works on, laid out for registers that hold four doubles.
 //
-//     body     velocity, inverse mass and inverse inertia in one record of 128 bytes
 //     group    four pairs of bodies, no body twice, so that four lanes are solved at once
 //     point    one contact point of each of the four pairs
 //
@@ -27,30 +27,11 @@
 
 namespace carom {
 
-/// A body of the velocity solve. The inverse inertia [1/(kg m²)] is symmetric, in the world.
-struct alignas(32) SolverBody {
-    std::array<double, 3> velocity{}; ///< [m/s]
-    double inverseMass = 0;           ///< [1/kg]
-    std::array<double, 3> spin{};     ///< angular velocity [rad/s]
-    double unused0 = 0;
-    double xx = 0, xy = 0, xz = 0, yy = 0; ///< inverse inertia
-    double yz = 0, zz = 0, unused1 = 0, unused2 = 0;
-};
-static_assert(sizeof(SolverBody) == 128);
-
-/// How far a body has come since the rows were made.
-struct alignas(32) Displacement {
-    std::array<double, 3> shift{}; ///< [m]
-    double unused0 = 0;
-    std::array<double, 3> turn{}; ///< rotation vector [rad]
-    double unused1 = 0;
-};
-
 /// One contact point of a pair, as it is given.
 struct PointInput {
     Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from the bodies' centres [m]
     double separation = 0;                         ///< [m]
-    Vec3 impulse = Vec3::Zero(); ///< on B, world [N s]; where the solve begins, and what came of it
+    Vec3 impulse = Vec3::Zero();                   ///< on B, world [N s]; where the solve begins
 };
 
 /// A pair of bodies with its points, as it is given.
@@ -60,7 +41,7 @@ struct PairInput {
     double friction = 0, restitution = 0;
     double rolling = 0; ///< [m]
     double push = 0;    ///< an overlap is moved apart no faster than this [m/s]
-    std::span<PointInput> points;
+    std::span<const PointInput> points;
 };
 
 /// Four contact points side by side.

@@ -102,41 +102,109 @@ void inherit(const PersistentManifold& old, double within, PersistentManifold& f
     }
 }
 
-// Spheres that are apart meet with another normal than they have now, or pass each other by: the normal is
-// that of the moment of their meeting, or of their nearest approach, within the substep. So is the normal of
-// a sphere and another round contact, which is left as it is.
-void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3& normal) {
-    if (!isSphere(input.bodies, pair.a) || !isSphere(input.bodies, pair.b)) return;
-    const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
-    if (!(separation > openBeyond * radii)) return;
+/// Where two spheres will be when they meet within the substep, or when they are nearest.
+struct Meeting {
+    Vec3 between = Vec3::Zero(); ///< from the centre of A to that of B [m]
+    double gap = 0;              ///< then [m]; not negative
+};
+
+Meeting meetingOf(const ManifoldInput& input, BodyPair pair, double radii) {
     const State& state = input.state;
     const Vec3 between = state.pose[pair.b].position - state.pose[pair.a].position;
     Vec3 velocity = state.velocity[pair.b] - state.velocity[pair.a];
     if (input.bodies.mobile[pair.a] == 0 || input.bodies.mobile[pair.b] == 0)
         velocity += (input.bodies.mobile[pair.b] != 0 ? 0.5 : -0.5) * input.duration * input.gravity;
     const double square = velocity.squaredNorm(), closing = between.dot(velocity);
-    if (!(closing < 0)) return;
     const double excess = between.squaredNorm() - radii * radii;
+    if (!(closing < 0)) return {between, between.norm() - radii};
     const double discriminant = closing * closing - square * excess;
     double time = -closing / square; // of the nearest approach
     if (discriminant > 0) time = excess / (-closing + std::sqrt(discriminant));
     const Vec3 then = between + std::min(time, input.duration) * velocity;
-    const double distance = then.norm();
+    return {then, std::max(0.0, then.norm() - radii)};
+}
+
+bool areSpheres(const Bodies& bodies, BodyPair pair) {
+    return isSphere(bodies, pair.a) && isSphere(bodies, pair.b);
+}
+
+// Spheres that are apart meet with another normal than they have now, or pass each other by: the normal is
+// that of the moment of their meeting, or of their nearest approach, within the substep. So is the normal of
+// a sphere and another round contact, which is left as it is.
+void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3& normal) {
+    if (!areSpheres(input.bodies, pair)) return;
+    const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
+    if (!(separation > openBeyond * radii)) return;
+    const Meeting meeting = meetingOf(input, pair, radii);
+    const double distance = meeting.between.norm();
     if (!(distance > 0)) return;
-    normal = then / distance;
-    separation = normal.dot(between) - radii;
+    normal = meeting.between / distance;
+    separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
+}
+
+// The points of a pair whose poses have changed, with the forces of the old ones.
+void findPoints(const ManifoldInput& input, double margin, const Pose& now, PersistentManifold& manifold) {
+    const BodyPair pair = manifold.pair;
+    const State& state = input.state;
+    const double size = sizeOf(input.bodies, pair);
+    const bool wallA = isWall(input.bodies.shape[pair.a]);
+    const PersistentManifold old = manifold;
+    Manifold found;
+    collide({&input.bodies.shape[pair.a], &state.pose[pair.a]},
+            {&input.bodies.shape[pair.b], &state.pose[pair.b]}, margin, found);
+    reduce(found);
+    manifold.count = found.count;
+    manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
+    manifold.position = now.position;
+    manifold.orientation = now.orientation;
+    manifold.hasNormal = !manifold.round;
+    if (found.count == 0) {
+        if (manifold.hasNormal && !wallA) manifold.normal = state.pose[pair.a].directionToBody(found.normal);
+        return;
+    }
+    const Pose &poseA = state.pose[pair.a], &poseB = state.pose[pair.b];
+    if (manifold.round) {
+        double separation = found.points[0].separation;
+        Vec3 normal = found.normal;
+        manifold.open = !canMeet(input, pair, separation);
+        manifold.gap = separation;
+        if (!manifold.open) foresee(input, pair, separation, normal);
+        manifold.normal = normal; // in the world, as are the points, relative to the centres
+        PersistentManifold::Point& point = manifold.points[0];
+        if (normal != found.normal) {
+            point.onA = input.bodies.boundingRadius[pair.a] * normal;
+            point.onB = -input.bodies.boundingRadius[pair.b] * normal;
+        } else {
+            point.onA = found.points[0].onA - poseA.position;
+            point.onB = found.points[0].onB - poseB.position;
+        }
+        point.force = old.count > 0 && !manifold.open ? old.points[0].force : Vec3(Vec3::Zero());
+        return;
+    }
+    manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) {
+        manifold.points[k].onA = poseA.toBody(found.points[k].onA);
+        manifold.points[k].onB = poseB.toBody(found.points[k].onB);
+        manifold.points[k].force.setZero();
+    }
+    inherit(old, sameWithin * size, manifold);
 }
 
 } // namespace
 
-double approachOf(const ManifoldInput& input, BodyPair pair) {
+bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     const State& state = input.state;
+    const double slack =
+        slackPart * sizeOf(input.bodies, pair) + input.gravity.norm() * input.duration * input.duration;
+    if (gap <= slack) return true;
     double speed = (state.velocity[pair.b] - state.velocity[pair.a]).norm();
     for (const BodyIndex i : {pair.a, pair.b})
         if (!isSphere(input.bodies, i))
             speed += input.bodies.boundingRadius[i] * state.angularVelocity[i].norm();
-    return (speed + input.duration * input.gravity.norm()) * input.duration +
-           slackPart * sizeOf(input.bodies, pair);
+    if (gap > speed * input.duration + slack) return false;
+    if (!areSpheres(input.bodies, pair)) return true;
+    const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
+    return meetingOf(input, pair, radii).gap <= slack;
 }
 
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
@@ -150,8 +218,9 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
         const double gap = gapAlong(state.pose[pair.a].directionToWorld(manifold.normal),
                                     {&input.bodies.shape[pair.a], &state.pose[pair.a]},
                                     {&input.bodies.shape[pair.b], &state.pose[pair.b]});
-        manifold.open = gap > std::min(margin, approachOf(input, pair));
+        manifold.open = gap > margin || !canMeet(input, pair, gap);
         if (manifold.open) {
+            manifold.gap = gap;
             for (PersistentManifold::Point& point : manifold.points) point.force.setZero();
             if (gap > margin) manifold.count = 0;
             return false;
@@ -159,47 +228,23 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
     }
     const Pose now = relativePose(state, pair);
     if (manifold.count > 0 && !manifold.round && isKept(manifold, now, size)) return false;
-
-    const PersistentManifold old = manifold;
-    Manifold found;
-    collide({&input.bodies.shape[pair.a], &state.pose[pair.a]},
-            {&input.bodies.shape[pair.b], &state.pose[pair.b]}, margin, found);
-    reduce(found);
-    manifold.count = found.count;
-    manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
-    manifold.position = now.position;
-    manifold.orientation = now.orientation;
-    manifold.hasNormal = !manifold.round;
-    if (found.count == 0) {
-        if (manifold.hasNormal && !wallA) manifold.normal = state.pose[pair.a].directionToBody(found.normal);
-        return true;
-    }
-    const Pose &poseA = state.pose[pair.a], &poseB = state.pose[pair.b];
-    if (manifold.round) {
-        double separation = found.points[0].separation;
-        manifold.open = separation > approachOf(input, pair);
-        Vec3 normal = found.normal;
-        foresee(input, pair, separation, normal);
-        manifold.normal = normal; // in the world, as are the points, relative to the centres
-        PersistentManifold::Point& point = manifold.points[0];
-        if (normal != found.normal) {
-            point.onA = input.bodies.boundingRadius[pair.a] * normal;
-            point.onB = -input.bodies.boundingRadius[pair.b] * normal;
-        } else {
-            point.onA = found.points[0].onA - poseA.position;
-            point.onB = found.points[0].onB - poseB.position;
-        }
-        point.force = old.count > 0 && !manifold.open ? old.points[0].force : Vec3(Vec3::Zero());
-        return true;
-    }
-    manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) {
-        manifold.points[k].onA = poseA.toBody(found.points[k].onA);
-        manifold.points[k].onB = poseB.toBody(found.points[k].onB);
-        manifold.points[k].force.setZero();
-    }
-    inherit(old, sameWithin * size, manifold);
+    findPoints(input, margin, now, manifold);
     return true;
+}
+
+bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+    findPoints(input, margin, relativePose(input.state, manifold.pair), manifold);
+    manifold.open = manifold.count == 0;
+    return !manifold.open;
+}
+
+Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {
+    if (manifold.round) return manifold.normal;
+    const auto [a, b] = manifold.pair;
+    const std::vector<Shape>& shape = input.bodies.shape;
+    if (isWall(shape[a])) return std::get<Wall>(shape[a]).normal;
+    if (isWall(shape[b])) return -std::get<Wall>(shape[b]).normal;
+    return input.state.pose[a].directionToWorld(manifold.normal);
 }
 
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold) {
@@ -208,14 +253,7 @@ PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& mani
     const Pose &poseA = input.state.pose[a], &poseB = input.state.pose[b];
     PlacedManifold result;
     result.count = manifold.count;
-    if (manifold.round)
-        result.normal = manifold.normal;
-    else if (isWall(bodies.shape[a]))
-        result.normal = poseB.directionToWorld(manifold.normal);
-    else
-        result.normal = poseA.directionToWorld(manifold.normal);
-    if (!manifold.round && isWall(bodies.shape[a])) result.normal = std::get<Wall>(bodies.shape[a]).normal;
-    if (!manifold.round && isWall(bodies.shape[b])) result.normal = -std::get<Wall>(bodies.shape[b]).normal;
+    result.normal = normalOf(input, manifold);
     const bool movesA = bodies.mobile[a] != 0, movesB = bodies.mobile[b] != 0;
     const Vec3 between = poseB.position - poseA.position;
     const bool spheres = isSphere(bodies, a) && isSphere(bodies, b);

@@ -12,9 +12,9 @@
 #include <vector>
 
 // Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
-// within a percent of their size and a degree, their points are not looked for anew: points fixed to both
-// bodies tell the gap. This saves most of the narrow phase, and it is what lets cylinders stand: points of a
-// disc that are chosen anew each time go round the rim, and forces with them.
+// within a fifth of a percent of their size and a tenth of a degree, their points are not looked for anew:
+// points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
+// cylinders stand: points of a disc that are chosen anew each time go round the rim, and forces with them.
 //
 //     found      the exact kernels of core/narrowphase; of more than four points the deepest, then those that
 //                span the largest area
@@ -23,6 +23,9 @@
 //
 // Between spheres nothing is carried but the force: their contact is computed each time, with the normal they
 // will have when they meet within the substep (or pass each other by).
+//
+// Most pairs near each other do not touch within a substep, and cost no row: they are open. Which these are
+// follows from how the two move; where an impulse has changed that, stepped_motion.h looks again.
 
 namespace carom {
 
@@ -37,9 +40,11 @@ struct PersistentManifold {
     };
     BodyPair pair;
     int count = 0;
-    bool round = false;           ///< computed each time
-    bool open = false;            ///< too far apart to touch in this substep: its points are not those of now
-    bool hasNormal = false;       ///< also where there are no points: a direction in which they were apart
+    bool round = false;     ///< computed each time
+    bool open = false;      ///< too far apart to touch in this substep unless another body strikes one of
+                            ///< the two; its points are not those of now
+    double gap = 0;         ///< of an open one: along the normal, they are apart by this at least [m]
+    bool hasNormal = false; ///< also where there are no points: a direction in which they were apart
     Vec3 normal = Vec3::UnitY();  ///< from A to B, in the frame of A (of B if A is a wall)
     Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]
     Quat orientation = Quat::Identity();
@@ -60,12 +65,18 @@ struct ManifoldInput {
     double duration = 0; ///< of the substep [s]
 };
 
-/// How near a pair must be to touch within the substep, as it moves [m].
-double approachOf(const ManifoldInput& input, BodyPair pair);
-/// Brings a manifold up to the present poses; where the bodies cannot touch within the substep it is open,
-/// and nothing else of it is right. Points further apart than `margin` [m] are left out. True if the shapes
-/// were compared anew.
+/// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
+/// Exact for spheres; otherwise true if in doubt.
+bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);
+/// From A to B, in the world.
+Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold);
+/// Brings a manifold up to the present poses; where the bodies cannot touch within the substep as they move
+/// it is open, and nothing but its normal and its gap is right. Points further apart than `margin` [m] are
+/// left out. True if the shapes were compared anew.
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
+/// Brings an open manifold up to the present poses, for bodies that were struck; it is no longer open. False,
+/// and open still, if they are further apart than `margin` [m].
+bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
 /// The points in the world.
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);
 

@@ -4,26 +4,13 @@
 namespace carom {
 namespace {
 
-Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }
-
-/// Change of angular velocity by a torque impulse [N m s].
-Vec3 turnedBy(const SolverBody& body, const Vec3& torque) {
-    return {body.xx * torque.x() + body.xy * torque.y() + body.xz * torque.z(),
-            body.xy * torque.x() + body.yy * torque.y() + body.yz * torque.z(),
-            body.xz * torque.x() + body.yz * torque.y() + body.zz * torque.z()};
-}
-
 double responseOf(const SolverBody& body, const Vec3& arm, const Vec3& along) {
     const Vec3 turning = arm.cross(along);
     return body.inverseMass + turning.dot(turnedBy(body, turning));
 }
 
-void push(SolverBody& body, const Vec3& arm, const Vec3& impulse) {
-    const Vec3 turn = turnedBy(body, arm.cross(impulse));
-    for (std::size_t k = 0; k < 3; ++k) {
-        body.velocity[k] += body.inverseMass * impulse[static_cast<Eigen::Index>(k)];
-        body.spin[k] += turn[static_cast<Eigen::Index>(k)];
-    }
+double growthOf(const SpringRow& row, std::span<const SolverBody> bodies) {
+    return row.along.dot(velocityAt(bodies[row.b], row.armB) - velocityAt(bodies[row.a], row.armA));
 }
 
 } // namespace
@@ -53,18 +40,22 @@ void prepareSprings(const Bodies& bodies, const State& state, std::span<const st
         row.yield = 1 / hardness;
         row.bias = row.yield * duration * spring.stiffness * (length - spring.length);
         row.mass = 1 / (response + row.yield);
+        row.speed = growthOf(row, solverBodies);
     }
+}
+
+double workOf(std::span<const SpringRow> rows, std::span<const SolverBody> bodies) {
+    double work = 0;
+    for (const SpringRow& row : rows) work += 0.5 * row.impulse * (row.speed + growthOf(row, bodies));
+    return work;
 }
 
 void solveSprings(std::span<SpringRow> rows, std::span<SolverBody> bodies) {
     for (SpringRow& row : rows) {
-        SolverBody &a = bodies[row.a], &b = bodies[row.b];
-        const Vec3 speed = vectorOf(b.velocity) + vectorOf(b.spin).cross(row.armB) - vectorOf(a.velocity) -
-                           vectorOf(a.spin).cross(row.armA);
-        const double change = -row.mass * (row.along.dot(speed) + row.bias + row.yield * row.impulse);
+        const double change = -row.mass * (growthOf(row, bodies) + row.bias + row.yield * row.impulse);
         row.impulse += change;
-        push(a, row.armA, -change * row.along);
-        push(b, row.armB, change * row.along);
+        push(bodies[row.a], row.armA, -change * row.along);
+        push(bodies[row.b], row.armB, change * row.along);
     }
 }
 

@@ -27,6 +27,7 @@ struct SpringRow {
     Vec3 along = Vec3::UnitY();                    ///< from the first end to the second
     double mass = 0;                               ///< m [kg]
     double bias = 0, yield = 0;                    ///< b [m/s], γ [1/kg]
+    double speed = 0;                              ///< u before the solve [m/s]
     double impulse = 0;                            ///< λ [N s]
 };
 
@@ -35,6 +36,8 @@ struct SpringRow {
 void prepareSprings(const Bodies& bodies, const State& state, std::span<const std::uint32_t> springs,
                     std::span<const std::uint32_t> local, std::uint32_t immobile, double duration,
                     std::span<const SolverBody> solverBodies, std::vector<SpringRow>& rows);
+/// What the springs have done to the kinetic energy since they were prepared [J].
+double workOf(std::span<const SpringRow> rows, std::span<const SolverBody> bodies);
 /// One pass over all rows.
 void solveSprings(std::span<SpringRow> rows, std::span<SolverBody> bodies);
 

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 namespace carom {
 namespace {
@@ -22,9 +24,8 @@ constexpr int steps = 2;
 constexpr std::size_t fewPoints = 256;
 /// Passes in which impacts rebound.
 constexpr int reboundPasses = 2;
-
-Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }
-std::array<double, 3> arrayOf(const Vec3& from) { return {from.x(), from.y(), from.z()}; }
+/// How often a step is solved on with contacts of bodies that were struck within it.
+constexpr int mostRounds = 4;
 
 void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
     if (isIsotropic(principal)) {
@@ -57,7 +58,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, std::span<const 
     m_rows.scaleImpulses(duration);
     m_passes = input.passes * (few ? 2 : 1);
     for (int k = 0; k < count; ++k) {
-        step(input, list, duration, k == 0, report);
+        step(input, list, duration, k == 0, manifolds, report);
         if (report.loss) return report;
     }
     storeForces(duration, manifolds);
@@ -73,7 +74,9 @@ void SteppedMotion::loadBodies(const SteppedInput& input, std::span<const BodyIn
     m_local.resize(input.bodies.count());
     m_bodies.assign(list.size() + 1, {});
     m_moved.assign(list.size() + 1, {});
+    m_before.reserve(m_bodies.capacity());
     m_free.resize(list.size());
+    m_struck.assign(list.size(), 0);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const BodyIndex body = list[i];
         m_local[body] = static_cast<std::uint32_t>(i);
@@ -88,33 +91,119 @@ void SteppedMotion::loadBodies(const SteppedInput& input, std::span<const BodyIn
 void SteppedMotion::loadRows(const SteppedInput& input, std::span<const std::uint32_t> places,
                              const Manifolds& manifolds, SteppedReport& report) {
     m_rows.begin(m_bodies.size() - 1);
+    m_watched.clear();
+    if (m_watched.capacity() < places.size()) m_watched.reserve(2 * places.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, input.duration};
-    const auto localOf = [&](BodyIndex i) {
-        return input.bodies.mobile[i] != 0 ? m_local[i] : m_rows.immobile();
-    };
     for (const std::uint32_t place : places) {
-        const PersistentManifold& manifold = manifolds[place];
-        if (manifold.open) continue;
-        PlacedManifold contact = placed(here, manifold);
-        const ContactPair laws = pairOf(input.bodies, manifold.pair, 0);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k) {
-            report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
+        if (manifolds[place].open) {
+            watch(input, place, manifolds);
+            continue;
         }
-        m_rows.add({.a = localOf(manifold.pair.a),
-                    .b = localOf(manifold.pair.b),
-                    .normal = contact.normal,
-                    .friction = laws.friction,
-                    .restitution = laws.restitution,
-                    .rolling = laws.rolling,
-                    .push = mostParting * laws.size / input.duration,
-                    .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
-                   place, m_bodies);
+        const PlacedManifold contact = placed(here, manifolds[place]);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
+            report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
+        addRow(input, place, contact, manifolds);
     }
     m_rows.end();
 }
 
+void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t place, const PlacedManifold& contact,
+                           const Manifolds& manifolds) {
+    const BodyPair pair = manifolds[place].pair;
+    const ContactPair laws = pairOf(input.bodies, pair, 0);
+    m_rows.add({.a = localOf(input, pair.a),
+                .b = localOf(input, pair.b),
+                .normal = contact.normal,
+                .friction = laws.friction,
+                .restitution = laws.restitution,
+                .rolling = laws.rolling,
+                .push = mostParting * laws.size / input.duration,
+                .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
+               place, m_bodies);
+}
+
+void SteppedMotion::watch(const SteppedInput& input, std::uint32_t place, const Manifolds& manifolds) {
+    const PersistentManifold& manifold = manifolds[place];
+    const auto [a, b] = manifold.pair;
+    const auto turning = [&](BodyIndex i) {
+        const bool turns =
+            input.bodies.mobile[i] != 0 && !std::holds_alternative<Sphere>(input.bodies.shape[i]);
+        return turns ? input.bodies.boundingRadius[i] : 0;
+    };
+    const ManifoldInput here{input.bodies, input.state, input.gravity, input.duration};
+    m_watched.push_back({.place = place,
+                         .a = localOf(input, a),
+                         .b = localOf(input, b),
+                         .normal = normalOf(here, manifold),
+                         .gap = manifold.gap,
+                         .radiusA = turning(a),
+                         .radiusB = turning(b)});
+}
+
+// Whether a watched pair, one of which was struck, may close its gap within the step.
+bool SteppedMotion::isStruck(const Watched& pair, double duration) const {
+    const auto isFree = [&](std::uint32_t i) {
+        return i == m_rows.immobile() || (m_struck[i] == 0 && m_bodies[i].velocity == m_free[i]);
+    };
+    if (isFree(pair.a) && isFree(pair.b)) return false;
+    double gap = pair.gap;
+    const auto come = [&](std::uint32_t i, double sign, double radius) {
+        const SolverBody& body = m_bodies[i];
+        const Displacement& moved = m_moved[i];
+        gap += sign * pair.normal.dot(vectorOf(moved.shift) + duration * vectorOf(body.velocity));
+        if (radius > 0) gap -= radius * (vectorOf(moved.turn).norm() + duration * vectorOf(body.spin).norm());
+    };
+    come(pair.a, -1, pair.radiusA);
+    come(pair.b, 1, pair.radiusB);
+    return gap < 0;
+}
+
+// Contacts of bodies that were struck become rows. True if there were any.
+bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
+                              SteppedReport& report) {
+    bool any = false;
+    for (Watched& pair : m_watched) {
+        if (pair.place == ContactRows::noPair || !isStruck(pair, duration)) continue;
+        PersistentManifold& manifold = manifolds[pair.place];
+        const std::array<std::pair<BodyIndex, std::uint32_t>, 2> ends{std::pair{manifold.pair.a, pair.a},
+                                                                      std::pair{manifold.pair.b, pair.b}};
+        for (const auto& [body, local] : ends)
+            if (local != m_rows.immobile()) input.state.velocity[body] = vectorOf(m_bodies[local].velocity);
+        const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
+        const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
+        const double speed = (vectorOf(bodyB.velocity) - vectorOf(bodyA.velocity)).norm() +
+                             pair.radiusA * vectorOf(bodyA.spin).norm() +
+                             pair.radiusB * vectorOf(bodyB.spin).norm();
+        ++report.work.pairsCollided;
+        if (!closeManifold(here, duration * speed, manifold)) continue;
+        PlacedManifold contact = placed(here, manifold);
+        for (PointInput& point :
+             contact.points) { // rows count from where the bodies were when they were made
+            const Displacement &a = m_moved[pair.a], &b = m_moved[pair.b];
+            point.separation -= contact.normal.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(point.armB) -
+                                                   vectorOf(a.shift) - vectorOf(a.turn).cross(point.armA));
+        }
+        addRow(input, pair.place, contact, manifolds);
+        pair.place = ContactRows::noPair;
+        any = true;
+    }
+    if (any) m_rows.end();
+    return any;
+}
+
+// Passes with feedback.
+void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedReport& report) {
+    for (int pass = 0; pass < m_passes; ++pass) {
+        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings,
+                        pass % 2 != 0);
+        resistRolling(m_rows, m_bodies);
+        solveSprings(m_springs, m_bodies);
+    }
+    report.work.rowsSwept += static_cast<std::size_t>(m_passes) * m_rows.points().size() * wideLanes;
+}
+
 void SteppedMotion::step(const SteppedInput& input, std::span<const BodyIndex> list, double duration,
-                         bool first, SteppedReport& report) {
+                         bool first, Manifolds& manifolds, SteppedReport& report) {
     const Vec3 fall = duration * input.gravity;
     const StepSettings settings{.duration = duration, .resting = 2 * fall.norm()};
     const std::span<SolverBody> bodies = m_bodies;
@@ -123,18 +212,14 @@ void SteppedMotion::step(const SteppedInput& input, std::span<const BodyIndex> l
         for (std::size_t k = 0; k < 3; ++k) bodies[i].velocity[k] += fall[static_cast<Eigen::Index>(k)];
         m_free[i] = bodies[i].velocity;
     }
-    warmStart(m_rows, bodies);
-    for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
     prepareSprings(input.bodies, input.state, input.springs, m_local, m_rows.immobile(), duration, bodies,
                    m_springs);
-    const std::size_t points = m_rows.points().size() * wideLanes;
-    for (int pass = 0; pass < m_passes; ++pass) {
-        solveVelocities(m_rows, bodies, first ? std::span<const Displacement>() : m_moved, settings,
-                        pass % 2 != 0);
-        resistRolling(m_rows, bodies);
-        solveSprings(m_springs, bodies);
-    }
-    report.work.rowsSwept += static_cast<std::size_t>(m_passes) * points;
+    const double energy = bounces ? kineticEnergyOf(bodies) : 0;
+    warmStart(m_rows, bodies);
+    for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
+    sweep(settings, first, report);
+    for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
+        sweep(settings, first, report);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Vec3 velocity = vectorOf(bodies[i].velocity), spin = vectorOf(bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
@@ -142,6 +227,7 @@ void SteppedMotion::step(const SteppedInput& input, std::span<const BodyIndex> l
         return;
     }
     move(input, list, duration);
+    const std::size_t points = m_rows.points().size() * wideLanes;
     for (int pass = 0; pass < m_passes; ++pass) {
         report.residual = relaxVelocities(m_rows, bodies, m_moved, settings, pass % 2 != 0);
         resistRolling(m_rows, bodies);
@@ -149,9 +235,14 @@ void SteppedMotion::step(const SteppedInput& input, std::span<const BodyIndex> l
         report.work.rowsSwept += points;
         if (report.residual <= input.tolerance) break;
     }
-    if (bounces)
-        report.work.impacts +=
-            static_cast<std::uint64_t>(rebound(m_rows, bodies, m_moved, settings, reboundPasses));
+    if (const int impacts = bounces ? struckRows(m_rows) : 0; impacts > 0) {
+        report.work.impacts += static_cast<std::uint64_t>(impacts);
+        const double limit = energy + workOf(m_springs, bodies);
+        m_before = m_bodies;
+        rebound(m_rows, bodies, m_moved, settings, reboundPasses);
+        report.work.rowsSwept += reboundPasses * points;
+        keepWithin(limit, m_before, bodies);
+    }
     for (std::size_t i = 0; i < list.size(); ++i) {
         input.state.velocity[list[i]] = vectorOf(bodies[i].velocity);
         input.state.angularVelocity[list[i]] = vectorOf(bodies[i].spin);
@@ -167,7 +258,10 @@ void SteppedMotion::move(const SteppedInput& input, std::span<const BodyIndex> l
         SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
-        if (from.velocity == m_free[i]) shift -= half;
+        if (from.velocity == m_free[i])
+            shift -= half;
+        else
+            m_struck[i] = 1;
         input.state.pose[body].position += shift;
         const Vec3 spin = vectorOf(from.spin);
         for (std::size_t k = 0; k < 3; ++k) {

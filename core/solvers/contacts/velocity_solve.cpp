@@ -183,7 +183,10 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
         if constexpr (pass == Pass::Rebound)
             bias = (row.approach > zero) & (row.normal > zero) ? -group.restitution * row.approach : bias;
         const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - decay * row.normal;
-        const Wide normal = larger(wanted, zero);
+        Wide normal = larger(wanted, zero);
+        if constexpr (pass !=
+                      Pass::Feedback) // what is still open and not needed yet is left to the next step
+            normal = (gap > zero) & (row.normal == zero) ? zero : normal;
         const Wide dn = normal - row.normal;
         if constexpr (pass == Pass::Relax) {
             const Wide off = row.massNormal > zero ? absolute(dn) / row.massNormal : zero;
@@ -224,13 +227,12 @@ CAROM_INLINE Wide approachGroup(const RowGroup& group, RowPoint* points, const S
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
     const Wide3 n = load(group.normal);
-    const Wide zero{}, resting = wideOf(settings.resting), duration = wideOf(settings.duration);
+    const Wide zero{}, resting = wideOf(settings.resting);
     Wide any{};
     for (std::uint32_t k = 0; k < group.points; ++k) {
         RowPoint& row = points[group.firstPoint + k];
         const Wide closing = -dot(n, relativeVelocity(a, b, load(row.armA), load(row.armB)));
         Wide approach = closing > resting ? closing : zero;
-        approach = closing * duration > row.gap ? approach : zero;
         approach = row.normal > zero ? zero : approach;
         approach = group.restitution > zero ? approach : zero;
         approach = row.massNormal > zero ? approach : zero;
@@ -240,8 +242,6 @@ CAROM_INLINE Wide approachGroup(const RowGroup& group, RowPoint* points, const S
     return any;
 }
 
-// A pass goes through the groups there or back: what comes from above reaches the ground in the one, and what
-// the ground answers the top in the other.
 // True if any row was remembered.
 CAROM_WIDE bool passApproach(const RowGroup* groups, std::size_t count, RowPoint* points,
                              const SolverBody* bodies, const StepSettings& settings) {
@@ -285,6 +285,20 @@ CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoi
     for (std::size_t i = 0; i < count; ++i) warmGroup(groups[i], points, bodies);
 }
 
+/// Σ v · M v' over the bodies that can move; M is that of `one`. Twice the kinetic energy where both are the
+/// same [J].
+double product(std::span<const SolverBody> one, std::span<const SolverBody> other) {
+    double sum = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        if (one[i].inverseMass == 0) continue;
+        const Vec3 spin = vectorOf(one[i].spin), otherSpin = vectorOf(other[i].spin);
+        sum += vectorOf(one[i].velocity).dot(vectorOf(other[i].velocity)) / one[i].inverseMass;
+        sum += isIsotropic(one[i]) ? spin.dot(otherSpin) / one[i].xx
+                                   : spin.dot(inverseInertiaOf(one[i]).inverse() * otherSpin);
+    }
+    return sum;
+}
+
 } // namespace
 
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies) {
@@ -294,20 +308,14 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies) {
         for (std::uint32_t k = 0; k < group.points; ++k)
             normal += rows.points()[group.firstPoint + k].normal[row.lane];
         SolverBody &a = bodies[row.a], &b = bodies[row.b];
-        const Vec3 spin = Vec3(b.spin[0], b.spin[1], b.spin[2]) - Vec3(a.spin[0], a.spin[1], a.spin[2]);
+        const Vec3 spin = vectorOf(b.spin) - vectorOf(a.spin);
         Vec3 wanted = row.torque - row.inertia * (spin - row.normal.dot(spin) * row.normal);
         const double size = wanted.norm(), most = row.rolling * normal;
         if (size > most) wanted *= most / size;
         const Vec3 change = wanted - row.torque;
         row.torque = wanted;
-        const auto turn = [&](SolverBody& body, double sign) {
-            const Vec3 by{body.xx * change.x() + body.xy * change.y() + body.xz * change.z(),
-                          body.xy * change.x() + body.yy * change.y() + body.yz * change.z(),
-                          body.xz * change.x() + body.yz * change.y() + body.zz * change.z()};
-            for (std::size_t k = 0; k < 3; ++k) body.spin[k] += sign * by[static_cast<Eigen::Index>(k)];
-        };
-        turn(a, -1);
-        turn(b, 1);
+        add(a.spin, -turnedBy(a, change));
+        add(b.spin, turnedBy(b, change));
     }
 }
 
@@ -337,28 +345,52 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::spa
                      settings);
 }
 
-int rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-            const StepSettings& settings, int passes) {
+int struckRows(const ContactRows& rows) {
+    int struck = 0;
+    for (const RowGroup& group : rows.groups()) {
+        if (!group.bounces) continue;
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            const RowPoint& row = rows.points()[group.firstPoint + k];
+            const auto isStruck = (row.approach > Wide{}) & (row.normal > Wide{});
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) struck += isStruck[lane] != 0 ? 1 : 0;
+        }
+    }
+    return struck;
+}
+
+void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
+             const StepSettings& settings, int passes) {
     const std::span<RowGroup> groups = rows.groups();
     for (int pass = 0; pass < passes; ++pass)
         passRebound(groups.data(), groups.size(), pass % 2 != 0, rows.points().data(), bodies.data(),
                     moved.data(), settings);
-    int impacts = 0;
-    const Wide zero{};
+    const Wide zero{}, resting = wideOf(settings.resting);
     for (const RowGroup& group : groups) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {
             RowPoint& row = rows.points()[group.firstPoint + k];
-            if (!anyLane(row.approach)) continue;
-            const auto struck = (row.approach > zero) & (row.normal > zero);
-            for (std::size_t lane = 0; lane < wideLanes; ++lane) impacts += struck[lane] != 0 ? 1 : 0;
-            row.normal = struck ? zero : row.normal;
-            row.along1 = struck ? zero : row.along1;
-            row.along2 = struck ? zero : row.along2;
-            row.approach = zero;
+            const auto leaves = group.restitution * row.approach > resting;
+            row.normal = leaves ? zero : row.normal;
+            row.along1 = leaves ? zero : row.along1;
+            row.along2 = leaves ? zero : row.along2;
         }
     }
-    return impacts;
+}
+
+double kineticEnergyOf(std::span<const SolverBody> bodies) { return 0.5 * product(bodies, bodies); }
+
+void keepWithin(double limit, std::span<const SolverBody> before, std::span<SolverBody> bodies) {
+    const double most = kineticEnergyOf(bodies);
+    if (most <= limit) return;
+    const double least = kineticEnergyOf(before); // T(s) = T(0) + b s + c s²
+    const double b = product(before, bodies) - 2 * least, c = most - least - b;
+    const double root = std::sqrt(std::max(0.0, b * b - 4 * c * (least - limit)));
+    const double part = c > 0 ? std::clamp((root - b) / (2 * c), 0.0, 1.0) : 0.0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            bodies[i].velocity[k] = std::lerp(before[i].velocity[k], bodies[i].velocity[k], part);
+            bodies[i].spin[k] = std::lerp(before[i].spin[k], bodies[i].spin[k], part);
+        }
 }
 
 } // namespace carom

@@ -10,12 +10,14 @@
 // (E. Catto, "Solver2D", 2024). A step of length h of all bodies is
 //
 //     v += g h
-//     approach    remembers how fast contacts without an impulse close
-//     warmStart   applies the impulses of the step before
-//     solve       with feedback: contacts that overlap are made to part, open ones may close as far as they
-//     are x += h v    by the caller, who adds to the displacements relax       without feedback: what parting
-//     added to the velocities is taken out again rebound     contacts that closed at a speed part at e times
-//     that speed
+//     approach     remembers how fast contacts without an impulse close
+//     warmStart    applies the impulses of the step before
+//     solve        with feedback: contacts that overlap are made to part, open ones may close as far as they
+//                  are
+//     x += h v     by the caller, who adds to the displacements
+//     relax        without feedback: what parting added to the velocities is taken out again
+//     rebound      contacts that closed at a speed and took an impulse part at e times that speed
+//     keepWithin   takes back of the rebound what the kinetic energy does not allow
 //
 //     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
 //              s = s₀ + n · (displacement of B's point less A's)         separation
@@ -25,7 +27,16 @@
 //              s ≤ 0     b = max(rate s, −push), c and d those of a damped spring of angular frequency
 //                        ω = 2π hardness/h and damping ratio ζ, implicit:
 //                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω)
-//     relax    s > 0 as above; else b = 0, c = 1, d = 0
+//     relax    s > 0 as above, and nothing where pₙ is 0: the next step has its turn; else b = 0, c = 1, d =
+//     0 rebound  as relax, and b = −e times the closing speed where that was remembered and pₙ > 0
+//
+// Newton's law for several contacts at once may gain energy, all the more as few passes do not solve it:
+// keepWithin goes from the velocities before the rebound, v, to those after it, v + Δv, only as far as the
+// energy allows,
+//
+//     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit.
+//
+// Contacts do not close by that: they parted at s = 0 and at s = 1.
 //
 // Limits: the residual falls slowly in tall stacks and for large ratios of masses. A weight W rests with an
 // overlap of W d (2ζ + hω)/(m c ω h) h, some 1e-5 of g h² times the number of bodies it carries.
@@ -39,7 +50,7 @@ struct StepSettings {
     double resting = 0;     ///< closing speeds up to this do not rebound [m/s]
 };
 
-/// Remembers closing speeds of rows without an impulse that close within the step. True if there are any.
+/// Remembers closing speeds of rows without an impulse. True if there are any.
 bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings);
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies);
 /// One pass through the groups, there or `back`. `moved` is empty in the first step after the rows were made.
@@ -50,9 +61,15 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
 /// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back);
-/// Rows that recordApproach remembered and that took an impulse since. Their impulses are forgotten: they
-/// are no forces. The number of impacts.
-int rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-            const StepSettings& settings, int passes);
+/// The number of rows that recordApproach remembered and that took an impulse since.
+int struckRows(const ContactRows& rows);
+/// Makes them rebound. The impulses of those that part faster than what rests are forgotten: they are no
+/// forces.
+void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
+             const StepSettings& settings, int passes);
+/// Of all bodies that can move [J].
+double kineticEnergyOf(std::span<const SolverBody> bodies);
+/// Takes bodies back towards `before`, by as little as keeps their kinetic energy within `limit` [J].
+void keepWithin(double limit, std::span<const SolverBody> before, std::span<SolverBody> bodies);
 
 } // namespace carom

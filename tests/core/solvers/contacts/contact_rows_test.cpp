@@ -121,7 +121,7 @@ Mat3 responseOf(const SolverBody& a, const SolverBody& b, const PointInput& poin
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Vec3 p = Vec3::Unit(axis);
         const auto after = [&](const SolverBody& body, const Vec3& arm) -> Vec3 {
-            const Vec3 spin = test::inverseInertiaOf(body) * arm.cross(p);
+            const Vec3 spin = carom::inverseInertiaOf(body) * arm.cross(p);
             return body.inverseMass * p + spin.cross(arm);
         };
         response.col(axis) = after(a, point.armA) + after(b, point.armB);
@@ -213,8 +213,8 @@ class ContactRowsTest : public QObject {
                 // 1 over the larger eigenvalue of the response across the normal.
                 const Mat3 across = Mat3::Identity() - row.normal * row.normal.transpose();
                 const Mat3 response = across *
-                                      (test::inverseInertiaOf(scene.bodies[row.a]) +
-                                       test::inverseInertiaOf(scene.bodies[row.b])) *
+                                      (carom::inverseInertiaOf(scene.bodies[row.a]) +
+                                       carom::inverseInertiaOf(scene.bodies[row.b])) *
                                       across;
                 const double larger = Eigen::SelfAdjointEigenSolver<Mat3>(response).eigenvalues().maxCoeff();
                 QVERIFY(std::abs(row.inertia * larger - 1) < rounding);
