@@ -3,11 +3,10 @@
 
 #include "app/errors.h"
 #include "app/qt_messages.h"
+#include "ui/base/failures.h"
 #include "ui/widgets/accuracy_chart.h"
 #include "ui/widgets/benchmark_charts.h"
 #include "ui/widgets/gas_charts.h"
-
-#include <QApplication>
 
 namespace carom {
 namespace {
@@ -18,7 +17,7 @@ void needApplication() {
     static char program[] = "carom", option[] = "-platform", platform[] = "offscreen";
     static char* words[] = {program, option, platform, nullptr};
     quietQt();
-    static const QApplication application(count, words);
+    static const Application application(count, words);
 }
 
 void drawInto(const ChartSpec& chart, const QString& path) {

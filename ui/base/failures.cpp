@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/base/failures.h"
 
+#include "ui/base/numbers.h"
+
 #include <QCoreApplication>
 #include <QMetaObject>
 
@@ -28,6 +30,10 @@ QString failureInWords() {
     } catch (...) {
         return FailureTexts::tr("an error inside the program");
     }
+}
+
+Application::Application(int& argumentCount, char** arguments) : QApplication(argumentCount, arguments) {
+    writeNumbersAsScenesDo();
 }
 
 bool Application::notify(QObject* receiver, QEvent* event) {

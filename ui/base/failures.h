@@ -25,11 +25,11 @@ QString attempt(const Work& work) {
     }
 }
 
-/// A QApplication in which what fails on an event ends that event only.
+/// A QApplication in which what fails on an event ends that event only, and numbers look as in scenes.
 class Application : public QApplication {
     Q_OBJECT
   public:
-    using QApplication::QApplication;
+    Application(int& argumentCount, char** arguments);
 
     bool notify(QObject* receiver, QEvent* event) override;
 

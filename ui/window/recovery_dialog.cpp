@@ -44,7 +44,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
         const QString name =
             text.path.isEmpty() ? tr("a scene without a file") : QFileInfo(text.path).fileName();
         QListWidgetItem* item = new QListWidgetItem(
-            name + u'\n' + QLocale().toString(text.written, QLocale::ShortFormat), m_list);
+            name + u'\n' + QLocale::system().toString(text.written, QLocale::ShortFormat), m_list);
         item->setToolTip(text.path);
     }
     QHBoxLayout* row = new QHBoxLayout;

@@ -25,7 +25,7 @@ std::span<const LanguageRow> languages() { return rows; }
 void installTranslation(QCoreApplication& application, const QString& code) {
     registerTranslations();
     qDeleteAll(application.findChildren<QTranslator*>(translatorName, Qt::FindDirectChildrenOnly));
-    const QLocale locale = code.isEmpty() ? QLocale() : QLocale(code);
+    const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
     const auto load = [&](const QString& name, const QString& folder) {
         QTranslator* translator = new QTranslator(&application);
         translator->setObjectName(translatorName);

@@ -138,6 +138,44 @@ class PicturesTest : public QObject {
         QVERIFY2(told.contains("-framerate 20") && told.contains("film-%05d.png"), told.constData());
     }
 
+    void aNameThatLooksLikeAPatternIsOnlyAName_data() {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("of numbers") << QStringLiteral("run %03d");
+        QTest::newRow("of arguments") << QStringLiteral("%1 %2 %L1");
+        QTest::newRow("of a percentage") << QStringLiteral("100%");
+    }
+    void aNameThatLooksLikeAPatternIsOnlyAName() {
+        // ffmpeg takes `%03d` in a folder's name for the number of a picture, and finds none.
+        QFETCH(QString, name);
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const QString folder = ide.folder.filePath(name),
+                      tools = ide.folder.filePath(QStringLiteral("tools"));
+        QVERIFY(QDir().mkpath(folder) && QDir().mkpath(tools));
+        // Stands in for the encoder: takes no pattern but one in a plain folder, and needs the pictures
+        // there.
+        const QString encoder = tools + QStringLiteral("/ffmpeg");
+        writeFile(encoder, "#!/bin/sh\nfor last; do :; done\n"
+                           "test -f film-00004.png || exit 9\necho \"$@\" > \"$last\"\n");
+        QVERIFY(QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner));
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", tools.toLocal8Bit() + ":" + path);
+        for (const char* ending : {".mp4", ".gif", ".png"}) {
+            Film film(planOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
+            QSignalSpy ends(&film, &Film::finished);
+            film.start();
+            QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+            QCOMPARE(ends.first().first().toString(), QString());
+        }
+        qputenv("PATH", path);
+        const QByteArray told = readFile(folder + u'/' + name + QStringLiteral(".mp4"));
+        QCOMPARE(told.count('%'), 1); // that of film-%05d.png
+        QVERIFY(QFile::exists(folder + u'/' + name + QStringLiteral(".gif")));
+        for (int picture = 0; picture < 5; ++picture)
+            QVERIFY(QFile::exists(folder + u'/' + name + QStringLiteral("-0000") + QString::number(picture) +
+                                  QStringLiteral(".png")));
+    }
+
     void aFilmCancelledInTheMiddleLeavesNoHalfFile() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);

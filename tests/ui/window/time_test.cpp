@@ -2,6 +2,8 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "core/simulation/build.h"
+#include "ui/docks/accuracy_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
@@ -9,6 +11,7 @@
 
 #include <QSettings>
 #include <QSlider>
+#include <QTimer>
 
 // Moving through a run with the whole IDE: back and forth, by keys, on the timeline, and by editing in the
 // middle of it.
@@ -116,6 +119,40 @@ class TimeTest : public QObject {
         ide.bench.window().actions()[ActionId::ShowGhost].trigger();
         // The ghost is wire: some hundred pixels, far fewer than a ball.
         QTRY_VERIFY_WITH_TIMEOUT(difference(after, ide.viewport.shownPicture()) > 50, patience);
+    }
+
+    void aSettingRunInTheMiddleOfAnExchangeReplacesIt() {
+        // The changed scene is on its way to the time on screen when the Accuracy panel asks for a run of its
+        // own, with a ball more than the scene on screen has.
+        Ide ide;
+        ide.simulation.setSpeed(std::nullopt);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3000, patience);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QStringList notices;
+        bool asked = false;
+        connect(&ide.bench.preview(), &LivePreview::noticeChanged, &ide.bench, [&](const QString& notice) {
+            notices.append(notice);
+            if (asked || !notice.startsWith(QStringLiteral("Simulating"))) return;
+            asked = true;
+            QTimer::singleShot(0, &ide.bench, [&] {
+                ide.simulation.setSpeed(1);
+                Q_EMIT ide.bench.window().accuracy().runWanted(
+                    build(ide.bench.document().text().toStdString()).pipeline);
+            });
+        });
+        typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,2,0 }");
+        QTRY_VERIFY_WITH_TIMEOUT(asked, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0 && ide.frame < 3000, patience); // a run from the start
+        const std::int64_t reached = ide.frame;
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > reached + 5, patience); // and its frames come
+        QCOMPARE(notices.last(), QString());                         // nothing claims to be on its way
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        const QPoint third = ide.placeOf(3);
+        QVERIFY(third != QPoint(-1, -1)); // the pictures are of the run's scene
     }
 
     void aRunThatPlaysGoesOnPlayingAfterAnEdit() {

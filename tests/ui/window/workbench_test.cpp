@@ -5,6 +5,7 @@
 #include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
+#include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/editor/find_bar.h"
 #include "ui/viewport/viewport.h"
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -114,6 +116,52 @@ class WorkbenchTest : public QObject {
             std::make_shared<const Pipeline>(ide.bench.preview().shown()->scene(), settings);
         Q_EMIT ide.bench.window().accuracy().runWanted(pipeline);
         QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3, patience);
+    }
+
+    void aSettingLosesNothingThatWasTypedWhileABuildIsUnderWay() {
+        // The build on screen is older than the text: its places are not the text's.
+        QByteArray balls = twoBalls;
+        for (int i = 0; i < 20'000; ++i)
+            balls += "sphere { radius .1 mass 1 centre " + QByteArray::number(i) + ",9,0 }\n";
+        Ide ide(balls);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        ide.editor.send(Sci::SCI_GOTOPOS, 0);
+        QTest::keyClicks(&ide.editor, QStringLiteral("// mine "));
+        const QByteArray before = ide.editor.bytes();
+        QCOMPARE(before, "// mine " + balls);
+        QVERIFY(!ide.current());
+        SimulationSettings settings;
+        settings.method = "contacts";
+        settings.substeps = 8;
+        Q_EMIT ide.bench.window().accuracy().settingWanted(settings);
+        QVERIFY(ide.editor.bytes().startsWith("// mine camera"));
+        QVERIFY(ide.editor.bytes().contains("substeps 8"));
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QCOMPARE(ide.problems(), 0);
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), before);
+    }
+
+    void aNameFullOfPlaceholdersIsShownAsItIs() {
+        Ide ide;
+        const QString name = QStringLiteral("%1 %2 <b>100%d<b> %L1.sdl");
+        QSignalSpy reports(&ide.bench.files(), &FileCommands::reported);
+        QVERIFY(!ide.bench.document().saveAs(ide.folder.filePath(name)));
+        QVERIFY2(ide.bench.window().windowTitle().contains(name),
+                 qPrintable(ide.bench.window().windowTitle()));
+        QVERIFY(!ide.bench.document().open(ide.bench.document().path()));
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        const QString said = ide.bench.window().output().findChild<QPlainTextEdit*>()->toPlainText();
+        QVERIFY2(said.contains(name + QStringLiteral(": 3 bodies")), qPrintable(said));
+        writeFile(ide.folder.filePath(name), "spere");
+        QString question;
+        answerNextDialog([&question](QWidget& box) {
+            for (const QLabel* label : box.findChildren<QLabel*>()) question += label->text();
+            box.close();
+        });
+        typeAtTheEnd(ide.editor, "// mine");
+        ide.trigger(ActionId::Save);
+        QVERIFY2(question.contains(name), qPrintable(question));
     }
 
     void anEditAtFrameZeroShowsTheNewSceneAtOnce() {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+#include "ui/base/failures.h"
+
+#include <QDoubleSpinBox>
+#include <QLocale>
+#include <QTest>
+
+#include <array>
+#include <cstdio>
+
+using namespace carom;
+
+class NumbersTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void theUserWritesACommaAndTheProgramAPoint() {
+        QCOMPARE(QLocale::system().decimalPoint(), QStringLiteral(",")); // or the rest would prove nothing
+        QCOMPARE(QLocale().toString(1234567.5, 'f', 1), QStringLiteral("1234567.5"));
+        std::array<char, 16> written{};
+        std::snprintf(written.data(), written.size(), "%g", 0.5);
+        QCOMPARE(QByteArray(written.data()), QByteArray("0.5"));
+    }
+
+    void fieldsShowAndTakeAPoint() {
+        QDoubleSpinBox field;
+        field.setMaximum(1e6);
+        field.setValue(1234.25);
+        QCOMPARE(field.text(), QStringLiteral("1234.25"));
+        field.selectAll();
+        QTest::keyClicks(&field, QStringLiteral("0.75"));
+        field.interpretText();
+        QCOMPARE(field.value(), 0.75);
+    }
+};
+
+namespace carom::test {
+
+int numbers_test(int argc, char** argv);
+
+int numbers_test(int argc, char** argv) {
+    qputenv("LC_ALL", "de_DE.UTF-8");
+    const Application application(argc, argv);
+    NumbersTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+} // namespace carom::test
+#include "numbers_test.moc"
