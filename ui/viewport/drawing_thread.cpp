@@ -38,13 +38,19 @@ void DrawingThread::Worker::start() {
     m_context->setFormat(m_surface.requestedFormat());
     m_renderer = std::make_unique<Renderer>();
     const bool current = m_context->create() && m_context->makeCurrent(&m_surface);
+    // From the owner's thread, behind what it is doing now: whoever makes a DrawingThread has connected its
+    // signals by then, however fast the worker was.
+    const auto tell = [this](auto&& what) {
+        QMetaObject::invokeMethod(&m_owner, std::forward<decltype(what)>(what), Qt::QueuedConnection);
+    };
     if (!current || !m_renderer->initialise()) {
-        Q_EMIT m_owner.failed(current ? m_renderer->problem()
-                                      : DrawingThread::tr("this display offers no OpenGL"));
+        const QString problem =
+            current ? m_renderer->problem() : DrawingThread::tr("this display offers no OpenGL");
+        tell([&owner = m_owner, problem] { Q_EMIT owner.failed(problem); });
         m_renderer.reset();
         return;
     }
-    Q_EMIT m_owner.ready(m_renderer->isSoftware());
+    tell([&owner = m_owner, software = m_renderer->isSoftware()] { Q_EMIT owner.ready(software); });
 }
 
 void DrawingThread::Worker::stop() {
