@@ -195,9 +195,11 @@ QIcon Theme::icon(const QString& name, const QColor& colour) const {
 }
 
 void applyTheme(QApplication& application, const Theme& theme) {
+    const QString sheet = theme.styleSheet();
+    if (application.styleSheet() == sheet) return; // setting it would lay out every widget once more
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(theme.palette());
-    application.setStyleSheet(theme.styleSheet());
+    application.setStyleSheet(sheet);
 }
 
 } // namespace carom
