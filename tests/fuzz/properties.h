@@ -9,7 +9,9 @@
 
 namespace carom::test {
 
-/// The first property of analyse() and formatText() that `text` breaks, as a sentence; empty if none.
+/// The first property that `text` breaks, as a sentence; empty if none. A program links one of the two: that
+/// of analyse() and formatText() (properties.cpp), or that of building the scene and moving it for 20 frames
+/// by every method (motion.cpp).
 std::string brokenProperty(std::string_view text);
 
 } // namespace carom::test

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/build.h"
+#include "core/simulation/world.h"
+#include "tests/fuzz/properties.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace carom::test {
+namespace {
+
+constexpr std::size_t mostBodies = 64; // so that a text takes milliseconds
+constexpr int frames = 20, middle = 10;
+// A scene may ask for more, and is right to: they are its author's to wait for.
+constexpr int substeps = 2, iterations = 20;
+
+// What a state must be that is said to be in order, and what must be said of another one.
+std::string brokenState(const World& world, std::int64_t frame) {
+    const Health& health = world.health();
+    const Bodies& bodies = world.pipeline().bodies();
+    if (world.state().pose.size() != bodies.count()) return "bodies were lost or made";
+    const Loss loss = findLoss(bodies, world.state());
+    if (health.finite) {
+        if (world.state().frame != frame) return "a frame was left out";
+        return loss ? "a state that is no longer finite counts as healthy" : "";
+    }
+    if (health.body >= bodies.count()) return "a run stopped for a body that is not there";
+    return health.quantity.empty() ? "a run stopped for no reason" : "";
+}
+
+std::string brokenMotion(const std::shared_ptr<const Pipeline>& pipeline) {
+    World world(pipeline);
+    std::optional<Checkpoint> checkpoint;
+    for (int frame = 1; frame <= frames; ++frame) {
+        world.step();
+        if (std::string broken = brokenState(world, frame); !broken.empty()) return broken;
+        if (!world.health().finite) {
+            const std::uint64_t hash = world.stateHash();
+            world.step();
+            return world.stateHash() == hash ? "" : "a run that has stopped goes on";
+        }
+        if (frame == middle) checkpoint = world.checkpoint();
+    }
+    World again(pipeline);
+    again.restore(*checkpoint);
+    for (int frame = middle; frame < frames; ++frame) again.step();
+    return again.stateHash() == world.stateHash() ? "" : "a run from a checkpoint ends elsewhere";
+}
+
+} // namespace
+
+std::string brokenProperty(std::string_view text) {
+    for (const SolverRow& method : solvers()) {
+        SimulationSettings options;
+        options.method = method.name;
+        options.substeps = substeps;
+        options.iterations = iterations;
+        options.threads = 1;
+        const Build made = build(std::string(text), options);
+        if (made.analysis.scene.bodies.size() > mostBodies) return {};
+        if (std::string broken = brokenMotion(made.pipeline); !broken.empty())
+            return std::string(method.name) + ": " + broken;
+    }
+    return {};
+}
+
+} // namespace carom::test
