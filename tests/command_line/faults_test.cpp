@@ -51,6 +51,13 @@ const std::vector<Writer>& writers() {
          {"study", "accuracy", "{}", "--duration=.2", "--substeps=1", "--runs=1", "-o", "{out}"},
          "accuracy.csv",
          false},
+        {"gas", {"study", "gas", "{gas}", "-o", "{out}"}, "gas.csv", false},
+#ifdef CAROM_CHARTS
+        {"chart",
+         {"study", "accuracy", "{}", "--duration=.2", "--substeps=1", "--runs=1", "--chart", "{out}/c.svg"},
+         "c.svg",
+         false},
+#endif
     };
     return rows;
 }
@@ -64,6 +71,13 @@ class FaultsTest : public QObject {
     void init() {
         m_folder = std::make_unique<QTemporaryDir>();
         writeFile(scene(), ball);
+        writeFile(path("gas.sdl"),
+                  "gravity { accel 0,0,0 } sphere { radius 0.1 mass 1 centre 0,0,0 vel 1,2,3 }\n"
+                  "wall { normal 1,0,0 toOrig 1 } wall { normal -1,0,0 toOrig 1 }\n"
+                  "wall { normal 0,1,0 toOrig 1 } wall { normal 0,-1,0 toOrig 1 }\n"
+                  "wall { normal 0,0,1 toOrig 1 } wall { normal 0,0,-1 toOrig 1 }\n"
+                  "sphere { radius 0.1 mass 1 centre 0.5,0,0 vel 1,-2,3 }\n"
+                  "simulation { duration 5 }\n");
     }
 
     void aWriterThatFailsEndsWithThreeAndKeepsWhatWasThere_data() {
@@ -92,7 +106,9 @@ class FaultsTest : public QObject {
         const QByteArray before = row.file == QByteArray("a.sdl") ? "sphere  {radius 1   mass 1}" : "old\n";
         writeFile(file, before);
         QStringList words = row.words;
-        words.replaceInStrings("{}", scene()).replaceInStrings("{out}", out);
+        words.replaceInStrings("{}", scene())
+            .replaceInStrings("{out}", out)
+            .replaceInStrings("{gas}", path("gas.sdl"));
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("LD_PRELOAD", CAROM_FAILING_FILES);
         environment.insert(failingFilesVariable,
@@ -100,7 +116,7 @@ class FaultsTest : public QObject {
         const Ended ended = carom(words, environment);
         QVERIFY2(ended.exitCode == 3, qPrintable(QString::number(ended.exitCode) + ended.err));
         QVERIFY2(ended.err.contains(QString::fromStdString(std::generic_category().message(cause))) &&
-                     ended.err.contains("cannot write"),
+                     (ended.err.contains("cannot write") || ended.err.contains("cannot be written")),
                  qPrintable(ended.err));
         if (row.isStream) { // what was computed is said all the same
             if (call != "open") QVERIFY2(ended.out.contains("state hash"), qPrintable(ended.out));
@@ -111,6 +127,23 @@ class FaultsTest : public QObject {
             QVERIFY2(ended.out.contains("1 of 1 hold"), qPrintable(ended.out));
         QCOMPARE(readFile(file), before);
         QCOMPARE(QDir(out).entryList(QDir::Files | QDir::Hidden), QStringList{row.file});
+    }
+
+    void aStandardOutputThatIsFullEndsWithThree_data() {
+        QTest::addColumn<QString>("words");
+        for (const char* words :
+             {"run {} -n 3", "run {} -n 3 --json --stats -", "generate pyramid", "format {}", "effects {}",
+              "contacts {}", "bench --scene=pyramid -n 10 --frames=3",
+              "study stability elastic_ball --column=exact", "study gas gas.sdl"})
+            QTest::newRow(words) << QString::fromLatin1(words);
+    }
+    void aStandardOutputThatIsFullEndsWithThree() {
+        QFETCH(QString, words);
+        words.replace("{}", scene()).replace("gas.sdl", path("gas.sdl"));
+        const Ended ended = shell("exec \"$carom\" " + words + " > /dev/full");
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains("cannot write standard output: No space left on device"),
+                 qPrintable(ended.err));
     }
 
     void aDiskThatFillsUpInTheMiddleOfARunEndsItWithItsSummary() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/csv.h"
 #include "core/math/random.h"
+#include "tests/support/process_figures.h"
 #include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
@@ -12,8 +13,8 @@
 #include <cstdint>
 
 // The program is killed (SIGKILL) at random moments while it writes. What was there before, or the whole of
-// what it was writing, must be found; of a study, whole rows. CAROM_KILLS says how often; packaging/test
-// crash does it five hundred times.
+// what it was writing, must be found; of a study, whole rows. CAROM_KILLS says how often;
+// packaging/test crash does it hundreds of times.
 
 namespace carom::test {
 
@@ -21,11 +22,7 @@ namespace {
 
 constexpr std::uint64_t seed = 20261122;
 
-int kills() {
-    bool given = false;
-    const int count = qEnvironmentVariableIntValue("CAROM_KILLS", &given);
-    return given ? count : 12;
-}
+int kills() { return roundsOf("CAROM_KILLS", 12); }
 
 std::size_t cellsIn(const QString& row) {
     const std::string text = row.toStdString();

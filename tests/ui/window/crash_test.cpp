@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/process_figures.h"
 #include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
@@ -24,6 +25,8 @@ namespace {
 constexpr quint32 seed = 4711;             // of the moments of the kills
 constexpr int behind = Recovery::interval; // [ms] the swap file may be
 const QByteArray original = "// a scene\n";
+
+int kills() { return roundsOf("CAROM_KILLS", 6); }
 
 QByteArray xdotool(const QStringList& arguments) {
     QProcess process;
@@ -125,7 +128,7 @@ class CrashTest : public QObject {
     void aKillWhileSavingLeavesAWholeFileAndNothingTypedIsLost() {
         QRandomGenerator random(seed);
         Desk desk;
-        for (int turn = 0; turn < 6; ++turn) {
+        for (int turn = 0; turn < kills(); ++turn) {
             const QByteArray before = readFile(desk.scene);
             QByteArray typed;
             qsizetype oldEnough = 0; // of `typed`: longer ago than the swap file may be behind
@@ -161,6 +164,35 @@ class CrashTest : public QObject {
             QVERIFY2(best.startsWith(before + typed.left(oldEnough)), best.constData());
             for (const LostText& lost : Recovery::lostTexts(desk.swaps).texts) Recovery::discard(lost);
         }
+        qInfo("%d were killed", kills());
+    }
+
+    void aKillWhileAPictureIsExportedLeavesTheOldOneOrTheWhole() {
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath(QStringLiteral("picture.png"));
+        const QStringList words{QStringLiteral(CAROM_SOURCE_DIR "/scenes/pool_break.sdl"),
+                                QStringLiteral("--picture"), picture};
+        QElapsedTimer clock;
+        clock.start();
+        QCOMPARE(runCommand(QStringLiteral(CAROM_PROGRAM), words).exitCode, 0);
+        const QByteArray whole = readFile(picture);
+        const int longest = static_cast<int>(clock.elapsed());
+        QRandomGenerator random(seed);
+        int killed = 0;
+        for (int turn = 0; turn < kills(); ++turn) {
+            writeFile(picture, "old");
+            QProcess process;
+            process.setStandardErrorFile(QProcess::nullDevice());
+            process.start(QStringLiteral(CAROM_PROGRAM), words);
+            // Most of the time goes into starting and drawing: the kills crowd where the file is written.
+            const bool ended = process.waitForFinished(longest / 2 + random.bounded(longest));
+            process.kill();
+            process.waitForFinished();
+            killed += ended ? 0 : 1;
+            const QByteArray found = readFile(picture);
+            QVERIFY2(found == "old" || found == whole, qPrintable(QStringLiteral("turn %1").arg(turn)));
+        }
+        qInfo("%d of %d were killed", killed, kills());
     }
 };
 

@@ -12,6 +12,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <system_error>
 
 using namespace carom;
 using namespace carom::test;
@@ -114,24 +115,43 @@ class RecoveryTest : public QObject {
             QCOMPARE(file.permissions() & others, QFileDevice::Permissions());
     }
 
+    void whatCannotBeKeptIsSaidUntilItCan_data() {
+        QTest::addColumn<QByteArray>("call");
+        QTest::addColumn<int>("cause");
+        for (const char* call : {"open", "write", "fsync", "close", "rename"})
+            for (const auto& [name, cause] : {std::pair{"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EACCES", EACCES}})
+                QTest::addRow("%s: %s", call, name) << QByteArray(call) << cause;
+    }
     void whatCannotBeKeptIsSaidUntilItCan() {
+        QFETCH(QByteArray, call);
+        QFETCH(int, cause);
         QTemporaryDir folder;
         EditedDocument edited;
         auto& [editor, document] = edited;
         Recovery recovery(document, folder.path());
         QSignalSpy changes(&recovery, &Recovery::keepingChanged);
+        const auto kept = [&] {
+            const QDir swaps(folder.path(), QStringLiteral("*.swap"));
+            return swaps.count() == 1 ? readFile(swaps.filePath(swaps[0])) : QByteArray();
+        };
         editor.insert(QStringLiteral("one"));
+        QVERIFY(recovery.keep());
+        const QByteArray before = kept();
+        QVERIFY(before.contains("one"));
+        editor.insert(QStringLiteral("two"));
         {
-            const FailingFiles full("write", 1, ENOSPC, qPrintable(folder.path()));
+            const FailingFiles failing(call, 1, cause, qPrintable(folder.path()));
             QVERIFY(!recovery.keep());
             QVERIFY(!recovery.keep());
         }
+        QCOMPARE(kept(), before); // what was kept is there still
         QCOMPARE(changes.count(), 1);
-        QCOMPARE(changes.takeFirst().first().toString(), QStringLiteral("No space left on device"));
+        QCOMPARE(changes.takeFirst().first().toString(),
+                 QString::fromStdString(std::generic_category().message(cause)));
         QVERIFY(recovery.keep());
         QCOMPARE(changes.count(), 1);
         QCOMPARE(changes.takeFirst().first().toString(), QString());
-        QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.swap")}).size(), 1);
+        QVERIFY(kept().contains("two"));
     }
 
     void withoutAFolderForItOneIsToldAsWell() {

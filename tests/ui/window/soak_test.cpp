@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/process_figures.h"
+#include "tests/support/test_class.h"
+#include "tests/support/whole_ide.h"
+
+#include "ui/widgets/timeline.h"
+#include "ui/window/live_preview.h"
+
+#include <QSettings>
+
+#include <malloc.h>
+
+#include <algorithm>
+
+// A window that is worked in for hours holds no more at the end than after the first minutes. CAROM_SOAK says
+// how many rounds; packaging/test soak takes hours.
+
+using namespace carom;
+using namespace carom::test;
+
+namespace {
+
+constexpr int warmUp = 10;          // rounds, in which fonts, pictures and lists come to their size
+constexpr std::int64_t played = 60; // frames a round
+constexpr double speed = 10;        // of real time: the frame that a pause meets differs by a few
+
+/// [KiB] that the program has asked for and not given back: what is in memory besides depends on the order in
+/// which the allocator got it.
+qint64 inUse() {
+    const struct mallinfo2 figures = mallinfo2();
+    return static_cast<qint64>((figures.uordblks + figures.hblkhd) / 1024);
+}
+
+// [KiB]: what the lines of a round in the Output panel and an edit that can be undone take. The panel keeps
+// 5,000 lines, two a round.
+constexpr qint64 allowanceOfRound = 8, allowance = 1024;
+constexpr int keptLines = 2500;     // rounds
+constexpr int reportInterval = 500; // rounds
+
+void report(int round) {
+    const Holdings held = holdingsOf(QStringLiteral("self"));
+    qInfo("round %d: %lld KiB in use, %lld in memory, %lld files", round, static_cast<long long>(inUse()),
+          static_cast<long long>(held.memory), static_cast<long long>(held.files));
+}
+
+} // namespace
+
+class WindowSoakTest : public QObject {
+    Q_OBJECT
+
+    /// What somebody does all day: change a number, play, go back, save, undo.
+    static void work(Ide& ide, int round) {
+        ide.trigger(ActionId::Reset);
+        const QByteArray text = ide.editor.bytes();
+        const qsizetype at = text.indexOf("0,3,0") >= 0 ? text.indexOf("0,3,0") : text.indexOf("0,4,0");
+        ide.editor.replaceRange({static_cast<std::uint32_t>(at), 5}, round % 2 == 0 ? "0,4,0" : "0,3,0");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        ide.simulation.setSpeed(speed);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > played, patience);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        ide.simulation.seek(played / 2);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, played / 2, patience);
+        ide.trigger(ActionId::Save);
+    }
+
+  private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void aDayOfWorkHoldsNoMoreThanItsFirstMinutes() {
+        const int rounds = roundsOf("CAROM_SOAK", 40);
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        qint64 early = 0, files = 0;
+        for (int round = 0; round < rounds; ++round) {
+            work(ide, round);
+            if (QTest::currentTestFailed()) return;
+            if (round % reportInterval == reportInterval - 1) report(round);
+            if (round != warmUp) continue;
+            report(round);
+            early = inUse();
+            files = holdingsOf(QStringLiteral("self")).files;
+        }
+        report(rounds);
+        QVERIFY(early > 0);
+        QVERIFY(inUse() <= early + allowance + allowanceOfRound * std::min(rounds, keptLines));
+        QVERIFY(holdingsOf(QStringLiteral("self")).files <= files);
+    }
+};
+
+CAROM_TEST_WITH(IdeApplication, soak_test, WindowSoakTest)
+#include "soak_test.moc"
