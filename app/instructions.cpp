@@ -14,6 +14,7 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -56,9 +57,18 @@ double totalIn(const std::string& path) {
     return total;
 }
 
+std::string temporaryFolder() {
+    std::error_code problem;
+    const fs::path folder = fs::temp_directory_path(problem);
+    if (!problem) return folder.string();
+    const char* const wanted = std::getenv("TMPDIR");
+    throw FileError(std::string("there is no folder for temporary files at `") +
+                    (wanted != nullptr ? wanted : "/tmp") + "`; set TMPDIR to one");
+}
+
 double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting, const std::string& scene,
                       std::int64_t frames) {
-    const TemporaryFile counts((fs::temp_directory_path() / "carom").string());
+    const TemporaryFile counts(temporaryFolder() + "/carom");
     std::vector<std::string> words = {"valgrind",
                                       "--tool=callgrind",
                                       "--callgrind-out-file=" + counts.path(),

@@ -123,6 +123,21 @@ class StudyAccuracyTest : public QObject {
         QVERIFY(ended.out.contains("instructions"));
     }
 
+    void withoutAFolderForTemporaryFilesWhatWasMeasuredIsKept() {
+        const QString tools = m_folder.filePath("idle");
+        QVERIFY(QDir().mkpath(tools));
+        writeFile(tools + "/valgrind", "#!/bin/sh\n");
+        QVERIFY(QFile::setPermissions(tools + "/valgrind", QFile::ReadOwner | QFile::ExeOwner));
+        const QString folder = m_folder.filePath("half");
+        const Ended ended = shell(
+            QStringLiteral("TMPDIR=/nowhere PATH='%1':$PATH \"$carom\" study accuracy '%2' --duration=.5 "
+                           "--substeps=1,2 --runs=1 --instructions -o '%3'")
+                .arg(tools, m_scene, folder));
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains("no folder for temporary files at `/nowhere`"), qPrintable(ended.err));
+        QVERIFY(linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv"))).size() > 2);
+    }
+
   private:
     Ended study(const QStringList& further) {
         return carom(
