@@ -19,10 +19,18 @@
 #include <QIcon>
 #include <QTimer>
 
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
 namespace carom {
 namespace {
 
-constexpr int settleTime = 500; // [ms] until a window that only has its picture taken is drawn
+constexpr std::chrono::seconds longestEnd{2}; // that threads are given when the window is closed
+constexpr int settleTime = 500;               // [ms] until a window that only has its picture taken is drawn
 
 void describeApplication() {
     QApplication::setOrganizationName(QStringLiteral("carom"));
@@ -31,6 +39,20 @@ void describeApplication() {
     QApplication::setApplicationVersion(QString::fromUtf8(version().data()));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/carom.svg")));
     QApplication::setDesktopFileName(QStringLiteral("org.carom.carom"));
+}
+
+/// Whoever has closed the window does not wait for the frame that is being simulated, which can take minutes:
+/// after a while the program ends with its threads. What is to be saved is saved before they are waited for.
+std::jthread limitOfTheEnd(int exitCode) {
+    return std::jthread([exitCode](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any never;
+        never.wait_for(lock, stop, longestEnd, [] { return false; });
+        if (stop.stop_requested()) return;
+        std::fflush(nullptr);
+        std::_Exit(exitCode);
+    });
 }
 
 /// Throws FileError for standard input; a file's own trouble is returned.
@@ -56,6 +78,7 @@ int runIde(const IdeRequest& request) {
     installTranslation(application, Settings().language());
     if (request.picture) return savePicture(*request.scene, *request.picture);
 
+    std::jthread limit; // before the workbench: it outlives it
     Workbench workbench;
     if (request.scene) {
         if (const std::optional<QString> problem = openScene(workbench, *request.scene)) {
@@ -78,7 +101,9 @@ int runIde(const IdeRequest& request) {
         QTimer::singleShot(settleTime, &workbench, [&] {
             QApplication::exit(saveWindow(workbench, *request.screenshot) ? 0 : exitcode::fileError);
         });
-    return QApplication::exec();
+    const int exitCode = QApplication::exec();
+    limit = limitOfTheEnd(exitCode);
+    return exitCode;
 }
 
 } // namespace carom
