@@ -26,6 +26,26 @@ class SoakTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void memoryIsInProportionToBodiesAndPairsThatTouch() {
+        // All in one place, every body touches every other one. core/README.md states the figures.
+        constexpr int bodies = 200, pairs = bodies * (bodies - 1) / 2;
+        constexpr double ofProgram = 16 * 1024, ofBody = 4, ofPair = 2.5; // [KiB]
+        const QTemporaryDir folder;
+        const QString scene = folder.filePath("heap.sdl");
+        writeFile(scene, QByteArray("sphere { radius 1 mass 1 centre 0,0,0 }\n").repeated(bodies));
+        QProcess process;
+        process.setStandardErrorFile(QProcess::nullDevice());
+        process.start(QStringLiteral(CAROM_PROGRAM), {"run", scene, "-n", "1000000", "--stats", "-"});
+        for (qint64 rows = 0; rows < 5; rows += process.readAllStandardOutput().count('\n'))
+            QVERIFY(process.waitForReadyRead(patience));
+        const Holdings held = holdingsOf(QString::number(process.processId()));
+        process.kill();
+        process.waitForFinished();
+        qInfo("%d bodies, %d pairs: %lld KiB", bodies, pairs, static_cast<long long>(held.memory));
+        QVERIFY(held.memory > 0);
+        QVERIFY(static_cast<double>(held.memory) <= ofProgram + bodies * ofBody + pairs * ofPair);
+    }
+
     void aLongRunHoldsNoMoreThanAShortOne_data() {
         QTest::addColumn<QString>("method");
         for (const char* method : {"contacts", "microcollisions", "events"})

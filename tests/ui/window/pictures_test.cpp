@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 
+#include <limits>
 #include <optional>
 
 using namespace carom;
@@ -260,6 +261,18 @@ class PicturesTest : public QObject {
         QCOMPARE(reader.imageCount(), 5);
         for (int i = 1; i < 5; ++i) reader.read();
         QVERIFY(rednessAt(reader.read(), camera, {-1, 1.6, 0.5}) > 0.2); // the red ball of the text before
+    }
+
+    void aFilmOfMorePicturesThanCanBeNumberedIsRefused() {
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        FilmPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
+        for (const double to : {1e5, 1e9, 1e300, std::numeric_limits<double>::infinity()}) {
+            plan.to = to;
+            QVERIFY2(objectionTo(plan).contains(QStringLiteral("too many")), qPrintable(objectionTo(plan)));
+        }
+        plan.to = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!objectionTo(plan).isEmpty());
     }
 
     void aFilmWithAWrongNameIsRefused() {

@@ -40,6 +40,14 @@ class ProgramTest : public QObject {
         for (int i = 2; i < render.size(); ++i) QVERIFY2(render[i].toDouble() > 0, qPrintable(lines[2]));
     }
 
+    void timesThatCannotBeWrittenEndItWithASentence() {
+        const Ended ended =
+            shell(QStringLiteral("exec \"$carom\" '%1/table.sdl' -n 2 > /dev/full").arg(scenes));
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains(QStringLiteral("cannot write standard output: No space left on device")),
+                 qPrintable(ended.err));
+    }
+
     void theScreenshotIsAPictureOfTheWindow() {
         const QString path = m_home.filePath(QStringLiteral("window.png"));
         const Ended ended =
