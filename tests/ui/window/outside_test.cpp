@@ -94,8 +94,9 @@ class OutsideTest : public QObject {
         answerNextDialog([&](QWidget& dialog) {
             ++questions;
             // While it stands there the file changes again: no second question over the first.
+            QSignalSpy noticed(&ide.bench.document(), &Document::changedOutside);
             writeFile(ide.path, theirs + "// again\n");
-            QTest::qWait(1500);
+            QTRY_COMPARE_WITH_TIMEOUT(noticed.count(), 1, patience);
             QCOMPARE(QApplication::activeModalWidget(), &dialog);
             answerNextDialog([&](QWidget& next) {
                 second = next.findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("again"));

@@ -156,7 +156,7 @@ void WritersTest::aWriterThatFailsKeepsTheFileAndSaysWhy() {
     QCOMPARE(readFile(written), QByteArray("old"));
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
              QStringList{QFileInfo(written).fileName()});
-    QCOMPARE(row.write(path), QString()); // and once there is room, it works
+    if (cause == ENOSPC) QCOMPARE(row.write(path), QString()); // once there is room, it works
 }
 
 void WritersTest::aSaveOnAFullDiskKeepsFileAndTextAndTheWindowStays() {

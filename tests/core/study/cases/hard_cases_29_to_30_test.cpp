@@ -4,15 +4,15 @@
 
 namespace carom {
 
-class HardCases23To32Test : public QObject {
+class HardCases29To30Test : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
-    void itHoldsOrIsKnownToFail_data() { test::addTrials(23, 32); }
+    void itHoldsOrIsKnownToFail_data() { test::addTrials(29, 30); }
     void itHoldsOrIsKnownToFail() { test::judgeTrial(); }
 };
 
 } // namespace carom
 
-CAROM_TEST_WITH(QCoreApplication, hard_cases_23_to_32_test, carom::HardCases23To32Test)
-#include "hard_cases_23_to_32_test.moc"
+CAROM_TEST_WITH(QCoreApplication, hard_cases_29_to_30_test, carom::HardCases29To30Test)
+#include "hard_cases_29_to_30_test.moc"
