@@ -12,8 +12,8 @@ namespace carom::test {
 
 namespace {
 
-const QByteArray ball = "wall { normal 0, 1, 0 toOrig 0 }\n"
-                        "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n";
+const QByteArray bounce = "wall { normal 0, 1, 0 toOrig 0 }\n"
+                          "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n";
 
 /// The cells of a column, by its name, below the header.
 QStringList column(const QStringList& rows, const QString& name) {
@@ -30,7 +30,7 @@ class StudyAccuracyTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
-    void init() { writeFile(m_scene, ball); }
+    void init() { writeFile(m_scene, bounce); }
 
     void itWritesFiguresSummaryAndChart() {
         const QString folder = m_folder.filePath("new");
@@ -89,7 +89,7 @@ class StudyAccuracyTest : public QObject {
         ended = study({"--methods", "contact"});
         QCOMPARE(ended.exitCode, 2);
         QVERIFY(ended.err.contains("it must be"));
-        ended = carom({"study", "accuracy", "-", "--instructions"}, ball);
+        ended = carom({"study", "accuracy", "-", "--instructions"}, bounce);
         QCOMPARE(ended.exitCode, 2);
     }
 

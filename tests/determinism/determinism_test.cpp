@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
+#include "tests/support/text.h"
 
 #include "core/dynamics/parallel.h"
 #include "core/generators/generator.h"
@@ -15,14 +16,13 @@
 
 namespace carom {
 namespace {
+using test::q;
 
 using test::randomScene;
 using test::run;
 using test::worldOf;
 
 constexpr std::uint64_t seed = 4711;
-
-QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 std::uint64_t hashAfter(const Scene& scene, int frames, const SimulationSettings& options = {}) {
     World world = worldOf(scene, options);

@@ -17,12 +17,6 @@ using namespace test;
 
 constexpr double pi = std::numbers::pi;
 
-void bothPresets() {
-    QTest::addColumn<QByteArray>("preset");
-    QTest::newRow("default") << QByteArray("default");
-    QTest::newRow("accurate") << QByteArray("accurate");
-}
-
 /// The bound of a hard case's column.
 double bound(const QByteArray& preset, double byDefault, double accurate) {
     return preset == "accurate" ? accurate : byDefault;

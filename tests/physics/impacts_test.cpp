@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include "core/solvers/bounce_train.h"
+#include "core/study/cases/scene_text.h"
 
 #include <QTest>
 
@@ -14,14 +15,6 @@ namespace carom {
 namespace {
 
 using namespace test;
-
-void bothPresets() {
-    QTest::addColumn<QByteArray>("preset");
-    QTest::newRow("default") << QByteArray("default");
-    QTest::newRow("accurate") << QByteArray("accurate");
-}
-
-double energyOf(const World& world) { return world.statistics().kinetic + world.statistics().potential; }
 
 /// Balls of radius 0.5 in a row along x, touching; the first `moving` come with `speed` from a metre away.
 Scene cradle(int balls, int movingBalls, double speed) {

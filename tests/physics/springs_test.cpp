@@ -2,6 +2,8 @@
 #include "tests/support/contact_scenes.h"
 #include "tests/support/test_class.h"
 
+#include "core/study/cases/scene_text.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -21,8 +23,6 @@ Spring springTo(BodyIndex body, double stiffness, double length, double damping 
     spring.damping = damping;
     return spring;
 }
-
-double energyOf(const World& world) { return world.statistics().kinetic + world.statistics().potential; }
 
 Scene oscillator(double stiffness, double damping = 0) {
     Scene scene = sceneOf({sphere(0.1, 1, Vec3(1.1, 0, 0))});

@@ -5,6 +5,8 @@
 
 #include "core/math/rotation.h"
 
+#include <QTest>
+
 // What the tests of method `contacts` share: options, bodies with friction, and slopes.
 
 namespace carom::test {
@@ -55,5 +57,12 @@ struct Slope {
         return turned(body, Vec3(0, 0, -angle));
     }
 };
+
+/// Rows of a test: it holds with the settings one gets and with the accurate ones.
+inline void bothPresets() {
+    QTest::addColumn<QByteArray>("preset");
+    QTest::newRow("default") << QByteArray("default");
+    QTest::newRow("accurate") << QByteArray("accurate");
+}
 
 } // namespace carom::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/text.h"
 
 #include "core/effects/effect.h"
 #include "core/language/analysis.h"
@@ -14,8 +15,7 @@
 
 namespace carom {
 namespace {
-
-QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+using test::q;
 
 const char* const ball = "sphere { radius 1 mass 1 centre 0, 5, 0 }\n";
 const char* const second = "sphere { radius 1 mass 1 centre 9, 5, 0 }\n";

@@ -16,14 +16,14 @@
 
 namespace {
 
-struct Case {
+struct Layout {
     const char* name;
     std::string source;
     std::string formatted;
 };
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> rows = {
+const std::vector<Layout>& layouts() {
+    static const std::vector<Layout> rows = {
         {"an empty text stays empty", "", ""},
         {"white space alone vanishes", " \n\t\r\n\f", ""},
         {"a declaration gets its line", "wall{normal 0,1,0toOrig 0}", "wall { normal 0, 1, 0  toOrig 0 }\n"},
@@ -74,7 +74,7 @@ class FormatterTest : public QObject {
     void aTextHasOneLayout_data() {
         QTest::addColumn<QString>("source");
         QTest::addColumn<QString>("formatted");
-        for (const Case& row : cases())
+        for (const Layout& row : layouts())
             QTest::newRow(row.name) << QString::fromStdString(row.source)
                                     << QString::fromStdString(row.formatted);
     }

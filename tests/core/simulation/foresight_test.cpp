@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
+#include "tests/support/text.h"
 
 #include "core/simulation/build.h"
 
@@ -11,8 +12,7 @@
 
 namespace carom {
 namespace {
-
-QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+using test::q;
 
 /// The text after the first fix-it of this code, or nothing where there is none.
 QString mended(const char* text, DiagnosticCode code) {

@@ -19,7 +19,7 @@ using namespace test;
 
 /// Rounding of energies and momenta, relative to the sums they come out of, over the parts of one frame. The
 /// velocities of a solved island are rounded to about 1e-14 of the speeds in play.
-constexpr double rounding = 1e-11;
+constexpr double sumRounding = 1e-11;
 
 struct Unexplained {
     double energy = 0, momentum = 0; // worst of any frame, relative
@@ -52,8 +52,8 @@ Unexplained worstOf(World& world, int frames) {
 void balances(World& world, int frames) {
     const Unexplained worst = worstOf(world, frames);
     qInfo("unexplained: energy %.1e, momentum %.1e", worst.energy, worst.momentum);
-    QVERIFY(worst.energy < rounding);
-    QVERIFY(worst.momentum < rounding);
+    QVERIFY(worst.energy < sumRounding);
+    QVERIFY(worst.momentum < sumRounding);
 }
 
 } // namespace
@@ -90,8 +90,8 @@ class LedgerTest : public QObject {
             World world = worldOf(randomRoughScene(random), byMethod(method.toLatin1().constData()));
             const Unexplained worst = worstOf(world, 12);
             qInfo("round %d: energy %.1e, momentum %.1e", round, worst.energy, worst.momentum);
-            QVERIFY(worst.energy < rounding);
-            QVERIFY(worst.momentum < rounding);
+            QVERIFY(worst.energy < sumRounding);
+            QVERIFY(worst.momentum < sumRounding);
         }
     }
 

@@ -6,6 +6,7 @@
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/text.h"
 
 #include <QTest>
 
@@ -14,11 +15,10 @@
 using namespace carom;
 
 namespace {
+using carom::test::q;
 
 constexpr std::size_t plenty = std::size_t{1} << 30; // [bytes]
-constexpr std::uint64_t seed = 20061;
-
-QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+constexpr std::uint64_t runSeed = 20061;
 
 /// The exact states of a run, by frame.
 std::vector<std::uint64_t> hashesOf(const std::shared_ptr<const Pipeline>& pipeline, int frames) {
@@ -42,7 +42,7 @@ bool always(bool) { return true; }
 /// A pile that comes to rest on a floor: impacts, contacts and rest.
 Scene pile() {
     Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
-    Random random(seed);
+    Random random(runSeed);
     for (int i = 0; i < 12; ++i) scene.bodies.push_back(test::randomBody(random, 2));
     return scene;
 }
@@ -95,7 +95,7 @@ class RecordingTest : public QObject {
     }
 
     void everyFrameOfARunCanBeReachedFromEveryOther() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        qInfo("seed %llu", static_cast<unsigned long long>(runSeed));
         constexpr int frames = 200;
         for (const std::string_view method : {"microcollisions", "contacts"}) {
             const std::shared_ptr<const Pipeline> pipeline = pipelineOf(pile(), method);
@@ -103,7 +103,7 @@ class RecordingTest : public QObject {
             World world(pipeline);
             Recording recording(plenty);
             recording.restart(world);
-            Random random(seed);
+            Random random(runSeed);
             for (int jump = 0; jump < 60; ++jump) {
                 const std::size_t frame = random.below(frames + 1);
                 QVERIFY(recording.seek(world, static_cast<std::int64_t>(frame), always));

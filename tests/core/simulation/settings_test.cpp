@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/text.h"
 
 #include "core/base/catalogue.h"
 #include "core/broadphase/broadphase.h"
@@ -20,13 +21,12 @@
 
 namespace carom {
 namespace {
-
-QString q(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+using test::q;
 
 const std::string ball = "sphere { radius 1 mass 1 centre 0, 5, 0 }\n";
 
 /// The warnings of one code, as "`text under the range`: message".
-QStringList warningsOf(const Build& built, DiagnosticCode code) {
+QStringList warningsWith(const Build& built, DiagnosticCode code) {
     QStringList found;
     for (const Diagnostic& diagnostic : built.diagnostics)
         if (diagnostic.code == code)
@@ -162,7 +162,7 @@ class SettingsTest : public QObject {
         const bool namesMethod = text.startsWith(QStringLiteral("method "));
         const Build built = build(ball + "simulation { " + text.toStdString() + " }",
                                   namesMethod ? SimulationSettings{} : test::byMethod("microcollisions"));
-        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        const QStringList warnings = warningsWith(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings[0].startsWith(u'`' + place + u'`'), qPrintable(warnings[0]));
         QVERIFY(!built.hasErrors());
@@ -176,7 +176,7 @@ class SettingsTest : public QObject {
         SimulationSettings options = test::byMethod("microcollisions");
         options.integrator = "leapfrog";
         const Build built = build(ball + "simulation { integrator euler }", options);
-        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        const QStringList warnings = warningsWith(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings,
                  QStringList(QStringLiteral("``: integrator `leapfrog` is not simulated yet; `euler` runs "
                                             "in its place (asked for on the command line)")));
@@ -187,7 +187,7 @@ class SettingsTest : public QObject {
                                   "sphere a { radius 1 mass 1 centre 0, 5, 0 friction 0.25 rolling 0.125 }\n"
                                   "spring { from world to a stiffness 3 }\n",
                                   test::byMethod("microcollisions"));
-        const QStringList warnings = warningsOf(built, DiagnosticCode::NotSimulatedYet);
+        const QStringList warnings = warningsWith(built, DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 3);
         QVERIFY(warnings[0].startsWith(QStringLiteral("`0.5`: friction is not simulated yet")));
         QVERIFY(warnings[1].startsWith(QStringLiteral("`0.25`: friction is")));
@@ -199,7 +199,7 @@ class SettingsTest : public QObject {
         for (int i = 0; i < 300; ++i)
             text += "sphere { radius 1 mass 1 centre " + std::to_string(3 * i) + ", 5, 0 friction 0.5 }\n";
         const QStringList warnings =
-            warningsOf(build(text, test::byMethod("microcollisions")), DiagnosticCode::NotSimulatedYet);
+            warningsWith(build(text, test::byMethod("microcollisions")), DiagnosticCode::NotSimulatedYet);
         QCOMPARE(warnings.size(), 50);
         QVERIFY(warnings.back().endsWith(QStringLiteral("(and so in 250 more places)")));
     }

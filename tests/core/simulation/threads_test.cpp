@@ -10,7 +10,7 @@
 namespace carom::test {
 namespace {
 
-constexpr std::uint64_t seed = 4711;
+constexpr std::uint64_t sceneSeed = 4711;
 
 std::uint64_t hashAfter(const Scene& scene, int frames, const char* method, int threads) {
     SimulationSettings options = byMethod(method);
@@ -27,8 +27,8 @@ class ThreadsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void manyBodiesMoveTheSameOnAnyNumberOfThreads() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(sceneSeed));
+        Random random(sceneSeed);
         Scene scene = sceneOf({wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
         for (int i = 0; i < 10000; ++i) scene.bodies.push_back(randomBody(random, 8));
         World one = worldOf(scene, byMethod("microcollisions"));

@@ -16,7 +16,7 @@ namespace carom {
 namespace {
 
 /// Rounding of a few hundred places and velocities, as times [s].
-constexpr double exact = 1e-11;
+constexpr double timeRounding = 1e-11;
 
 ImpactRecord watched(const char* text, int frames) {
     World world(build(text).pipeline);
@@ -47,7 +47,7 @@ class ImpactsTest : public QObject {
         const std::vector<Impact>& impacts = record[1];
         QVERIFY(impacts.size() >= 2 && impacts.size() <= 4);
         for (std::size_t k = 0; k < impacts.size(); ++k)
-            QVERIFY(std::abs(impacts[k].time - ball.impactTime(static_cast<int>(k) + 1)) < exact);
+            QVERIFY(std::abs(impacts[k].time - ball.impactTime(static_cast<int>(k) + 1)) < timeRounding);
     }
 
     void bothBallsOfACollisionAreHit() {
@@ -58,8 +58,8 @@ class ImpactsTest : public QObject {
                                             60);
         for (const std::vector<Impact>& impacts : record) {
             QCOMPARE(impacts.size(), std::size_t{1});
-            QVERIFY(std::abs(impacts[0].time - 0.3) < exact);
-            QVERIFY(std::abs(impacts[0].change.norm() - 1) < exact);
+            QVERIFY(std::abs(impacts[0].time - 0.3) < timeRounding);
+            QVERIFY(std::abs(impacts[0].change.norm() - 1) < timeRounding);
         }
     }
 
@@ -78,7 +78,7 @@ class ImpactsTest : public QObject {
         QCOMPARE(errors.expected, std::size_t{3});
         QCOMPARE(errors.seen, std::size_t{3});
         QCOMPARE(errors.matched, std::size_t{3});
-        QVERIFY(std::abs(errors.time - 0.03) < exact);
+        QVERIFY(std::abs(errors.time - 0.03) < timeRounding);
 
         errors = compareImpacts(truth, {{hit(1, 2), hit(3, 4)}}, 10); // the second was missed
         QCOMPARE(errors.seen, std::size_t{2});
@@ -95,7 +95,7 @@ class ImpactsTest : public QObject {
         // The second lies before the end in the truth and behind it in the run: it is there.
         ImpactErrors errors = compareImpacts(truth, {{hit(1, 2), hit(2.2, -3)}}, 2.1);
         QCOMPARE(errors.seen, std::size_t{2});
-        QVERIFY(std::abs(errors.time - 0.2) < exact);
+        QVERIFY(std::abs(errors.time - 0.2) < timeRounding);
         // And the other way round: the run is early, which is no impact too many.
         errors = compareImpacts(truth, {{hit(1, 2), hit(1.8, -3)}}, 1.9);
         QCOMPARE(errors.expected, std::size_t{1});

@@ -24,7 +24,7 @@ SharedBuild ballOverFloor() {
 }
 
 /// Frames that respond for 1, 2, … ms, and do nothing else; the first takes 500 ms.
-std::vector<FrameSample> countingSamples(int count) {
+std::vector<FrameSample> responses(int count) {
     std::vector<FrameSample> samples(static_cast<std::size_t>(count) + 1);
     for (int i = 0; i <= count; ++i) {
         FrameStatistics& frame = samples[static_cast<std::size_t>(i)].statistics;
@@ -56,12 +56,12 @@ class EffectsDockTest : public QObject {
         EffectsDock dock(loadTheme(true));
         dock.show(ballOverFloor());
         dock.QWidget::show();
-        dock.addSamples(countingSamples(20));
+        dock.addSamples(responses(20));
         const QTextBrowser* text = dock.findChild<QTextBrowser*>();
         QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 10.500 ms")),
                                  patience);
         QVERIFY(text->toPlainText().contains(QStringLiteral("respond 10.500")));
-        dock.addSamples(countingSamples(100)); // of which the last sixty count
+        dock.addSamples(responses(100)); // of which the last sixty count
         QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 70.500 ms")),
                                  patience);
         dock.clear();

@@ -28,11 +28,11 @@ std::shared_ptr<const Pipeline> crowd() {
 }
 
 /// What a simulation shows and says.
-struct Witness {
+struct Watched {
     std::int64_t frame = -1;
     Simulation simulation;
 
-    Witness() {
+    Watched() {
         QObject::connect(
             &simulation, &Simulation::snapshotArrived, &simulation,
             [this](const std::shared_ptr<const Snapshot>& snapshot) { frame = snapshot->frame; });
@@ -50,7 +50,7 @@ class MemoryTest : public QObject {
   private Q_SLOTS:
     void aSceneThatDoesNotFitStopsBeforeItBegins() {
         const std::shared_ptr<const Pipeline> pipeline = crowd();
-        Witness witness;
+        Watched witness;
         {
             const FailingMemory failing(piece);
             witness.simulation.load(pipeline);
@@ -64,7 +64,7 @@ class MemoryTest : public QObject {
     }
 
     void aRunThatRunsOutOfItStopsAndCanGoBackAndOn() {
-        Witness witness;
+        Watched witness;
         witness.simulation.load(crowd());
         witness.simulation.setSpeed(std::nullopt);
         witness.simulation.play();
@@ -84,7 +84,7 @@ class MemoryTest : public QObject {
 
     void whatIsSaidOfARunLoadedOverIsDropped() {
         // The run that stops was loaded over before it could say so.
-        Witness witness;
+        Watched witness;
         QSignalSpy changes(&witness.simulation, &Simulation::stateChanged);
         const Build doomed = build("sphere { radius 1 mass 1 centre 0,0,0 vel 1e308,0,0 }\n"
                                    "gravity { accel 1e308, 0, 0 }\n");
