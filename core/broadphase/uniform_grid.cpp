@@ -97,6 +97,7 @@ void UniformGrid::makeLevels(const BroadphaseInput& input) {
     const Vec3 spread = std::sqrt(12.0) * variance.cwiseSqrt(); // of a uniform distribution
 
     m_levels.clear();
+    m_levels.reserve(mostLevels);
     for (std::size_t exponent = most + 1; exponent-- > least;) {
         const Level& widths = m_byExponent[exponent];
         if (widths.boxes == 0) continue;

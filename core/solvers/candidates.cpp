@@ -13,7 +13,7 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 } // namespace
 
 bool Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                      Neighbours& neighbours) {
+                      std::span<const std::uint8_t> placed, Neighbours& neighbours) {
     std::fill(m_isMember.begin(), m_isMember.end(), std::uint8_t{0});
     bool covered = true;
     for (const BodyIndex i : members) {
@@ -24,36 +24,43 @@ bool Candidates::look(const Bodies& bodies, const State& state, std::span<const 
     if (!covered) return false;
     m_upward.clear();
     m_downward.clear();
-    for (const BodyIndex i : members)
+    for (const BodyIndex i : members) {
+        if (placed[i] != 0) continue;
         for (const BodyIndex k : neighbours.around(i)) {
             const bool mobile = bodies.mobile[k] != 0;
-            if (mobile && (k < i || m_isMember[k] == 0)) continue;
+            if (mobile && ((k < i && placed[k] == 0) || m_isMember[k] == 0)) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             const Near near{pair, boundingGap(bodies, state, pair)};
             (i < k ? m_upward : m_downward).push_back(near);
-            if (mobile) covered = shareReach(bodies, near, neighbours) && covered;
+            if (mobile) covered = shareReach(bodies, state, near, neighbours) && covered;
         }
+    }
     return covered;
 }
 
-bool Candidates::shareReach(const Bodies& bodies, const Near& near, Neighbours& neighbours) {
+bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near& near,
+                            Neighbours& neighbours) {
     const auto [a, b] = near.pair;
     const double reachA = neighbours.reach(a), reachB = neighbours.reach(b);
     if (!(near.gap <= reachA + reachB)) return true;
     const BodyIndex slower = reachA < reachB ? a : b;
     const double reach = std::max(reachA, reachB);
     if (!(m_reach[slower] < reach)) return true;
+    if (!areBoxesWithin(bodies, state, near.pair, reachA + reachB)) return true;
     m_reach[slower] = reach;
     return neighbours.covers(slower, roomFor(bodies, slower, reach));
 }
 
-// Members and their others ascend: so do all but the few pairs with something immobile of smaller index.
-std::span<const BodyPair> Candidates::find(const Bodies& bodies) {
+// Members and their others ascend: so do all but the few pairs with something immobile or placed of smaller
+// index.
+std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state) {
     const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
         chosen.clear();
         if (chosen.capacity() < from.size()) chosen.reserve(2 * from.size());
         for (const Near& near : from)
-            if (near.gap <= marginOf(bodies, near.pair)) chosen.push_back(near.pair);
+            if (const double margin = marginOf(bodies, near.pair);
+                near.gap <= margin && areBoxesWithin(bodies, state, near.pair, margin))
+                chosen.push_back(near.pair);
     };
     choose(m_upward, m_up);
     choose(m_downward, m_down);

@@ -19,16 +19,17 @@ class Candidates {
     explicit Candidates(std::size_t bodies) : m_isMember(bodies, 0), m_reach(bodies, 0.0) {}
 
     /// Takes note of how far the members come in the substep that the neighbours followed last, and of the
-    /// pairs among them. False if that takes somebody beyond what was searched: the neighbours must search,
-    /// and be asked again.
+    /// pairs among them, without those of two that are `placed` (by body, not 0: its pairs with others that
+    /// are placed and with what cannot move are known). False if that takes somebody beyond what was
+    /// searched: the neighbours must search, and be asked again.
     bool look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-              Neighbours& neighbours);
+              std::span<const std::uint8_t> placed, Neighbours& neighbours);
 
     /// How far a member's surface may come [m]: a body about to be hit may leave as fast as what hits it
     /// comes, so neighbours share their reach.
     double reach(BodyIndex member) const { return m_reach[member]; }
     /// Pairs that may touch, ascending.
-    std::span<const BodyPair> find(const Bodies& bodies);
+    std::span<const BodyPair> find(const Bodies& bodies, const State& state);
     /// Up to which separation points of a pair are kept [m].
     double marginOf(const Bodies& bodies, BodyPair pair) const;
 
@@ -37,12 +38,12 @@ class Candidates {
         BodyPair pair;
         double gap = 0; // of the balls about them [m]
     };
-    bool shareReach(const Bodies& bodies, const Near& near, Neighbours& neighbours);
+    bool shareReach(const Bodies& bodies, const State& state, const Near& near, Neighbours& neighbours);
 
     std::vector<std::uint8_t> m_isMember; // by body
     std::vector<double> m_reach;          // by body [m]
     std::vector<Near> m_upward;           // from a member to a larger index, ascending
-    std::vector<Near> m_downward;         // from a member to something immobile of smaller index
+    std::vector<Near> m_downward;         // from a member to something immobile or placed of smaller index
     std::vector<BodyPair> m_up, m_down, m_pairs;
 };
 

@@ -26,7 +26,8 @@ inline double touchingWithin(const ContactPair& pair) {
 /// An overlap is parted by at most this part of the smaller body's size in a substep; with the substep h the
 /// parting speed is at most 0.02 size/h. It never becomes a velocity of the body.
 inline constexpr double mostParting = 0.02;
-/// An accurate run parts what still overlaps at the end of a substep, too, in so many rounds at most.
+/// What still overlaps at the end of a substep of an accurate run, or of one with impacts, is parted, too, in
+/// so many rounds at most.
 inline constexpr int mostPartings = 3;
 
 /// Closing speeds below this part of |g| h are no impact for e < 1: the contact force absorbs them.

@@ -7,6 +7,7 @@
 #include "core/math/rotation.h"
 #include "core/solvers/bookings.h"
 #include "core/solvers/contact_settings.h"
+#include "core/solvers/contacts/calm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,15 +67,16 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) bookForces(input, duration);
-        if (duration == left) settle(input);
+        if (duration == left) settle(input, island);
         commit(input, island, duration);
         left = duration < left ? left - duration : 0;
         m_left = left;
-        if (left > 0 || accurate) recollide(input);
+        if (left > 0 || accurate || events > 0) recollide(input);
     }
-    // No overlap is shown. Parting is linear in the displacement: what turns far overlaps a little again.
-    // Deep overlaps are left to the substeps to come, or bodies would part faster than they may.
-    for (int round = 0; accurate && !report.loss && round < mostPartings; ++round) {
+    // No overlap is shown in an accurate run, nor where impacts turned a body whose rim came down unseen.
+    // Parting is linear in the displacement: what turns far overlaps a little again. Deep overlaps are left
+    // to the substeps to come, or bodies would part faster than they may.
+    for (int round = 0; (accurate || events > 0) && !report.loss && round < mostPartings; ++round) {
         if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostParting) break;
         part(input, island);
     }
@@ -292,8 +294,38 @@ bool IslandMotion::isWithin(double factor) const {
     return true;
 }
 
+// A ball that lies still on one point and turns about its normal has nothing that slows it: a real contact
+// has an area. It stops once its rim is slow enough for a body of the base path to count as calm.
+void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) {
+    const double gravity = input.gravity.norm();
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        Vec6& velocity = m_problem.bodies[i].velocity;
+        const Vec3 spin = velocity.tail<3>();
+        const double radius = input.bodies.boundingRadius[island.bodies[i]];
+        if (spin == Vec3::Zero() || !(velocity.head<3>().norm() <= m_still) ||
+            spin.squaredNorm() * radius > calmSpeed * calmSpeed * gravity)
+            continue;
+        const int index = static_cast<int>(i);
+        const ContactRow* only = nullptr;
+        int touching = 0;
+        for (const ContactRow& row : m_problem.rows) {
+            if (row.a != index && row.b != index) continue;
+            ++touching;
+            const bool isBall = row.a == index ? row.ballA : row.ballB;
+            only = isBall && row.impulse.x() > 0 ? &row : nullptr;
+        }
+        if (touching != 1 || only == nullptr) continue;
+        const Vec3 normal = only->frame.row(0).transpose();
+        if ((spin - normal.dot(spin) * normal).norm() * radius > m_still) continue;
+        if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
+        velocity.tail<3>().setZero();
+        if (input.ledger != nullptr) bookMotion(m_problem, 1, LedgerAccount::Rest, *input.ledger);
+    }
+}
+
 // A body within the tolerance of rest is at rest: the forces balance as well as they are known.
-void IslandMotion::settle(const MotionInput& input) {
+void IslandMotion::settle(const MotionInput& input, const Island& island) {
+    stopPivoting(input, island);
     if (!isWithin(1)) return;
     if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {

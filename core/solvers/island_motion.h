@@ -131,7 +131,8 @@ class IslandMotion {
     Loss findLoss(const Island& island) const;
     void commit(const MotionInput& input, const Island& island, double duration);
     bool isWithin(double factor) const;
-    void settle(const MotionInput& input);
+    void stopPivoting(const MotionInput& input, const Island& island);
+    void settle(const MotionInput& input, const Island& island);
 
     void bookForces(const MotionInput& input, double duration);
     void swapPushes();

@@ -17,22 +17,25 @@ std::uint32_t Islands::rootOf(std::uint32_t body) {
     return body;
 }
 
-void Islands::join(const Bodies& bodies, BodyIndex a, BodyIndex b) {
-    if (a == noBody || b == noBody || bodies.mobile[a] == 0 || bodies.mobile[b] == 0) return;
+void Islands::join(BodyIndex a, BodyIndex b) {
+    if (!isMember(a) || !isMember(b)) return;
     const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
     m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
 }
 
-void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
-                   std::span<const ContactPair> pairs, std::span<const BodyPair> links) {
+template<class Pair>
+void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, const std::vector<Pair>& pairs,
+                   std::span<const BodyPair> links) {
+    m_isMember.assign(bodies.count(), 0);
     m_parent.resize(bodies.count());
     m_island.resize(bodies.count());
     for (const BodyIndex body : members) {
+        m_isMember[body] = 1;
         m_parent[body] = body;
         m_island[body] = none;
     }
-    for (const ContactPair& pair : pairs) join(bodies, pair.a, pair.b);
-    for (const BodyPair& link : links) join(bodies, link.a, link.b);
+    for (const Pair& pair : pairs) join(pair.a, pair.b);
+    for (const BodyPair& link : links) join(link.a, link.b);
 
     // Counting sort by island: sizes, starts, places.
     m_first.assign(1, {});
@@ -44,15 +47,11 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
         }
         ++m_first[island + 1].body;
     }
-    const auto islandOf = [&](BodyIndex a, BodyIndex b) {
-        const bool first = a != noBody && bodies.mobile[a] != 0;
-        return m_island[rootOf(first ? a : b)];
-    };
-    const auto moves = [&](BodyIndex i) { return i != noBody && bodies.mobile[i] != 0; };
-    for (const ContactPair& pair : pairs) ++m_first[islandOf(pair.a, pair.b) + 1].pair;
+    const auto islandOf = [&](BodyIndex a, BodyIndex b) { return m_island[rootOf(isMember(a) ? a : b)]; };
+    for (const Pair& pair : pairs) ++m_first[islandOf(pair.a, pair.b) + 1].pair;
     std::size_t live = 0;
     for (const BodyPair& link : links) {
-        if (!moves(link.a) && !moves(link.b)) continue;
+        if (!isMember(link.a) && !isMember(link.b)) continue;
         ++m_first[islandOf(link.a, link.b) + 1].link;
         ++live;
     }
@@ -70,9 +69,14 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members,
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
         m_pairs[m_next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
     for (std::uint32_t i = 0; i < links.size(); ++i)
-        if (moves(links[i].a) || moves(links[i].b))
+        if (isMember(links[i].a) || isMember(links[i].b))
             m_links[m_next[islandOf(links[i].a, links[i].b)].link++] = i;
 }
+
+template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std::vector<ContactPair>&,
+                            std::span<const BodyPair>);
+template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std::vector<BodyPair>&,
+                            std::span<const BodyPair>);
 
 Island Islands::operator[](std::size_t island) const {
     const Start& from = m_first[island];

@@ -21,9 +21,10 @@ struct Island {
 class Islands {
   public:
     /// Islands of `members`, which are mobile and ascend, in the order of their first body. `pairs` couples
-    /// members among each other and to what is immobile; `links` couples further pairs of bodies; an end that
-    /// is noBody or immobile joins nothing.
-    void find(const Bodies& bodies, std::span<const BodyIndex> members, std::span<const ContactPair> pairs,
+    /// members among each other and to others, `links` couples further pairs of bodies; an end that is no
+    /// member joins nothing. `Pair` is ContactPair or BodyPair, with at least one member in each pair.
+    template<class Pair>
+    void find(const Bodies& bodies, std::span<const BodyIndex> members, const std::vector<Pair>& pairs,
               std::span<const BodyPair> links);
 
     std::size_t count() const { return m_first.empty() ? 0 : m_first.size() - 1; }
@@ -34,12 +35,14 @@ class Islands {
         std::uint32_t body = 0, pair = 0, link = 0;
     };
     std::uint32_t rootOf(std::uint32_t body);
-    void join(const Bodies& bodies, BodyIndex a, BodyIndex b);
+    void join(BodyIndex a, BodyIndex b);
+    bool isMember(BodyIndex body) const { return body != noBody && m_isMember[body] != 0; }
 
-    std::vector<std::uint32_t> m_parent; // by body
-    std::vector<std::uint32_t> m_island; // by root
-    std::vector<Start> m_first;          // by island, one more at the end
-    std::vector<Start> m_next;           // by island, the next free place
+    std::vector<std::uint8_t> m_isMember; // by body
+    std::vector<std::uint32_t> m_parent;  // by body
+    std::vector<std::uint32_t> m_island;  // by root
+    std::vector<Start> m_first;           // by island, one more at the end
+    std::vector<Start> m_next;            // by island, the next free place
     std::vector<BodyIndex> m_bodies;
     std::vector<std::uint32_t> m_pairs, m_links;
 };

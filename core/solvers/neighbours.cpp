@@ -11,14 +11,6 @@ namespace {
 /// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs.
 constexpr double roominess = 2;
 
-/// How far any point of a body is from where the same point was.
-double displacement(const Pose& from, const Pose& to, double radius, bool round) {
-    const double shift = (to.position - from.position).norm();
-    if (round) return shift;
-    const double cosine = from.orientation.dot(to.orientation); // of half the angle turned
-    return shift + 2 * radius * std::sqrt(std::max(0.0, 1 - cosine * cosine));
-}
-
 } // namespace
 
 double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
@@ -29,6 +21,15 @@ double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
     if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.b]))
         return distanceTo(*wall, a) - bodies.boundingRadius[pair.a];
     return (b - a).norm() - (bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b]);
+}
+
+bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
+    const Shape &a = bodies.shape[pair.a], &b = bodies.shape[pair.b];
+    if (isWall(a) || isWall(b)) return true;
+    if (std::holds_alternative<Sphere>(a) && std::holds_alternative<Sphere>(b))
+        return true; // so are their balls
+    return overlap(grown(bodies.boxAt(pair.a, state.pose[pair.a]), margin),
+                   bodies.boxAt(pair.b, state.pose[pair.b]));
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
@@ -56,15 +57,21 @@ double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIn
     return speed + state.angularVelocity[body].norm() * bodies.boundingRadius[body];
 }
 
+double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to) {
+    const double shift = (to.position - from.position).norm();
+    if (std::holds_alternative<Sphere>(bodies.shape[body])) return shift;
+    const double cosine = from.orientation.dot(to.orientation); // of half the angle turned
+    return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
+}
+
 bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration) {
     const double fall = 0.5 * gravity.norm() * duration * duration;
     bool serves = true;
     for (const BodyIndex i : list) {
-        const bool round = std::holds_alternative<Sphere>(bodies.shape[i]);
         const double radius = bodies.boundingRadius[i];
         m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall;
-        m_moved[i] = displacement(m_origin[i], state.pose[i], radius, round);
+        m_moved[i] = displacement(bodies, i, m_origin[i], state.pose[i]);
         serves = serves && m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i];
     }
     return serves;

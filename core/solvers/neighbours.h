@@ -25,6 +25,9 @@ namespace carom {
 
 /// How far the ball about a body is from the one about another, or from a wall [m]; the bodies are no nearer.
 double boundingGap(const Bodies& bodies, const State& state, BodyPair pair);
+/// Whether a pair whose balls are within `margin` [m] is so with its boxes, too. A list that covers both
+/// bodies for `margin` has all pairs for which both is true, and may have others.
+bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin);
 
 class Neighbours {
   public:
@@ -50,6 +53,9 @@ class Neighbours {
 
     /// No point of a body's surface moves faster [m/s]; a sphere's spin moves none outwards.
     static double surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body);
+
+    /// How far any point of a body is from where it was at most [m].
+    static double displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to);
 
     /// How far a body's surface can come in the duration noted last [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }

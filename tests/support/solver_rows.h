@@ -54,7 +54,7 @@ struct RowScene {
         return result;
     }
     void fill(ContactRows& rows) const {
-        rows.begin(mobileCount());
+        rows.begin(bodies.size(), immobile());
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             PairInput pair = pairs[i].laws;
             std::vector<PointInput> points = pairs[i].points;

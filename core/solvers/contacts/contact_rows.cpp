@@ -4,7 +4,6 @@
 #include "core/math/rotation.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace carom {
@@ -46,8 +45,8 @@ Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
 
 } // namespace
 
-void ContactRows::begin(std::size_t bodies) {
-    m_immobile = static_cast<std::uint32_t>(bodies);
+void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
+    m_immobile = immobile;
     m_groups.clear();
     m_points.clear();
     m_rolling.clear();
@@ -55,63 +54,30 @@ void ContactRows::begin(std::size_t bodies) {
         m_groups.reserve(fewGroups);
         m_points.reserve(2 * fewGroups);
     }
-    for (Shelf& shelf : m_shelves) {
-        shelf.used = 0;
-        shelf.oldest = 0;
-        shelf.open = {};
-        shelf.bodies.assign(bodies + 1, 0);
-    }
+    for (LanePacker& packer : m_packers) packer.begin(bodies);
 }
 
-void ContactRows::close(Shelf& shelf, std::size_t slot) {
-    const std::uint64_t others = ~(std::uint64_t{1} << slot);
-    const RowGroup& group = m_groups[shelf.open[slot].group];
-    for (std::size_t lane = 0; lane < shelf.open[slot].filled; ++lane) {
-        shelf.bodies[group.a[lane]] &= others;
-        shelf.bodies[group.b[lane]] &= others;
-    }
-    shelf.used &= others;
-    shelf.open[slot] = {};
-}
-
-// The slot of an open group without either body, opened if need be.
-std::size_t ContactRows::place(Shelf& shelf, std::uint32_t a, std::uint32_t b, std::uint32_t points) {
-    const std::uint64_t taken =
-        (a == m_immobile ? 0 : shelf.bodies[a]) | (b == m_immobile ? 0 : shelf.bodies[b]);
-    if (const std::uint64_t free = shelf.used & ~taken; free != 0)
-        return static_cast<std::size_t>(std::countr_zero(free));
-    if (shelf.used == ~std::uint64_t{0}) {
-        close(shelf, shelf.oldest);
-        shelf.oldest = (shelf.oldest + 1) % openGroups;
-    }
-    const std::size_t slot = static_cast<std::size_t>(std::countr_one(shelf.used));
-    shelf.used |= std::uint64_t{1} << slot;
-    shelf.open[slot] = {static_cast<std::uint32_t>(m_groups.size()), 0};
+RowGroup& ContactRows::addGroup(std::uint32_t points) {
     RowGroup& group = m_groups.emplace_back();
     group.a.fill(m_immobile);
     group.b.fill(m_immobile);
     group.source.fill(noPair);
     group.normal.fill(Wide{});
     group.tangent.fill(Wide{});
-    group.friction = group.restitution = group.push = group.stiffness = Wide{};
+    group.friction = group.restitution = group.push = group.hard = Wide{};
     group.firstPoint = static_cast<std::uint32_t>(m_points.size());
     group.points = points;
     m_points.resize(m_points.size() + points, RowPoint{}); // zero masses: an empty lane does nothing
-    return slot;
+    return group;
 }
 
 void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
     const std::uint32_t count = static_cast<std::uint32_t>(pair.points.size());
     if (count == 0) return;
     const std::size_t size = count == 1 ? 0 : count == 2 ? 1 : 2;
-    Shelf& shelf = m_shelves[size];
-    const std::size_t slot = place(shelf, pair.a, pair.b, std::uint32_t{1} << size);
-    Open& open = shelf.open[slot];
-    RowGroup& group = m_groups[open.group];
-    const std::size_t lane = open.filled++;
-    const std::uint64_t bit = std::uint64_t{1} << slot;
-    shelf.bodies[pair.a] |= bit;
-    shelf.bodies[pair.b] |= bit;
+    const LanePacker::Place place = m_packers[size].place(pair.a, pair.b, m_immobile, m_groups.size());
+    RowGroup& group = place.isNew ? addGroup(std::uint32_t{1} << size) : m_groups[place.group];
+    const std::size_t lane = place.lane;
 
     const Tangents tangents = tangentsOf(pair.normal);
     Mat3 frame;
@@ -126,7 +92,7 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     group.friction[lane] = pair.friction;
     group.restitution[lane] = pair.restitution;
     group.push[lane] = pair.push;
-    group.stiffness[lane] = pair.a == m_immobile || pair.b == m_immobile ? 1 : 0.5;
+    group.hard[lane] = pair.a == m_immobile || pair.b == m_immobile ? 1 : 0;
     group.bounces = group.bounces || pair.restitution > 0;
     for (std::size_t k = 0; k < pair.points.size(); ++k) {
         const PointInput& from = pair.points[k];
@@ -149,18 +115,16 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
         const Mat3 across = frame * response * frame.transpose();
         m_rolling.push_back({.a = pair.a,
                              .b = pair.b,
-                             .group = open.group,
-                             .lane = static_cast<std::uint32_t>(lane),
+                             .group = place.group,
+                             .lane = place.lane,
                              .normal = pair.normal,
                              .rolling = pair.rolling,
                              .inertia = 1 / largerEigenvalue(across(1, 1), across(1, 2), across(2, 2))});
     }
-    if (open.filled == wideLanes) close(shelf, slot);
 }
 
 void ContactRows::end() {
-    for (Shelf& shelf : m_shelves)
-        while (shelf.used != 0) close(shelf, static_cast<std::size_t>(std::countr_zero(shelf.used)));
+    for (LanePacker& packer : m_packers) packer.closeAll();
 }
 
 Vec3 ContactRows::impulseOf(const RowGroup& group, int lane, std::size_t point) const {

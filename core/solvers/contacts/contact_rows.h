@@ -3,6 +3,7 @@
 
 #include "core/base/wide.h"
 #include "core/math/types.h"
+#include "core/solvers/contacts/lane_packer.h"
 #include "core/solvers/contacts/solver_body.h"
 
 #include <array>
@@ -20,10 +21,6 @@
 //     a, b     3, 7     1, 4     9, –     5, 6         –: immobile, a record without inverse mass
 //     point 0  *        *        *        *            a group holds pairs with the same number of points
 //     point 1  *        *        *        *            (three count as four)
-//
-// Groups are filled in the order the pairs come: a pair goes into the first of the open groups that has
-// neither of its bodies. Each body keeps the open groups it is in as a mask of 64 bits, so the search is one
-// operation. The order of groups depends on the order of pairs alone.
 
 namespace carom {
 
@@ -59,7 +56,7 @@ struct alignas(32) RowGroup {
     std::array<std::uint32_t, wideLanes> a{}, b{};
     std::array<Wide, 3> normal, tangent; ///< the other tangent is normal × tangent
     Wide friction, restitution, push;
-    Wide stiffness; ///< part of the hardness of a contact with what cannot move: 1, or ½ between two that can
+    Wide hard; ///< 1 for a contact with what cannot move, 0 between two that can: half as hard
     std::uint32_t firstPoint = 0, points = 0;
     std::array<std::uint32_t, wideLanes> source{}; ///< which input pair; noPair in an empty lane
     bool bounces = false;                          ///< restitution in some lane
@@ -83,8 +80,8 @@ class ContactRows {
   public:
     static constexpr std::uint32_t noPair = 0xffffffff;
 
-    /// `bodies` are all but the last of the solver's bodies; the last, number `immobile()`, cannot move.
-    void begin(std::size_t bodies);
+    /// For so many bodies, of which the one numbered `immobile` cannot move.
+    void begin(std::size_t bodies, std::uint32_t immobile);
     std::uint32_t immobile() const { return m_immobile; }
     void add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
     /// To be called after the last pair.
@@ -111,24 +108,12 @@ class ContactRows {
     }
 
   private:
-    static constexpr std::size_t openGroups = 64;
     static constexpr std::size_t sizes = 3; // 1, 2 and 4 points
-    struct Open {
-        std::uint32_t group = noPair;
-        std::uint32_t filled = 0;
-    };
-    /// Groups of one number of points that still have room.
-    struct Shelf {
-        std::array<Open, openGroups> open{};
-        std::uint64_t used = 0;            // bit k: open[k] holds a group
-        std::vector<std::uint64_t> bodies; // by body: the open groups it is in
-        std::size_t oldest = 0;            // closed next where no other has room
-    };
-    std::size_t place(Shelf& shelf, std::uint32_t a, std::uint32_t b, std::uint32_t points);
-    void close(Shelf& shelf, std::size_t slot);
+
+    RowGroup& addGroup(std::uint32_t points);
 
     std::uint32_t m_immobile = 0;
-    std::array<Shelf, sizes> m_shelves;
+    std::array<LanePacker, sizes> m_packers; // by the number of points
     std::vector<RowGroup> m_groups;
     std::vector<RowPoint> m_points;
     std::vector<RollingRow> m_rolling;

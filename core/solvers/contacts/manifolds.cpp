@@ -3,6 +3,7 @@
 
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
+#include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
 #include "core/narrowphase/separating_axis.h"
 
@@ -16,11 +17,6 @@ namespace {
 constexpr double keptWithin = 0.002, keptAngle = 0.002;
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
-/// Pairs within this part of the size may touch however slow they are.
-constexpr double slackPart = 0.01;
-/// A contact of a sphere counts as open, and its normal is foreseen, beyond this part of the size.
-constexpr double openBeyond = 1e-3;
-
 bool isSphere(const Bodies& bodies, BodyIndex i) { return std::holds_alternative<Sphere>(bodies.shape[i]); }
 
 double sizeOf(const Bodies& bodies, BodyPair pair) {
@@ -150,8 +146,15 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
     const bool wallA = isWall(input.bodies.shape[pair.a]);
     const PersistentManifold old = manifold;
     Manifold found;
-    collide({&input.bodies.shape[pair.a], &state.pose[pair.a]},
-            {&input.bodies.shape[pair.b], &state.pose[pair.b]}, margin, found);
+    const PlacedShape shapeA{&input.bodies.shape[pair.a], &state.pose[pair.a]},
+        shapeB{&input.bodies.shape[pair.b], &state.pose[pair.b]};
+    if (haveCores(*shapeA.shape, *shapeB.shape)) {
+        const Vec3 between = shapeB.pose->position - shapeA.pose->position;
+        const Vec3 guess = manifold.hasNormal ? normalOf(input, manifold) : Vec3(between.normalized());
+        collideCores(shapeA, shapeB, guess, margin, found);
+    } else {
+        collide(shapeA, shapeB, margin, found);
+    }
     reduce(found);
     manifold.count = found.count;
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);

@@ -16,8 +16,10 @@
 // points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
 // cylinders stand: points of a disc that are chosen anew each time go round the rim, and forces with them.
 //
-//     found      the exact kernels of core/narrowphase; of more than four points the deepest, then those that
-//                span the largest area
+//     found      by the kernels of core/narrowphase, for cylinders and cuboids by the direction of their
+//     cores
+//                (core_direction.h); of more than four points the deepest, then those that span the largest
+//                area
 //     carried    onA, onB in the frames of the bodies; gap = n · (onB − onA)
 //     forces     of points within 5 % of the size of an old one, on B, begin where the old ones were
 //
@@ -30,6 +32,10 @@
 namespace carom {
 
 inline constexpr std::size_t manifoldPoints = 4;
+/// Pairs within this part of the size of the smaller body may touch however slow they are.
+inline constexpr double slackPart = 0.01;
+/// A contact of balls counts as apart, and its normal is foreseen, beyond this part of their radii.
+inline constexpr double openBeyond = 1e-3;
 
 /// The contact of two bodies, as it is carried from substep to substep.
 struct PersistentManifold {
@@ -110,7 +116,9 @@ class Manifolds {
     void remove(std::uint32_t place) { m_free.push_back(place); }
     /// The manifolds that live from now on, ascending.
     void exchange(std::vector<Entry>& entries) { std::swap(m_entries, entries); }
-    std::size_t bytes() const { return m_entries.size() * (sizeof(Entry) + sizeof(PersistentManifold)); }
+    std::size_t bytes() const {
+        return m_entries.size() * sizeof(Entry) + m_manifolds.size() * sizeof(PersistentManifold);
+    }
 
   private:
     std::vector<Entry> m_entries;

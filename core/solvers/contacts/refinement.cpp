@@ -38,15 +38,21 @@ void Refinement::pay(double refined, double base) {
 }
 
 void Refinement::choose(const RefinementInput& input, const RefinementBudget& budget) {
-    const Bodies& bodies = input.bodies;
     const Islands& islands = input.islands;
     m_refined.clear();
     m_base.clear();
     m_lone.clear();
     m_expected.clear();
+    m_isTriedSoon.assign(islands.count(), 0);
+    m_patience = (1 << mostFailures) - 1;
     double items = 0;
     for (std::uint32_t i = 0; i < islands.count(); ++i) {
         const Island island = islands[i];
+        for (const BodyIndex body : island.bodies) m_stepped[body] = 0;
+        if (input.joins[i] != 0) {
+            m_base.push_back(i);
+            continue;
+        }
         const bool meets = std::any_of(island.pairs.begin(), island.pairs.end(),
                                        [&](std::uint32_t pair) { return input.canMeet[pair] != 0; });
         if (!meets && island.links.empty()) {
@@ -61,7 +67,8 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         std::uint8_t wait = 0;
         for (const BodyIndex body : island.bodies) wait = std::max(wait, m_wait[body]);
         if (wait > 0) {
-            for (const BodyIndex body : island.bodies) m_wait[body] = static_cast<std::uint8_t>(wait - 1);
+            m_isTriedSoon[i] = wait < input.parts - input.part ? 1 : 0;
+            if (m_isTriedSoon[i] == 0) m_patience = std::min<int>(m_patience, wait);
             m_base.push_back(i);
             continue;
         }
@@ -69,7 +76,6 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
                                   perPair * static_cast<double>(island.pairs.size() + island.links.size()),
                               i});
     }
-    m_passedOver = m_base.size();
     std::sort(m_expected.begin(), m_expected.end(), [](const Expected& one, const Expected& other) {
         return one.work != other.work ? one.work < other.work : one.island < other.island;
     });
@@ -83,7 +89,6 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     for (const Expected& expected : m_expected) {
         if (expected.work > left) {
             m_base.push_back(expected.island);
-            ++m_passedOver;
             continue;
         }
         left -= expected.work;
@@ -99,9 +104,13 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
               [](const Choice& one, const Choice& other) { return one.island < other.island; });
     std::sort(m_base.begin(), m_base.end());
     std::sort(m_lone.begin(), m_lone.end());
-    for (const BodyIndex body : bodies.mobileBodies) m_stepped[body] = 0;
     for (const std::uint32_t island : m_base)
         for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;
+}
+
+void Refinement::waited(std::span<const BodyIndex> bodies, int substeps) {
+    for (const BodyIndex body : bodies)
+        m_wait[body] = static_cast<std::uint8_t>(std::max(0, m_wait[body] - substeps));
 }
 
 void Refinement::setBack(const Island& island) {

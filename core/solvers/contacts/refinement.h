@@ -17,18 +17,19 @@
 //     order      islands that are expected to cost least come first, while the budget lasts
 //     share      an island may take its equal share of what the ones before it are expected to leave, or a
 //     few
-//                times what it is expected to cost
+//                times what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may draw on it. Forces that are found once
 //                hold for good there, and cost much the first time. The base path's work is paid from the
 //                same budget, so what moves all the time saves nothing.
 //     springs    an island in which nothing touches is left to its integrator
-//     unfinished what was not solved within its share is left to the base path and tried again after 1, 2, 4,
-//                ... 64 substeps: an island that moves all the time costs attempts in vain ever more seldom,
-//                one that has just been put down is solved from the forces the base path has found
+//     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
+//                ... 63 substeps: an island that moves all the time costs
+//                attempts in vain ever more seldom, one that has just been put down is solved from the forces
+//                the base path has found
 //
-// A frame's work is at most mostShares times the floor and mostOverrun times the budget, what was saved, and
-// the base path.
+// A frame's work is at most mostShares times the floor and mostOverrun times the budget, forSprings times
+// that where there are springs, what was saved, the overrun of one step of each solver, and the base path.
 
 namespace carom {
 
@@ -45,6 +46,7 @@ struct RefinementInput {
     const State& state;
     const Islands& islands;
     std::span<const std::uint8_t> canMeet; ///< by pair, 1: its bodies may touch within the substep
+    std::span<const std::uint8_t> joins;   ///< by island, 1: it touches bodies of the base path
     Vec3 gravity;                          ///< [m/s²]
     double substep = 0;                    ///< [s]
     int part = 0, parts = 1;               ///< of the frame
@@ -69,10 +71,14 @@ class Refinement {
     void pay(double refined, double base);
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
+    /// In how many substeps the first of the islands that are stepped now is to be tried again.
+    int patience() const { return m_patience; }
+    /// Bodies have been on the base path for so many substeps.
+    void waited(std::span<const BodyIndex> bodies, int substeps);
+    /// Whether an island that is stepped is to be tried again before the frame ends.
+    bool isTriedSoon(std::uint32_t island) const { return m_isTriedSoon[island] != 0; }
     /// Bodies that touch nothing within the substep and that no spring holds, ascending.
     std::span<const BodyIndex> lone() const { return m_lone; }
-    /// How many islands were not tried.
-    std::size_t passedOver() const { return m_passedOver; }
 
     /// The island's refinement was not finished, or was.
     void setBack(const Island& island);
@@ -85,6 +91,10 @@ class Refinement {
                (bodies.mobile[pair.b] == 0 || m_stepped[pair.b] != 0);
     }
     bool isStepped(BodyIndex body) const { return m_stepped[body] != 0; }
+    /// They are left alone from now on.
+    void forget(std::span<const BodyIndex> bodies) {
+        for (const BodyIndex body : bodies) m_stepped[body] = 0;
+    }
 
     struct Memory {
         double saved = 0;
@@ -112,9 +122,10 @@ class Refinement {
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
     std::vector<Choice> m_refined;
     std::vector<std::uint32_t> m_base;
+    int m_patience = 0;                      // substeps
+    std::vector<std::uint8_t> m_isTriedSoon; // by island
     std::vector<BodyIndex> m_lone;
     std::vector<Expected> m_expected;
-    std::size_t m_passedOver = 0;
 };
 
 } // namespace carom

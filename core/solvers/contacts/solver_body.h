@@ -16,9 +16,9 @@ struct alignas(32) SolverBody {
     std::array<double, 3> velocity{}; ///< [m/s]
     double inverseMass = 0;           ///< [1/kg]; 0: it cannot move
     std::array<double, 3> spin{};     ///< angular velocity [rad/s]
-    double unused0 = 0;
+    double roundInverse = 0;          ///< inverse moment of inertia of a ball about any axis; of no other
     double xx = 0, xy = 0, xz = 0, yy = 0; ///< inverse inertia
-    double yz = 0, zz = 0, unused1 = 0, unused2 = 0;
+    double yz = 0, zz = 0, unused0 = 0, unused1 = 0;
 };
 static_assert(sizeof(SolverBody) == 128);
 

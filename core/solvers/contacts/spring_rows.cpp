@@ -44,10 +44,8 @@ void prepareSprings(const Bodies& bodies, const State& state, std::span<const st
     }
 }
 
-double workOf(std::span<const SpringRow> rows, std::span<const SolverBody> bodies) {
-    double work = 0;
-    for (const SpringRow& row : rows) work += 0.5 * row.impulse * (row.speed + growthOf(row, bodies));
-    return work;
+double workOf(const SpringRow& row, std::span<const SolverBody> bodies) {
+    return 0.5 * row.impulse * (row.speed + growthOf(row, bodies));
 }
 
 void solveSprings(std::span<SpringRow> rows, std::span<SolverBody> bodies) {

@@ -36,8 +36,8 @@ struct SpringRow {
 void prepareSprings(const Bodies& bodies, const State& state, std::span<const std::uint32_t> springs,
                     std::span<const std::uint32_t> local, std::uint32_t immobile, double duration,
                     std::span<const SolverBody> solverBodies, std::vector<SpringRow>& rows);
-/// What the springs have done to the kinetic energy since they were prepared [J].
-double workOf(std::span<const SpringRow> rows, std::span<const SolverBody> bodies);
+/// What a spring has done to the kinetic energy since it was prepared [J].
+double workOf(const SpringRow& row, std::span<const SolverBody> bodies);
 /// One pass over all rows.
 void solveSprings(std::span<SpringRow> rows, std::span<SolverBody> bodies);
 

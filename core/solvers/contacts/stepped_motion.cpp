@@ -15,17 +15,10 @@
 namespace carom {
 namespace {
 
-/// Steps between two looks at the contacts. With two, a frame of four substeps has the eight steps that a
-/// tower of ten cubes needs to stand still; with one, it sways. Where there are few points there are twice as
-/// many: what a blow leaves of overlaps falls with the step.
-constexpr int steps = 2;
-/// Contacts of few points are swept there and back: a chain of bodies passes an impact on by a few of them a
-/// pass.
-constexpr std::size_t fewPoints = 256;
-/// Passes in which impacts rebound.
-constexpr int reboundPasses = 2;
 /// How often a step is solved on with contacts of bodies that were struck within it.
 constexpr int mostRounds = 4;
+/// The body that cannot move.
+constexpr std::uint32_t immobile = 0;
 
 void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
     if (isIsotropic(principal)) {
@@ -43,107 +36,189 @@ void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBod
     body.zz = inverse(2, 2);
 }
 
+bool isSphere(const Bodies& bodies, BodyIndex i) { return std::holds_alternative<Sphere>(bodies.shape[i]); }
+
 } // namespace
 
-SteppedReport SteppedMotion::advance(const SteppedInput& input, std::span<const BodyIndex> list,
-                                     std::span<const std::uint32_t> places, Manifolds& manifolds) {
+void SteppedMotion::begin(const Bodies& bodies, const Division& division, double substep) {
+    m_division = division;
+    m_substep = substep;
+    m_step = substep / (division.looks * division.steps);
+    clear();
+    m_local.resize(bodies.count(), 0);
+    m_bodies.assign(1, {});
+    m_moved.assign(1, {});
+    m_places.assign(1, {});
+    m_orientations.assign(1, Quat::Identity());
+    m_island.assign(1, 0);
+    m_free.assign(1, {});
+    m_struck.assign(1, 0);
+    m_islands = 0;
+    m_links.clear();
+    m_entries.clear();
+    m_isFlipped.clear();
+    m_general.clear();
+    m_balls.clear();
+    m_isFresh = true;
+}
+
+void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
+                              std::span<const std::uint32_t> springs) {
+    const std::uint32_t island = static_cast<std::uint32_t>(m_islands++);
+    for (const BodyIndex body : list) {
+        m_local[body] = static_cast<std::uint32_t>(m_bodies.size());
+        m_list.push_back(body);
+        SolverBody& to = m_bodies.emplace_back();
+        to.velocity = arrayOf(input.state.velocity[body]);
+        to.spin = arrayOf(input.state.angularVelocity[body]);
+        to.inverseMass = input.bodies.inverseMass[body];
+        if (isSphere(input.bodies, body)) to.roundInverse = input.bodies.inverseInertia[body].x();
+        setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, to);
+        m_moved.emplace_back();
+        m_places.push_back({arrayOf(input.state.pose[body].position)});
+        m_orientations.push_back(input.state.pose[body].orientation);
+        m_island.push_back(island);
+        m_free.emplace_back();
+        m_struck.push_back(0);
+    }
+    m_links.insert(m_links.end(), springs.begin(), springs.end());
+}
+
+void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
+    if (one != other) std::replace(m_island.begin() + 1, m_island.end(), other, one);
+}
+
+void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
+    const auto [a, b] = entry.pair;
+    const std::uint32_t index = static_cast<std::uint32_t>(m_entries.size());
+    m_entries.push_back(entry);
+    m_isFlipped.push_back(0);
+    const ContactPair laws = pairOf(input.bodies, entry.pair, 0);
+    const bool sphereA = isSphere(input.bodies, a), sphereB = isSphere(input.bodies, b);
+    const bool areBalls =
+        (sphereA || isWall(input.bodies.shape[a])) && (sphereB || isWall(input.bodies.shape[b]));
+    if (areBalls && laws.rolling == 0) {
+        addBall(input, index, laws, manifolds);
+        return;
+    }
+    m_general.push_back(index);
+    if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
+}
+
+void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
+                            const Manifolds& manifolds) {
+    const Entry& from = m_entries[entry];
+    const bool isFlipped = m_local[from.pair.b] == immobile;
+    m_isFlipped[entry] = isFlipped ? 1 : 0;
+    const BodyIndex a = isFlipped ? from.pair.b : from.pair.a, b = isFlipped ? from.pair.a : from.pair.b;
+    BallPair pair{.a = m_local[a],
+                  .b = m_local[b],
+                  .radiusB = input.bodies.boundingRadius[b],
+                  .friction = laws.friction,
+                  .restitution = laws.restitution,
+                  .push = mostParting * laws.size / m_substep};
+    const Vec3& placeB = input.state.pose[b].position;
+    if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[a])) {
+        pair.wall = true;
+        pair.normal = wall->normal;
+        pair.fixed = placeB - distanceTo(*wall, placeB) * wall->normal;
+    } else {
+        pair.radiusA = input.bodies.boundingRadius[a];
+        if (pair.a == immobile) pair.fixed = input.state.pose[a].position;
+        const Vec3 between = placeB - input.state.pose[a].position;
+        const double distance = between.norm();
+        if (distance > 0) pair.normal = between / distance;
+    }
+    if (from.place != Manifolds::none && manifolds[from.place].count > 0)
+        pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
+    m_balls.add(pair, entry, immobile, m_bodies);
+}
+
+SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     SteppedReport report;
     Invariants before;
-    if (input.ledger != nullptr) before = invariantsOf(input.bodies, list, input.state, input.gravity);
-    loadBodies(input, list);
-    loadRows(input, places, manifolds, report);
-    const bool few = m_rows.points().size() * wideLanes <= fewPoints;
-    const int count = few ? 2 * steps : steps;
-    const double duration = input.duration / count;
-    m_rows.scaleImpulses(duration);
-    m_passes = input.passes * (few ? 2 : 1);
-    for (int k = 0; k < count; ++k) {
-        step(input, list, duration, k == 0, manifolds, report);
-        if (report.loss) return report;
+    if (input.ledger != nullptr) before = invariantsOf(input.bodies, m_list, input.state, input.gravity);
+    m_step = part * m_substep / (m_division.looks * m_division.steps);
+    for (int k = 0; k < m_division.looks; ++k) {
+        look(input, m_step * m_division.steps, manifolds, report);
+        for (int i = 0; i < m_division.steps; ++i) {
+            step(input, m_step, i == 0, manifolds, report);
+            if (report.loss) return report;
+        }
+        storeForces(manifolds);
     }
-    storeForces(duration, manifolds);
     if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
-        const Invariants after = invariantsOf(input.bodies, list, input.state, input.gravity);
-        bookDifference(before, after, weightOf(input.bodies, list, input.duration * input.gravity),
+        const Invariants after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
+        bookDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
                        LedgerAccount::Contact, *input.ledger);
     }
     return report;
 }
 
-void SteppedMotion::loadBodies(const SteppedInput& input, std::span<const BodyIndex> list) {
-    m_local.resize(input.bodies.count());
-    m_bodies.assign(list.size() + 1, {});
-    m_moved.assign(list.size() + 1, {});
-    m_before.reserve(m_bodies.capacity());
-    m_free.resize(list.size());
-    m_struck.assign(list.size(), 0);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const BodyIndex body = list[i];
-        m_local[body] = static_cast<std::uint32_t>(i);
-        SolverBody& to = m_bodies[i];
-        to.velocity = arrayOf(input.state.velocity[body]);
-        to.spin = arrayOf(input.state.angularVelocity[body]);
-        to.inverseMass = input.bodies.inverseMass[body];
-        setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, to);
-    }
-}
-
-void SteppedMotion::loadRows(const SteppedInput& input, std::span<const std::uint32_t> places,
-                             const Manifolds& manifolds, SteppedReport& report) {
-    m_rows.begin(m_bodies.size() - 1);
+// Where the contacts are now.
+void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
+                         SteppedReport& report) {
+    std::fill(m_moved.begin(), m_moved.end(), Displacement{});
+    std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
+    m_balls.refresh(m_bodies, m_places, duration, input.gravity);
+    report.maxPenetration = std::max(report.maxPenetration, m_balls.deepest());
+    report.contacts = wideLanes * m_balls.activeGroups();
+    m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
-    if (m_watched.capacity() < places.size()) m_watched.reserve(2 * places.size());
-    const ManifoldInput here{input.bodies, input.state, input.gravity, input.duration};
-    for (const std::uint32_t place : places) {
-        if (manifolds[place].open) {
-            watch(input, place, manifolds);
+    if (m_watched.capacity() < m_general.size()) m_watched.reserve(2 * m_general.size());
+    const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
+    for (const std::uint32_t entry : m_general) {
+        PersistentManifold& manifold = manifolds[m_entries[entry].place];
+        if (!m_isFresh)
+            report.work.pairsCollided += updateManifold(here, m_entries[entry].margin, manifold) ? 1 : 0;
+        if (manifold.count == 0) continue;
+        ++report.contacts;
+        if (manifold.open) {
+            watch(here, entry, manifolds);
             continue;
         }
-        const PlacedManifold contact = placed(here, manifolds[place]);
+        const PlacedManifold contact = placed(here, manifold);
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
             report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
-        addRow(input, place, contact, manifolds);
+        addRow(input, entry, contact);
     }
+    m_isFresh = false;
     m_rows.end();
+    m_rows.scaleImpulses(m_step);
 }
 
-void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t place, const PlacedManifold& contact,
-                           const Manifolds& manifolds) {
-    const BodyPair pair = manifolds[place].pair;
+void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact) {
+    const BodyPair pair = m_entries[entry].pair;
     const ContactPair laws = pairOf(input.bodies, pair, 0);
-    m_rows.add({.a = localOf(input, pair.a),
-                .b = localOf(input, pair.b),
+    m_rows.add({.a = m_local[pair.a],
+                .b = m_local[pair.b],
                 .normal = contact.normal,
                 .friction = laws.friction,
                 .restitution = laws.restitution,
                 .rolling = laws.rolling,
-                .push = mostParting * laws.size / input.duration,
+                .push = mostParting * laws.size / m_substep,
                 .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
-               place, m_bodies);
+               entry, m_bodies);
 }
 
-void SteppedMotion::watch(const SteppedInput& input, std::uint32_t place, const Manifolds& manifolds) {
-    const PersistentManifold& manifold = manifolds[place];
-    const auto [a, b] = manifold.pair;
+void SteppedMotion::watch(const ManifoldInput& here, std::uint32_t entry, const Manifolds& manifolds) {
+    const PersistentManifold& manifold = manifolds[m_entries[entry].place];
     const auto turning = [&](BodyIndex i) {
-        const bool turns =
-            input.bodies.mobile[i] != 0 && !std::holds_alternative<Sphere>(input.bodies.shape[i]);
-        return turns ? input.bodies.boundingRadius[i] : 0;
+        return here.bodies.mobile[i] != 0 && !isSphere(here.bodies, i) ? here.bodies.boundingRadius[i] : 0;
     };
-    const ManifoldInput here{input.bodies, input.state, input.gravity, input.duration};
-    m_watched.push_back({.place = place,
-                         .a = localOf(input, a),
-                         .b = localOf(input, b),
+    m_watched.push_back({.entry = entry,
+                         .a = m_local[manifold.pair.a],
+                         .b = m_local[manifold.pair.b],
                          .normal = normalOf(here, manifold),
                          .gap = manifold.gap,
-                         .radiusA = turning(a),
-                         .radiusB = turning(b)});
+                         .radiusA = turning(manifold.pair.a),
+                         .radiusB = turning(manifold.pair.b)});
 }
 
 // Whether a watched pair, one of which was struck, may close its gap within the step.
 bool SteppedMotion::isStruck(const Watched& pair, double duration) const {
     const auto isFree = [&](std::uint32_t i) {
-        return i == m_rows.immobile() || (m_struck[i] == 0 && m_bodies[i].velocity == m_free[i]);
+        return i == immobile || (m_struck[i] == 0 && m_bodies[i].velocity == m_free[i]);
     };
     if (isFree(pair.a) && isFree(pair.b)) return false;
     double gap = pair.gap;
@@ -161,16 +236,15 @@ bool SteppedMotion::isStruck(const Watched& pair, double duration) const {
 // Contacts of bodies that were struck become rows. True if there were any.
 bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report) {
-    bool any = false;
+    bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity);
+    bool anyRow = false;
     for (Watched& pair : m_watched) {
-        if (pair.place == ContactRows::noPair || !isStruck(pair, duration)) continue;
-        PersistentManifold& manifold = manifolds[pair.place];
-        const std::array<std::pair<BodyIndex, std::uint32_t>, 2> ends{std::pair{manifold.pair.a, pair.a},
-                                                                      std::pair{manifold.pair.b, pair.b}};
-        for (const auto& [body, local] : ends)
-            if (local != m_rows.immobile()) input.state.velocity[body] = vectorOf(m_bodies[local].velocity);
-        const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
+        if (pair.entry == ContactRows::noPair || !isStruck(pair, duration)) continue;
+        PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
         const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
+        if (pair.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
+        if (pair.b != immobile) input.state.velocity[manifold.pair.b] = vectorOf(bodyB.velocity);
+        const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
         const double speed = (vectorOf(bodyB.velocity) - vectorOf(bodyA.velocity)).norm() +
                              pair.radiusA * vectorOf(bodyA.spin).norm() +
                              pair.radiusB * vectorOf(bodyB.spin).norm();
@@ -183,78 +257,86 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
             point.separation -= contact.normal.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(point.armB) -
                                                    vectorOf(a.shift) - vectorOf(a.turn).cross(point.armA));
         }
-        addRow(input, pair.place, contact, manifolds);
-        pair.place = ContactRows::noPair;
-        any = true;
+        addRow(input, pair.entry, contact);
+        pair.entry = ContactRows::noPair;
+        anyRow = true;
     }
-    if (any) m_rows.end();
-    return any;
+    if (anyRow) m_rows.end();
+    return any || anyRow;
 }
 
 // Passes with feedback.
 void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedReport& report) {
-    for (int pass = 0; pass < m_passes; ++pass) {
-        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings,
-                        pass % 2 != 0);
+    for (int pass = 0; pass < m_division.passes; ++pass) {
+        const bool back = pass % 2 != 0;
+        m_balls.solve(m_bodies, m_moved, settings, back);
+        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings, back);
         resistRolling(m_rows, m_bodies);
         solveSprings(m_springs, m_bodies);
     }
-    report.work.rowsSwept += static_cast<std::size_t>(m_passes) * m_rows.points().size() * wideLanes;
+    report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
 }
 
-void SteppedMotion::step(const SteppedInput& input, std::span<const BodyIndex> list, double duration,
-                         bool first, Manifolds& manifolds, SteppedReport& report) {
+void SteppedMotion::step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
+                         SteppedReport& report) {
     const Vec3 fall = duration * input.gravity;
     const StepSettings settings{.duration = duration, .resting = 2 * fall.norm()};
-    const std::span<SolverBody> bodies = m_bodies;
-    const bool bounces = recordApproach(m_rows, bodies, settings);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) bodies[i].velocity[k] += fall[static_cast<Eigen::Index>(k)];
-        m_free[i] = bodies[i].velocity;
+    const bool ballsBounce = m_balls.recordApproach(m_bodies, settings);
+    const bool bounces = recordApproach(m_rows, m_bodies, settings) || ballsBounce;
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        add(m_bodies[i].velocity, fall);
+        m_free[i] = m_bodies[i].velocity;
     }
-    prepareSprings(input.bodies, input.state, input.springs, m_local, m_rows.immobile(), duration, bodies,
-                   m_springs);
-    const double energy = bounces ? kineticEnergyOf(bodies) : 0;
-    warmStart(m_rows, bodies);
+    prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
+    if (bounces) m_energy.remember(m_bodies, m_island, m_islands);
+    m_balls.warmStart(m_bodies);
+    warmStart(m_rows, m_bodies);
     for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
     sweep(settings, first, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, first, report);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const Vec3 velocity = vectorOf(bodies[i].velocity), spin = vectorOf(bodies[i].spin);
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
-        report.loss = {list[i], velocity.allFinite() ? "angular velocity" : "velocity"};
+        report.loss = {m_list[i - 1], velocity.allFinite() ? "angular velocity" : "velocity"};
         return;
     }
-    move(input, list, duration);
-    const std::size_t points = m_rows.points().size() * wideLanes;
-    for (int pass = 0; pass < m_passes; ++pass) {
-        report.residual = relaxVelocities(m_rows, bodies, m_moved, settings, pass % 2 != 0);
-        resistRolling(m_rows, bodies);
-        solveSprings(m_springs, bodies);
-        report.work.rowsSwept += points;
+    move(input, duration);
+    report.work.rowsSwept += points(); // the warm start
+    for (int pass = 0; pass < m_division.passes; ++pass) {
+        const bool back = pass % 2 != 0;
+        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, back);
+        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, m_moved, settings, back));
+        resistRolling(m_rows, m_bodies);
+        solveSprings(m_springs, m_bodies);
+        report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
-    if (const int impacts = bounces ? struckRows(m_rows) : 0; impacts > 0) {
-        report.work.impacts += static_cast<std::uint64_t>(impacts);
-        const double limit = energy + workOf(m_springs, bodies);
-        m_before = m_bodies;
-        rebound(m_rows, bodies, m_moved, settings, reboundPasses);
-        report.work.rowsSwept += reboundPasses * points;
-        keepWithin(limit, m_before, bodies);
+    if (bounces) rebound(settings, report);
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
+        input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     }
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        input.state.velocity[list[i]] = vectorOf(bodies[i].velocity);
-        input.state.angularVelocity[list[i]] = vectorOf(bodies[i].spin);
-    }
-    report.work.rowsSwept += points; // the warm start
+}
+
+void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
+    const int impacts = m_balls.struckRows() + struckRows(m_rows);
+    if (impacts == 0) return;
+    report.work.impacts += static_cast<std::uint64_t>(impacts);
+    report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
+    for (const SpringRow& spring : m_springs)
+        m_energy.allow(m_island[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
+    m_before = m_bodies;
+    m_balls.rebound(m_bodies, m_moved, settings, m_division.passes);
+    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes);
+    m_energy.keep(m_before, m_island, m_bodies);
 }
 
 // Bodies that nothing touched move on their parabola; the others by their velocity at the end.
-void SteppedMotion::move(const SteppedInput& input, std::span<const BodyIndex> list, double duration) {
+void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const BodyIndex body = list[i];
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        const BodyIndex body = m_list[i - 1];
         SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
@@ -262,32 +344,100 @@ void SteppedMotion::move(const SteppedInput& input, std::span<const BodyIndex> l
             shift -= half;
         else
             m_struck[i] = 1;
-        input.state.pose[body].position += shift;
+        Vec3& position = input.state.pose[body].position;
+        position += shift;
+        m_places[i].position = arrayOf(position);
+        add(moved.shift, shift);
         const Vec3 spin = vectorOf(from.spin);
-        for (std::size_t k = 0; k < 3; ++k) {
-            moved.shift[k] += shift[static_cast<Eigen::Index>(k)];
-            moved.turn[k] += duration * from.spin[k];
-        }
         if (spin == Vec3::Zero()) continue;
-        const Vec3& inertia = input.bodies.inertia[body];
+        add(moved.turn, duration * spin);
         input.state.angularVelocity[body] = spin;
         const Vec3 momentum = angularMomentumOf(input.bodies, body, input.state);
         rotateBetween(input.bodies, body, momentum, momentum, duration, input.state);
-        if (isIsotropic(inertia)) continue;
+        m_orientations[i] = input.state.pose[body].orientation;
+        if (isIsotropic(input.bodies.inertia[body])) continue;
         from.spin = arrayOf(input.state.angularVelocity[body]);
         setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, from);
     }
 }
 
-void SteppedMotion::storeForces(double duration, Manifolds& manifolds) const {
-    const double perDuration = 1 / duration;
+void SteppedMotion::storeForces(Manifolds& manifolds) const {
+    const double perStep = 1 / m_step;
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if (group.source[lane] == ContactRows::noPair) continue;
-            PersistentManifold& manifold = manifolds[group.source[lane]];
+            PersistentManifold& manifold = manifolds[m_entries[group.source[lane]].place];
             for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
-                manifold.points[k].force = perDuration * m_rows.impulseOf(group, static_cast<int>(lane), k);
+                manifold.points[k].force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
         }
+}
+
+// As updateManifold would make it.
+PersistentManifold SteppedMotion::manifoldOfBalls(const Bodies& bodies, const State& state,
+                                                  std::uint32_t entry, const Vec3& normal,
+                                                  const Vec3& impulse) const {
+    PersistentManifold manifold;
+    manifold.pair = m_entries[entry].pair;
+    const bool isFlipped = m_isFlipped[entry] != 0;
+    const auto [first, second] = manifold.pair;
+    const BodyIndex a = isFlipped ? second : first, b = isFlipped ? first : second;
+    const Pose &poseA = state.pose[a], &poseB = state.pose[b];
+    const Vec3 onB = -bodies.boundingRadius[b] * normal;
+    Vec3 onA = bodies.boundingRadius[a] * normal;
+    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[a]))
+        onA = poseB.position - distanceTo(*wall, poseB.position) * normal - poseA.position;
+    manifold.count = 1;
+    manifold.round = true;
+    manifold.open = impulse == Vec3::Zero();
+    manifold.normal = isFlipped ? Vec3(-normal) : normal;
+    manifold.gap = normal.dot(poseB.position + onB - poseA.position - onA);
+    manifold.points[0] = {isFlipped ? onB : onA, isFlipped ? onA : onB,
+                          (isFlipped ? -1 : 1) / m_step * impulse};
+    return manifold;
+}
+
+void SteppedMotion::storeBalls(const SteppedInput& input, Manifolds& manifolds) {
+    m_balls.forEach([&](std::uint32_t index, const Vec3& normal, const Vec3& impulse) {
+        Entry& entry = m_entries[index];
+        if (entry.place == Manifolds::none) {
+            if (impulse == Vec3::Zero()) return;
+            entry.place = manifolds.add(entry.pair);
+        }
+        manifolds[entry.place] = manifoldOfBalls(input.bodies, input.state, index, normal, impulse);
+    });
+}
+
+bool SteppedMotion::isUnchanged(const State& state) const {
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        const BodyIndex body = m_list[i - 1];
+        if (vectorOf(m_bodies[i].velocity) != state.velocity[body] ||
+            vectorOf(m_bodies[i].spin) != state.angularVelocity[body] ||
+            vectorOf(m_places[i].position) != state.pose[body].position ||
+            m_orientations[i].coeffs() != state.pose[body].orientation.coeffs())
+            return false;
+    }
+    return true;
+}
+
+std::size_t SteppedMotion::bytes() const {
+    return m_list.size() *
+               (sizeof(BodyIndex) + sizeof(SolverBody) + sizeof(Displacement) + sizeof(BodyPlace)) +
+           m_entries.size() * (sizeof(Entry) + 1) + m_balls.bytes() + m_rows.bytes();
+}
+
+void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries) {
+    storeBalls(input, manifolds);
+    entries.clear();
+    for (const Entry& entry : m_entries)
+        if (entry.place != Manifolds::none) entries.push_back(entry);
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& one, const Entry& other) { return one.pair < other.pair; });
+    clear();
+}
+
+void SteppedMotion::clear() {
+    for (const BodyIndex body : m_list) m_local[body] = 0;
+    m_list.clear();
 }
 
 } // namespace carom

@@ -17,7 +17,7 @@
 //     x += h v     by the caller, who adds to the displacements
 //     relax        without feedback: what parting added to the velocities is taken out again
 //     rebound      contacts that closed at a speed and took an impulse part at e times that speed
-//     keepWithin   takes back of the rebound what the kinetic energy does not allow
+//     limit        takes back of the rebound what the kinetic energy does not allow (energy_limit.h)
 //
 //     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
 //              s = s₀ + n · (displacement of B's point less A's)         separation
@@ -29,14 +29,6 @@
 //                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω)
 //     relax    s > 0 as above, and nothing where pₙ is 0: the next step has its turn; else b = 0, c = 1, d =
 //     0 rebound  as relax, and b = −e times the closing speed where that was remembered and pₙ > 0
-//
-// Newton's law for several contacts at once may gain energy, all the more as few passes do not solve it:
-// keepWithin goes from the velocities before the rebound, v, to those after it, v + Δv, only as far as the
-// energy allows,
-//
-//     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit.
-//
-// Contacts do not close by that: they parted at s = 0 and at s = 1.
 //
 // Limits: the residual falls slowly in tall stacks and for large ratios of masses. A weight W rests with an
 // overlap of W d (2ζ + hω)/(m c ω h) h, some 1e-5 of g h² times the number of bodies it carries.
@@ -67,9 +59,5 @@ int struckRows(const ContactRows& rows);
 /// forces.
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
              const StepSettings& settings, int passes);
-/// Of all bodies that can move [J].
-double kineticEnergyOf(std::span<const SolverBody> bodies);
-/// Takes bodies back towards `before`, by as little as keeps their kinetic energy within `limit` [J].
-void keepWithin(double limit, std::span<const SolverBody> before, std::span<SolverBody> bodies);
 
 } // namespace carom

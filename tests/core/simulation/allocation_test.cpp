@@ -107,7 +107,7 @@ class AllocationTest : public QObject {
         const GeneratorRow* scene = findGenerator(QTest::currentDataTag());
         QVERIFY(scene != nullptr);
         World world(build(generate(*scene, request)).pipeline);
-        test::run(world, 420);
+        test::run(world, 700); // the pile has come to rest
         const long before = allocations;
         test::run(world, 60);
         QCOMPARE(allocations - before, 0);

@@ -183,7 +183,7 @@ class ContactRowsTest : public QObject {
                     QVERIFY(group.restitution[lane] == pair.laws.restitution);
                     QVERIFY(group.push[lane] == pair.laws.push);
                     const bool held = pair.laws.a == rows.immobile() || pair.laws.b == rows.immobile();
-                    QVERIFY(group.stiffness[lane] == (held ? 1 : 0.5));
+                    QVERIFY(group.hard[lane] == (held ? 1 : 0));
                     bounces = bounces || pair.laws.restitution > 0;
                     const std::size_t room = pair.points.size() == 3 ? 4 : pair.points.size();
                     QCOMPARE(std::size_t{group.points}, room);

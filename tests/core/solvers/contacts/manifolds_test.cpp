@@ -9,6 +9,7 @@
 #include "core/narrowphase/narrowphase.h"
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/stepped_motion.h"
+#include "core/narrowphase/core_direction.h"
 
 #include <QTest>
 
@@ -50,7 +51,11 @@ struct Two {
     }
     Manifold found() const {
         Manifold result;
-        collide({&bodies.shape[0], &state.pose[0]}, {&bodies.shape[1], &state.pose[1]}, margin, result);
+        const PlacedShape a{&bodies.shape[0], &state.pose[0]}, b{&bodies.shape[1], &state.pose[1]};
+        if (haveCores(*a.shape, *b.shape))
+            collideCores(a, b, (b.pose->position - a.pose->position).normalized(), margin, result);
+        else
+            collide(a, b, margin, result);
         return result;
     }
     PlacedManifold here() const { return placed(input, manifold); }
@@ -394,12 +399,12 @@ class ManifoldsTest : public QObject {
             const std::uint32_t place = manifolds.add(two.manifold);
             SteppedMotion motion;
             const BodyIndex list[] = {0, 1};
-            const SteppedReport report = motion.advance({.bodies = two.bodies,
-                                                         .gravity = Vec3::Zero(),
-                                                         .duration = duration,
-                                                         .state = two.state,
-                                                         .passes = 1},
-                                                        list, std::span(&place, 1), manifolds);
+            const SteppedInput input{.bodies = two.bodies, .gravity = Vec3::Zero(), .state = two.state};
+            motion.begin(two.bodies, {.looks = 1, .steps = 4, .passes = 2}, duration);
+            motion.addIsland(input, list, {});
+            motion.beginPairs();
+            motion.addPair(input, {two.manifold.pair, place, 1.0}, manifolds);
+            const SteppedReport report = motion.advance(input, manifolds);
             QVERIFY(!report.loss);
             const Vec3 after = two.state.velocity[1];
             if (passesBy) {

@@ -34,14 +34,16 @@ class BasePath {
     }
 
     void step() {
-        std::vector<std::uint32_t> touching;
+        const SteppedInput input{.bodies = bodies, .gravity = Vec3::Zero(), .state = state};
+        m_motion.begin(bodies, {.looks = 1, .steps = 4, .passes = 2}, substep);
+        m_motion.addIsland(input, bodies.mobileBodies, {});
+        m_motion.beginPairs();
         for (const std::uint32_t place : m_places) {
             updateManifold({bodies, state, Vec3::Zero(), substep}, 1.0, m_manifolds[place]);
-            if (m_manifolds[place].count > 0) touching.push_back(place);
+            m_motion.addPair(input, {m_manifolds[place].pair, place, 1.0}, m_manifolds);
         }
-        m_motion.advance(
-            {.bodies = bodies, .gravity = Vec3::Zero(), .duration = substep, .state = state, .passes = 1},
-            bodies.mobileBodies, touching, m_manifolds);
+        m_motion.advance(input, m_manifolds);
+        m_motion.end(input, m_manifolds, m_left);
     }
 
     Bodies bodies;
@@ -51,6 +53,7 @@ class BasePath {
     Manifolds m_manifolds;
     std::vector<std::uint32_t> m_places;
     SteppedMotion m_motion;
+    std::vector<SteppedMotion::Entry> m_left;
 };
 
 } // namespace

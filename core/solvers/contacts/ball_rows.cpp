@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/ball_rows.h"
+
+#include "core/solvers/contacts/contact_law.h"
+#include "core/solvers/contacts/manifolds.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace carom {
+namespace {
+
+/// Two tangents of a unit vector, for every direction (T. Duff et al., "Building an orthonormal basis,
+/// revisited", 2017); the second is n × first.
+CAROM_INLINE Wide3 tangentOf(const Wide3& n) {
+    const Wide one = wideOf(1), sign = n.z < Wide{} ? -one : one;
+    const Wide a = -one / (sign + n.z), b = n.x * n.y * a;
+    return {one + sign * n.x * n.x * a, sign * b, -sign * n.x};
+}
+
+CAROM_INLINE Wide3 gatherPlace(const BodyPlace* places, const std::array<std::uint32_t, 4>& index) {
+    Wide a = loadWide(places[index[0]].position.data()), b = loadWide(places[index[1]].position.data());
+    Wide c = loadWide(places[index[2]].position.data()), d = loadWide(places[index[3]].position.data());
+    transpose(a, b, c, d);
+    return {a, b, c};
+}
+
+CAROM_INLINE void store(std::array<Wide, 3>& to, const Wide3& from) { to = {from.x, from.y, from.z}; }
+CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& other) {
+    return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
+}
+
+/// What impulses along n, t1 and t2 do to both bodies.
+CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1, const Wide3& t2,
+                        const Wide3& impulse, Motion& a, Motion& b) {
+    const Wide3 p = impulse.x * n + impulse.y * t1 + impulse.z * t2;
+    const Wide3 turning = impulse.y * t2 - impulse.z * t1; // n × p
+    a.velocity = a.velocity - a.inverseMass * p;
+    b.velocity = b.velocity + b.inverseMass * p;
+    a.spin = a.spin - (a.roundInverse * group.radiusA) * turning;
+    b.spin = b.spin - (b.roundInverse * group.radiusB) * turning;
+}
+
+template<Pass pass>
+CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
+                             const StepSettings& settings, const Softnesses& softness, Wide& worst) {
+    if (group.idle) return;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
+    const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
+    const Wide3 u = b.velocity - a.velocity - cross(spin, n);
+    const Wide gap = group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
+    const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group,
+                                          select(group.hard, softness), settings.duration, group.row, worst);
+    apply(group, n, t1, t2, change, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+}
+
+struct Sweep {
+    std::span<BallGroup> groups;
+    SolverBody* bodies;
+    const Displacement* moved;
+    const StepSettings& settings;
+    bool back;
+};
+
+template<Pass pass>
+CAROM_INLINE double sweepGroups(const Sweep& with) {
+    Wide worst{};
+    const Softnesses softness = softnessesOf(with.settings);
+    const std::size_t count = with.groups.size();
+    for (std::size_t i = 0; i < count; ++i)
+        solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
+                         softness, worst);
+    return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
+}
+
+CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
+    switch (pass) {
+    case Pass::Relax:
+        return sweepGroups<Pass::Relax>(with);
+    case Pass::Rebound:
+        return sweepGroups<Pass::Rebound>(with);
+    case Pass::Feedback:
+        break;
+    }
+    return sweepGroups<Pass::Feedback>(with);
+}
+
+CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverBody* bodies, double resting) {
+    Wide any{};
+    for (std::size_t i = 0; i < count; ++i) {
+        BallGroup& group = groups[i];
+        if (group.idle || !group.bounces) continue;
+        Motion a, b;
+        gatherVelocity(bodies, group.a, a);
+        gatherVelocity(bodies, group.b, b);
+        const Wide closing = dot(load(group.normal), a.velocity - b.velocity);
+        group.row.approach = approachOf(group, group.row, closing, resting);
+        any = larger(any, group.row.approach);
+    }
+    return anyLane(any);
+}
+
+CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody* bodies) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const BallGroup& group = groups[i];
+        if (group.idle) continue;
+        Motion a, b;
+        gatherVelocity(bodies, group.a, a);
+        gatherVelocity(bodies, group.b, b);
+        const Wide3 n = load(group.normal), t1 = load(group.tangent);
+        apply(group, n, t1, cross(n, t1), {group.row.normal, group.row.along1, group.row.along2}, a, b);
+        scatter(bodies, group.a, a);
+        scatter(bodies, group.b, b);
+    }
+}
+
+} // namespace
+
+struct BallRows::Refresh {
+    BallGroup* groups;
+    const Fixed* fixed;
+    std::size_t count;
+    const SolverBody* bodies;
+    const BodyPlace* places;
+    const Displacement* moved; ///< null: nobody has moved
+    double duration;
+    Vec3 gravity;
+};
+
+// Always inlined into the wide versions below.
+[[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i, bool struck) {
+    BallGroup& group = with.groups[i];
+    const Fixed& fixed = with.fixed[i];
+    Motion a, b;
+    gatherVelocity(with.bodies, group.a, a);
+    gatherVelocity(with.bodies, group.b, b);
+    const Wide3 d = gatherPlace(with.places, group.b) - gatherPlace(with.places, group.a) - load(fixed.place);
+    const Wide zero{}, one = wideOf(1), duration = wideOf(with.duration);
+    const auto isWall = fixed.wall > zero;
+    const Wide3 old = load(group.normal);
+    const Wide centres = rootOf(dot(d, d));
+    const Wide distance = isWall ? dot(old, d) : centres, radii = group.radiusA + group.radiusB;
+    const Wide gap = distance - radii;
+
+    // The meeting, or the nearest approach, within the time. Where A cannot move, B falls relative to it.
+    Wide3 v = b.velocity - a.velocity;
+    const Wide falls = a.inverseMass > zero ? zero : 0.5 * duration;
+    v = v + Wide3{falls * with.gravity.x(), falls * with.gravity.y(), falls * with.gravity.z()};
+    const Wide closing = -dot(d, v), square = dot(v, v);
+    const Wide inner = closing * closing - square * (distance * distance - radii * radii);
+    const Wide meeting =
+        inner > zero ? gap * (distance + radii) / (closing + rootOf(larger(inner, zero))) : closing / square;
+    const Wide time = closing > zero ? smaller(meeting, duration) : zero;
+    const Wide3 then = d + time * v;
+    const Wide thenCentres = rootOf(dot(then, then));
+    const Wide least = isWall ? gap + smaller(zero, duration * dot(old, v)) : thenCentres - radii;
+
+    const double fall = with.gravity.norm() * with.duration * with.duration;
+    const Wide smallest = isWall ? group.radiusB : smaller(group.radiusA, group.radiusB);
+    const Wide slack = slackPart * smallest + wideOf(fall);
+    const auto used = group.row.massNormal > zero;
+    const auto meets = used & ((gap <= slack) | (least <= slack));
+
+    const auto ahead = (gap > openBeyond * radii) & (thenCentres > zero);
+    const Wide3 towards = choose(ahead, then, d);
+    const Wide length = ahead ? thenCentres : centres;
+    const auto turns = used & (fixed.wall == zero) & (length > zero);
+    const Wide per = one / (turns ? length : one);
+    const Wide3 n = choose(turns, per * towards, old);
+    const Wide3 t = tangentOf(n), t2 = cross(n, t);
+    Wide now = dot(n, d) - radii;
+    if (with.moved != nullptr) // the law adds it again
+        now = now - dot(n, gatherShift(with.moved, group.b) - gatherShift(with.moved, group.a));
+
+    const Wide3 oldT = load(group.tangent);
+    const Wide3 friction = group.row.along1 * oldT + group.row.along2 * cross(old, oldT);
+    group.row.normal = meets ? group.row.normal : zero;
+    group.row.along1 = meets ? dot(t, friction) : zero;
+    group.row.along2 = meets ? dot(t2, friction) : zero;
+    store(group.normal, n);
+    store(group.tangent, t);
+    group.gap = used ? now : zero;
+    group.idle = !struck && !anyLane(meets ? one : zero);
+}
+
+CAROM_WIDE void BallRows::refreshAll(const Refresh& with) {
+    for (std::size_t i = 0; i < with.count; ++i) refreshGroup(with, i, false);
+}
+
+CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
+    bool any = false;
+    for (std::size_t i = 0; i < with.count; ++i) {
+        const BallGroup& group = with.groups[i];
+        if (!group.idle) continue;
+        Motion a, b;
+        gatherVelocity(with.bodies, group.a, a);
+        gatherVelocity(with.bodies, group.b, b);
+        const Wide3 moved = gatherShift(with.moved, group.b) - gatherShift(with.moved, group.a);
+        const Wide3 n = load(group.normal);
+        const Wide then = group.gap + dot(n, moved + wideOf(with.duration) * (b.velocity - a.velocity));
+        const auto closes = (then < Wide{}) & (group.row.massNormal > Wide{});
+        if (!anyLane(closes ? wideOf(1) : Wide{})) continue;
+        refreshGroup(with, i, true);
+        any = true;
+    }
+    return any;
+}
+
+void BallRows::clear() {
+    m_groups.clear();
+    m_fixed.clear();
+    m_active = 0;
+}
+
+void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
+                   std::span<const SolverBody> bodies) {
+    const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile, m_groups.size());
+    if (place.isNew) {
+        BallGroup& group = m_groups.emplace_back();
+        group.a.fill(immobile);
+        group.b.fill(immobile);
+        group.normal[1] = wideOf(1);
+        group.tangent[0] = wideOf(1);
+        m_fixed.emplace_back();
+    }
+    BallGroup& group = m_groups[place.group];
+    Fixed& fixed = m_fixed[place.group];
+    const std::size_t lane = place.lane;
+    const SolverBody &a = bodies[pair.a], &b = bodies[pair.b];
+    const auto set = [lane](std::array<Wide, 3>& to, const Vec3& value) {
+        for (std::size_t k = 0; k < 3; ++k) to[k][lane] = value[static_cast<Eigen::Index>(k)];
+    };
+    group.a[lane] = pair.a;
+    group.b[lane] = pair.b;
+    group.radiusA[lane] = pair.radiusA;
+    group.radiusB[lane] = pair.radiusB;
+    group.friction[lane] = pair.friction;
+    group.restitution[lane] = pair.restitution;
+    group.push[lane] = pair.push;
+    group.hard[lane] = pair.a == immobile ? 1 : 0;
+    group.bounces = group.bounces || pair.restitution > 0;
+    const double masses = a.inverseMass + b.inverseMass;
+    group.row.massNormal[lane] = 1 / masses;
+    group.row.massTangent[lane] = 1 / (masses + a.roundInverse * pair.radiusA * pair.radiusA +
+                                       b.roundInverse * pair.radiusB * pair.radiusB);
+    const Wide3 n{wideOf(pair.normal.x()), wideOf(pair.normal.y()), wideOf(pair.normal.z())};
+    const Wide3 t = tangentOf(n);
+    const Vec3 tangent(t.x[0], t.y[0], t.z[0]);
+    set(group.normal, pair.normal);
+    set(group.tangent, tangent);
+    group.row.normal[lane] = pair.normal.dot(pair.impulse);
+    group.row.along1[lane] = tangent.dot(pair.impulse);
+    group.row.along2[lane] = pair.normal.cross(tangent).dot(pair.impulse);
+    set(fixed.place, pair.fixed);
+    fixed.wall[lane] = pair.wall ? 1 : 0;
+    fixed.source[lane] = source;
+}
+
+void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
+                       const Vec3& gravity) {
+    refreshAll({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(), places.data(), nullptr,
+                duration, gravity});
+    m_active = 0;
+    Wide deepest{};
+    for (const BallGroup& group : m_groups) {
+        if (group.idle) continue;
+        ++m_active;
+        deepest = larger(deepest, -group.gap);
+    }
+    m_deepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+}
+
+bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
+                          std::span<const Displacement> moved, double duration, const Vec3& gravity) {
+    if (m_active == m_groups.size()) return false;
+    const bool any = findStruckIn({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(),
+                                   places.data(), moved.data(), duration, gravity});
+    if (any)
+        m_active = static_cast<std::size_t>(std::count_if(
+            m_groups.begin(), m_groups.end(), [](const BallGroup& group) { return !group.idle; }));
+    return any;
+}
+
+bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings) {
+    return passApproach(m_groups.data(), m_groups.size(), bodies.data(), settings.resting);
+}
+
+void BallRows::warmStart(std::span<SolverBody> bodies) const {
+    passWarm(m_groups.data(), m_groups.size(), bodies.data());
+}
+
+void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                     const StepSettings& settings, bool back) {
+    sweep(Pass::Feedback, {m_groups, bodies.data(), moved.data(), settings, back});
+}
+
+double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                       const StepSettings& settings, bool back) {
+    return sweep(Pass::Relax, {m_groups, bodies.data(), moved.data(), settings, back});
+}
+
+int BallRows::struckRows() const {
+    int struck = 0;
+    for (const BallGroup& group : m_groups) {
+        if (group.idle || !group.bounces) continue;
+        const auto lanes = isStruck(group.row);
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) struck += lanes[lane] != 0 ? 1 : 0;
+    }
+    return struck;
+}
+
+void BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                       const StepSettings& settings, int passes) {
+    for (int pass = 0; pass < passes; ++pass)
+        sweep(Pass::Rebound, {m_groups, bodies.data(), moved.data(), settings, pass % 2 != 0});
+    for (BallGroup& group : m_groups)
+        if (!group.idle && group.bounces) forgetImpulse(group, group.row, settings.resting);
+}
+
+} // namespace carom

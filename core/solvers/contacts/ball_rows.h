@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/types.h"
+#include "core/solvers/contacts/lane_packer.h"
+#include "core/solvers/contacts/velocity_solve.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Contacts of balls among each other and with walls. Their normals and gaps follow from where the centres
+// are, so they are computed four at a time as well, and rows stay for a whole frame: they are brought up to
+// date, not made anew.
+//
+//     ball, ball    d = xB − xA                   gap = |d| − rA − rB    n = d/|d|
+//     wall, ball    d = xB − a point of the wall  gap = n · d − rB       n is the wall's
+//
+// refresh() looks whether the two can meet within the substep as they move. Where they do, n is that of the
+// moment of their meeting, and where they pass each other by, of their nearest approach. A group of which no
+// pair can meet is idle: passes leave it out, until findStruck() sees that impulses make a pair close its
+// gap.
+//
+// Of balls the normal impulse turns nothing, and friction does not change uₙ.
+
+namespace carom {
+
+/// Where a body is.
+struct alignas(32) BodyPlace {
+    std::array<double, 3> position{}; ///< [m]; of what cannot move 0
+    double unused = 0;
+};
+
+/// Four contact points side by side, as in contact_rows.h.
+struct alignas(32) BallRow {
+    Wide massNormal{}, massTangent{};  ///< [kg]; 0 in a lane that is not used
+    Wide normal{}, along1{}, along2{}; ///< impulses [N s]
+    Wide approach{};                   ///< [m/s]
+};
+
+/// Four pairs, no body twice. B is a ball that can move, A a ball or a wall.
+struct alignas(32) BallGroup {
+    std::array<std::uint32_t, wideLanes> a{}, b{};
+    Wide radiusA{}, radiusB{}; ///< [m]; of a wall 0
+    std::array<Wide, 3> normal{}, tangent{};
+    Wide friction{}, restitution{}, push{};
+    Wide hard{}; ///< as in contact_rows.h
+    Wide gap{};  ///< when the bodies had not moved yet [m]
+    BallRow row;
+    bool bounces = false, idle = false;
+};
+
+/// A pair as it is given. A's centre, or a point of the wall, is `fixed` if A cannot move.
+struct BallPair {
+    std::uint32_t a = 0, b = 0; ///< `immobile` for what cannot move
+    double radiusA = 0, radiusB = 0;
+    bool wall = false;
+    Vec3 fixed = Vec3::Zero();
+    Vec3 normal = Vec3::UnitY(); ///< from A to B; of a wall its own, of balls any
+    Vec3 impulse = Vec3::Zero(); ///< on B [N s]; where the solve begins
+    double friction = 0, restitution = 0;
+    double push = 0;
+};
+
+class BallRows {
+  public:
+    static constexpr std::uint32_t noPair = 0xffffffff;
+
+    void clear();
+    /// To be called before pairs are added, with the number of bodies there are now.
+    void begin(std::size_t bodies) { m_packer.begin(bodies); }
+    /// `source` is given back by forEach.
+    void add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
+             std::span<const SolverBody> bodies);
+    /// Of what is not empty.
+    std::size_t groups() const { return m_groups.size(); }
+    std::size_t activeGroups() const { return m_active; }
+
+    /// Brings all rows up to date; the bodies have not moved since.
+    void refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
+                 const Vec3& gravity);
+    /// Idle groups in which a pair would close its gap within `duration` become active. True if there are
+    /// any.
+    bool findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
+                    std::span<const Displacement> moved, double duration, const Vec3& gravity);
+    std::size_t bytes() const { return m_groups.size() * (sizeof(BallGroup) + sizeof(Fixed)); }
+    double deepest() const { return m_deepest; } ///< overlap at the last refresh [m]
+
+    // As in velocity_solve.h, of what is active.
+    bool recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings);
+    void warmStart(std::span<SolverBody> bodies) const;
+    void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+               const StepSettings& settings, bool back);
+    double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                 const StepSettings& settings, bool back);
+    int struckRows() const;
+    void rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                 const StepSettings& settings, int passes);
+
+    /// visit(source, normal, impulse on B [N s]) for every pair.
+    template<class Visit>
+    void forEach(const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                const BallGroup& group = m_groups[i];
+                if (m_fixed[i].source[lane] == noPair) continue;
+                const Vec3 n = laneOf(group.normal, lane), t = laneOf(group.tangent, lane);
+                visit(m_fixed[i].source[lane], n,
+                      Vec3(group.row.normal[lane] * n + group.row.along1[lane] * t +
+                           group.row.along2[lane] * n.cross(t)));
+            }
+    }
+
+  private:
+    /// What only a refresh needs.
+    struct alignas(32) Fixed {
+        std::array<Wide, 3> place{};
+        Wide wall{}; ///< 1 for a wall, otherwise 0
+        std::array<std::uint32_t, wideLanes> source{noPair, noPair, noPair, noPair};
+    };
+    struct Refresh;
+    static Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
+        return {from[0][lane], from[1][lane], from[2][lane]};
+    }
+    static void refreshAll(const Refresh& with);
+    static bool findStruckIn(const Refresh& with);
+    static void refreshGroup(const Refresh& with, std::size_t group, bool struck);
+
+    std::vector<BallGroup> m_groups;
+    std::vector<Fixed> m_fixed; // by group
+    LanePacker m_packer;
+    std::size_t m_active = 0; // groups
+    double m_deepest = 0;
+};
+
+} // namespace carom

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/base_path.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace carom {
+namespace {
+
+/// Islands of so few contact points are swept there and back, in steps of half the length.
+constexpr std::size_t fewPoints = 192;
+/// So many times fewer points, so many times more looks in a substep.
+constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
+
+/// Bodies that move by more than this part of their size in the mean are busy.
+constexpr double busyPath = 0.1;
+
+/// From the fewest points to the most.
+constexpr std::array<Division, 4> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}};
+
+/// Which of them, by the number of points; `round` if they are all of balls.
+std::uint8_t divisionNumber(std::size_t points, bool round) {
+    if (points > fewPoints) return 3;
+    const std::size_t looks =
+        round ? 1 : std::clamp(pointsOfOneLook / std::max<std::size_t>(points, 1), std::size_t{1}, mostLooks);
+    return looks >= 4 ? 0 : looks >= 2 ? 1 : 2;
+}
+
+bool isBefore(const BasePath::Entry& one, const BasePath::Entry& other) { return one.pair < other.pair; }
+
+} // namespace
+
+bool BasePath::areBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                       double time) {
+    double paths = 0, sizes = 0;
+    for (const BodyIndex i : list) {
+        paths += Neighbours::surfaceSpeed(bodies, state, i) * time;
+        sizes += bodies.boundingRadius[i];
+    }
+    return paths > busyPath * sizes;
+}
+
+Division BasePath::divisionFor(std::size_t points, bool round, int passes) {
+    Division division = divisionsOfSubstep[divisionNumber(points, round)];
+    division.passes *= passes;
+    return division;
+}
+
+std::size_t BasePath::islands() const {
+    std::size_t sum = 0;
+    for (const SteppedMotion& block : m_blocks)
+        if (!block.isEmpty()) sum += block.islands();
+    return sum;
+}
+
+bool BasePath::holds(const SteppedInput& input, double substep) const {
+    if (m_isBroken || std::any_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
+            return !block.isEmpty() && !block.isUnchanged(input.state);
+        }))
+        return false;
+    const double fall = 0.5 * input.gravity.norm() * substep * substep;
+    for (const SteppedMotion& block : m_blocks)
+        for (const BodyIndex i : block.bodies()) {
+            const double moved = Neighbours::displacement(input.bodies, i, m_origin[i], input.state.pose[i]);
+            const double path = Neighbours::surfaceSpeed(input.bodies, input.state, i) * substep + fall;
+            if (moved + Neighbours::reachFactor * path > m_reach[i]) return false;
+        }
+    return true;
+}
+
+bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
+                       Neighbours& neighbours) {
+    const Bodies& bodies = input.bodies;
+    const double fall = 0.5 * input.gravity.norm() * time * time;
+    bool covered = true;
+    for (const BodyIndex i : list) {
+        m_block[i] = entering;
+        m_origin[i] = input.state.pose[i];
+        const double path = Neighbours::surfaceSpeed(bodies, input.state, i) * time + fall;
+        m_reach[i] = path + skin * bodies.boundingRadius[i];
+        covered = neighbours.covers(i, m_reach[i]) && covered;
+    }
+    if (!covered) return false;
+    for (const BodyIndex i : list)
+        for (const BodyIndex k : neighbours.around(i)) {
+            if (m_block[k] != entering || k < i || m_reach[i] == m_reach[k]) continue;
+            const double sum = m_reach[i] + m_reach[k];
+            if (boundingGap(bodies, input.state, {i, k}) > sum ||
+                !areBoxesWithin(bodies, input.state, {i, k}, sum))
+                continue;
+            const BodyIndex slower = m_reach[i] < m_reach[k] ? i : k;
+            m_reach[slower] = std::max(m_reach[i], m_reach[k]);
+            covered = neighbours.covers(slower, m_reach[slower]) && covered;
+        }
+    return covered;
+}
+
+double BasePath::marginOf(const Bodies& bodies, BodyPair pair) const {
+    const auto reachOf = [&](BodyIndex i) { return bodies.mobile[i] != 0 ? m_reach[i] : 0; };
+    return reachOf(pair.a) + reachOf(pair.b);
+}
+
+// Pairs of those that enter with each other, with those that are here and with what cannot move, ascending.
+void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> list,
+                         const Neighbours& neighbours, std::span<Manifolds::Entry> known) {
+    m_upward.clear();
+    m_downward.clear();
+    for (const BodyIndex i : list)
+        for (const BodyIndex k : neighbours.around(i)) {
+            const bool mobile = input.bodies.mobile[k] != 0;
+            if (mobile && (m_block[k] == noBlock || (m_block[k] == entering && k < i))) continue;
+            const BodyPair pair{std::min(i, k), std::max(i, k)};
+            const double margin = marginOf(input.bodies, pair);
+            if (boundingGap(input.bodies, input.state, pair) > margin ||
+                !areBoxesWithin(input.bodies, input.state, pair, margin))
+                continue;
+            (i < k ? m_upward : m_downward).push_back({pair, Manifolds::none, margin});
+        }
+    std::sort(m_downward.begin(), m_downward.end(), isBefore);
+    m_entering.reserve(m_upward.capacity() + m_downward.capacity());
+    m_entering.resize(m_upward.size() + m_downward.size());
+    std::merge(m_upward.begin(), m_upward.end(), m_downward.begin(), m_downward.end(), m_entering.begin(),
+               isBefore);
+    auto old = known.begin();
+    for (Entry& entry : m_entering) {
+        while (old != known.end() && old->pair < entry.pair) ++old;
+        if (old != known.end() && old->pair == entry.pair) std::swap(entry.place, old->place);
+    }
+}
+
+std::uint8_t BasePath::blockFor(const Island& island, const Manifolds& manifolds) const {
+    std::size_t points = 0;
+    bool round = true;
+    for (const std::uint32_t index : island.pairs) {
+        const std::uint32_t place = m_entering[index].place;
+        if (place == Manifolds::none) continue;
+        points += static_cast<std::size_t>(manifolds[place].count);
+        round = round && manifolds[place].round;
+    }
+    return divisionNumber(points, round);
+}
+
+void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
+                     std::span<const BodyPair> links, double substep, std::span<Manifolds::Entry> known,
+                     Manifolds& manifolds) {
+    findPairs(input, list, neighbours, known);
+    m_pairs.clear();
+    for (const Entry& entry : m_entering) m_pairs.push_back(entry.pair);
+    m_islands.find(input.bodies, list, m_pairs, links);
+    m_isEmpty = m_isEmpty && list.empty();
+    for (std::size_t i = 0; i < m_islands.count(); ++i) {
+        const Island island = m_islands[i];
+        std::uint8_t number = noBlock;
+        for (const std::uint32_t index : island.pairs)
+            if (const BodyIndex here = hereOf(m_entering[index].pair); here != noBody && number == noBlock)
+                number = m_block[here];
+        if (number == noBlock) number = static_cast<std::uint8_t>(blockFor(island, manifolds) + 1);
+        SteppedMotion& block = m_blocks[number - 1u];
+        if (block.isEmpty()) {
+            Division division = divisionsOfSubstep[number - 1u];
+            division.passes *= m_passes;
+            block.begin(input.bodies, division, substep);
+        }
+        block.addIsland(input, island.bodies, island.links);
+        block.beginPairs();
+        for (const std::uint32_t index : island.pairs) {
+            Entry& entry = m_entering[index];
+            const BodyIndex here = hereOf(entry.pair);
+            if (here != noBody && m_block[here] != number) {
+                m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
+                if (entry.place != Manifolds::none) manifolds.remove(entry.place);
+                continue;
+            }
+            if (here != noBody)
+                block.joinIslands(block.islandOf(here), block.islandOf(island.bodies.front()));
+            block.addPair(input, entry, manifolds);
+        }
+        for (const BodyIndex body : island.bodies) m_block[body] = number;
+    }
+}
+
+SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {
+    SteppedReport report;
+    for (SteppedMotion& block : m_blocks) {
+        if (block.isEmpty() || report.loss) continue;
+        const SteppedReport one = block.advance(input, manifolds);
+        report.residual = std::max(report.residual, one.residual);
+        report.maxPenetration = std::max(report.maxPenetration, one.maxPenetration);
+        report.contacts += one.contacts;
+        report.work.add(one.work);
+        report.loss = one.loss;
+    }
+    return report;
+}
+
+std::size_t BasePath::bytes() const {
+    std::size_t sum = m_reach.size() * (sizeof(double) + sizeof(Pose) + 1);
+    for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.bytes();
+    return sum;
+}
+
+void BasePath::leave(const SteppedInput& input, Manifolds& manifolds,
+                     std::vector<Manifolds::Entry>& carried) {
+    for (SteppedMotion& block : m_blocks) {
+        if (block.isEmpty()) continue;
+        for (const BodyIndex body : block.bodies()) m_block[body] = noBlock;
+        block.end(input, manifolds, m_leaving);
+        for (const Entry& entry : m_leaving) carried.push_back({entry.pair, entry.place});
+    }
+    m_isEmpty = true;
+    m_isBroken = false;
+}
+
+void BasePath::clear() {
+    for (SteppedMotion& block : m_blocks) {
+        for (const BodyIndex body : block.bodies()) m_block[body] = noBlock;
+        block.clear();
+    }
+    m_isEmpty = true;
+    m_isBroken = false;
+}
+
+} // namespace carom

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/stepped_motion.h"
+#include "core/solvers/islands.h"
+#include "core/solvers/neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+// Who takes the base path, and for how long: bodies enter with all pairs that can touch for a while, so that
+// the substeps search for nothing.
+//
+//     reach      how far a body's surface may come within a frame, some times its own path; bodies within
+//     reach of
+//                each other share the larger one, since one may strike the other
+//     pairs      those of the neighbours' lists within the reach of both
+//     islands    what such pairs join. Small ones look at their contacts more often and in smaller steps: a
+//     body
+//                that turns comes down with another part of it, and a chain of bodies passes an impact on by
+//                a few of them a pass. So there is a block of bodies for every division of the substep.
+//     holds      while no body outruns its reach and nobody else has moved it. Bodies at rest stay for many
+//                frames. If it does not hold, or if others join two blocks, all leave, and the solver begins
+//                anew.
+
+namespace carom {
+
+class BasePath {
+  public:
+    using Entry = SteppedMotion::Entry;
+
+    /// `passes` times the passes that are usual.
+    BasePath(std::size_t bodies, int passes)
+        : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock) {}
+
+    bool isEmpty() const { return m_isEmpty; }
+    bool has(BodyIndex body) const { return isHere(m_block[body]); }
+    /// By body: 0 for those that are not here, otherwise a number for all that are in one block.
+    std::span<const std::uint8_t> blockOf() const { return m_block; }
+    std::size_t islands() const;
+    /// Whether the pairs serve for another substep, whose paths the neighbours have noted.
+    bool holds(const SteppedInput& input, double substep) const;
+
+    /// Notes where bodies that are to enter, ascending, may come within `time` [s], until which all that are
+    /// here leave. False if the neighbours must search and this be asked again.
+    bool prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
+                 Neighbours& neighbours);
+    /// Those that were prepared enter. `known` are the manifolds there are, ascending; those of pairs that
+    /// enter are taken over: their place becomes Manifolds::none.
+    void enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
+               std::span<const BodyPair> links, double substep, std::span<Manifolds::Entry> known,
+               Manifolds& manifolds);
+    SteppedReport advance(const SteppedInput& input, Manifolds& manifolds);
+    /// visit(manifold) for every pair that is in contact, as of the last substep.
+    template<class Visit>
+    void forEachContact(const Bodies& bodies, const State& state, const Manifolds& manifolds,
+                        const Visit& visit) const {
+        for (const SteppedMotion& block : m_blocks)
+            if (!block.isEmpty()) block.forEachContact(bodies, state, manifolds, visit);
+    }
+    /// Whether `isCalm(body)` holds for all bodies of any island.
+    template<class IsCalm>
+    bool anyIsland(const IsCalm& isCalm) {
+        return std::any_of(m_blocks.begin(), m_blocks.end(),
+                           [&](SteppedMotion& block) { return !block.isEmpty() && block.anyIsland(isCalm); });
+    }
+    std::size_t bytes() const;
+    /// All leave. Appends the manifolds that are carried on.
+    void leave(const SteppedInput& input, Manifolds& manifolds, std::vector<Manifolds::Entry>& carried);
+    /// All leave, and nothing is carried on.
+    void clear();
+
+    /// Whether bodies move so far in `time` [s] that their pairs had better be found each substep: a matter
+    /// of cost alone.
+    static bool areBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                        double time);
+    /// How an island of so many contact points divides a substep; `round` if they are all of balls.
+    static Division divisionFor(std::size_t points, bool round, int passes);
+
+  private:
+    static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
+    static constexpr std::size_t divisions = 4;
+    static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
+    double marginOf(const Bodies& bodies, BodyPair pair) const;
+    void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
+                   std::span<Manifolds::Entry> known);
+    std::uint8_t blockFor(const Island& island, const Manifolds& manifolds) const;
+    /// The end of a pair that is here already, or noBody.
+    BodyIndex hereOf(BodyPair pair) const { return has(pair.a) ? pair.a : has(pair.b) ? pair.b : noBody; }
+
+    int m_passes = 1;
+    bool m_isEmpty = true;
+    bool m_isBroken = false;           // a pair of two blocks may meet in the next substep
+    std::vector<double> m_reach;       // by body [m]
+    std::vector<Pose> m_origin;        // by body: where it was when it entered
+    std::vector<std::uint8_t> m_block; // by body
+    std::array<SteppedMotion, divisions> m_blocks;
+    std::vector<Entry> m_entering, m_upward, m_downward, m_leaving;
+    std::vector<BodyPair> m_pairs; // of m_entering
+    Islands m_islands;
+};
+
+} // namespace carom

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/calm.h"
+
+#include "core/dynamics/energy.h"
+
+namespace carom {
+namespace {
+
+constexpr double calmTime = 5;
+
+} // namespace
+
+void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                const Vec3& gravity, double time) {
+    const double most = calmSpeed * calmSpeed * gravity.norm();
+    for (const BodyIndex i : list) {
+        const double size = bodies.boundingRadius[i];
+        const double speed = state.velocity[i].norm() + state.angularVelocity[i].norm() * size;
+        m_times[i] = speed * speed <= most * size ? m_times[i] + time : 0;
+    }
+}
+
+bool Calm::isCalm(const Bodies& bodies, BodyIndex body, const Vec3& gravity) const {
+    return m_times[body] * m_times[body] * gravity.norm() >=
+           calmTime * calmTime * bodies.boundingRadius[body];
+}
+
+void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger) {
+    for (const BodyIndex i : list) {
+        if (ledger != nullptr) {
+            LedgerEntry& entry = (*ledger)[LedgerAccount::Rest];
+            entry.energy -=
+                0.5 * bodies.mass[i] * state.velocity[i].squaredNorm() + spinEnergy(bodies, i, state);
+            entry.momentum -= bodies.mass[i] * state.velocity[i];
+        }
+        state.velocity[i].setZero();
+        state.angularVelocity[i].setZero();
+    }
+}
+
+} // namespace carom

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/velocity_solve.h"
+#include "core/solvers/contacts/wide_bodies.h"
+
+// The law of a contact point, as the head comment of velocity_solve.h has it, for four points at a time.
+
+namespace carom {
+
+/// rate, c and d of the head comment.
+struct Softness {
+    Wide rate, part, decay;
+};
+
+/// The same for contacts with what cannot move, and for those between two that can, which are half as hard.
+struct Softnesses {
+    Softness hard, soft;
+};
+
+CAROM_INLINE Softness softnessOf(double stiffness, const StepSettings& settings) {
+    constexpr double turn = 6.283185307179586;
+    const double angle = 2 * turn * settings.hardness * stiffness; // h ω
+    const double sum = 2 * settings.damping + angle, k = angle * sum, decay = 1 / (1 + k);
+    return {wideOf(angle / (sum * settings.duration)), wideOf(k * decay), wideOf(decay)};
+}
+
+CAROM_INLINE Softnesses softnessesOf(const StepSettings& settings) {
+    return {softnessOf(1, settings), softnessOf(0.5, settings)};
+}
+
+CAROM_INLINE Softness select(const Wide& hard, const Softnesses& both) {
+    const auto isHard = hard > Wide{};
+    return {isHard ? both.hard.rate : both.soft.rate, isHard ? both.hard.part : both.soft.part,
+            isHard ? both.hard.decay : both.soft.decay};
+}
+
+enum class Pass { Feedback, Relax, Rebound };
+
+/// New impulses of a point of `row` in `group` whose velocity is (uₙ, uₜ₁, uₜ₂). The changes, in the same
+/// order [N s]. `worst` becomes at least the largest change as a speed [m/s], in passes that relax.
+template<Pass pass, class Group, class Row>
+CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Group& group,
+                              const Softness& soft, double duration, Row& row, Wide& worst) {
+    const Wide zero{}, one = wideOf(1), perDuration = wideOf(1 / duration);
+    const Wide q1 = row.along1 - row.massTangent * velocity.y, q2 = row.along2 - row.massTangent * velocity.z;
+    const Wide most = group.friction * row.normal, square = q1 * q1 + q2 * q2;
+    const auto slips = square > most * most;
+    Wide part = one;
+    if (anyLane(slips ? one : zero)) part = slips ? most / rootOf(square) : one;
+    const Wide d1 = part * q1 - row.along1, d2 = part * q2 - row.along2;
+
+    Wide speed = velocity.x;
+    if constexpr (requires { row.coupling1; }) speed = speed + row.coupling1 * d1 + row.coupling2 * d2;
+    Wide bias, share = one, decay = zero;
+    if constexpr (pass == Pass::Feedback) {
+        bias = gap > zero ? gap * perDuration : larger(soft.rate * gap, -group.push);
+        share = gap > zero ? one : soft.part;
+        decay = gap > zero ? zero : soft.decay;
+    } else {
+        bias = gap > zero ? gap * perDuration : zero;
+    }
+    if constexpr (pass == Pass::Rebound)
+        bias = (row.approach > zero) & (row.normal > zero) ? -group.restitution * row.approach : bias;
+    const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - decay * row.normal;
+    Wide normal = larger(wanted, zero);
+    if constexpr (pass != Pass::Feedback) // what is still open and not needed yet is left to the next step
+        normal = (gap > zero) & (row.normal == zero) ? zero : normal;
+    const Wide dn = normal - row.normal;
+    if constexpr (pass == Pass::Relax) {
+        const Wide off = row.massNormal > zero ? absolute(dn) / row.massNormal : zero;
+        const Wide slip =
+            row.massTangent > zero ? larger(absolute(d1), absolute(d2)) / row.massTangent : zero;
+        worst = larger(worst, larger(off, slip));
+    }
+    row.normal = normal;
+    row.along1 += d1;
+    row.along2 += d2;
+    return {dn, d1, d2};
+}
+
+/// The closing speed of a point of `row` that an impact would begin with [m/s]; 0 where there is none.
+template<class Group, class Row>
+CAROM_INLINE Wide approachOf(const Group& group, const Row& row, const Wide& closing, double resting) {
+    const Wide zero{};
+    Wide approach = closing > wideOf(resting) ? closing : zero;
+    approach = row.normal > zero ? zero : approach;
+    approach = group.restitution > zero ? approach : zero;
+    return row.massNormal > zero ? approach : zero;
+}
+
+/// Where an impact is.
+template<class Row>
+CAROM_INLINE auto isStruck(const Row& row) {
+    return (row.approach > Wide{}) & (row.normal > Wide{});
+}
+
+/// Forgets the impulses of a point that parts faster than what rests.
+template<class Group, class Row>
+CAROM_INLINE void forgetImpulse(const Group& group, Row& row, double resting) {
+    const Wide zero{};
+    const auto leaves = group.restitution * row.approach > wideOf(resting);
+    row.normal = leaves ? zero : row.normal;
+    row.along1 = leaves ? zero : row.along1;
+    row.along2 = leaves ? zero : row.along2;
+}
+
+} // namespace carom

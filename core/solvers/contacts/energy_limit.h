@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/solver_body.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Newton's law of impact for several contacts at once may gain energy, all the more as few passes do not
+// solve it. So the rebound goes from the velocities before it, v, to those after it, v + Δv, only as far as
+// the kinetic energy T of the island allows:
+//
+//     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit
+//
+// Contacts do not close by that: they parted at s = 0 and at s = 1.
+
+namespace carom {
+
+/// Of all bodies that can move [J].
+double kineticEnergyOf(std::span<const SolverBody> bodies);
+
+class EnergyLimit {
+  public:
+    /// The limit of an island is the kinetic energy its bodies have now. `islandOf` is by body.
+    void remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
+                  std::size_t islands);
+    /// Raises the limit of an island by what springs do to it [J].
+    void allow(std::uint32_t island, double work) { m_sums[island].limit += work; }
+    /// Takes bodies back towards `before`, by as little as keeps every island within its limit.
+    void keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
+              std::span<SolverBody> bodies);
+
+  private:
+    struct Sums {
+        double limit = 0, before = 0, between = 0, after = 0; // [J]; between: ½ Σ v · M (v + Δv)
+        double part = 1;                                      // s
+    };
+    std::vector<Sums> m_sums; // by island
+};
+
+} // namespace carom

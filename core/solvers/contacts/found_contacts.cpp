@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/found_contacts.h"
+
+#include "core/dynamics/contact_memory.h"
+
+#include <limits>
+
+namespace carom {
+namespace {
+
+bool isBefore(const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; }
+
+} // namespace
+
+void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> candidates,
+                         const Candidates& margins, const Refinement& refinement,
+                         const ContactSet& remembered, WorkCounters& work) {
+    m_found.clear();
+    m_found.makeRoom(candidates.size(), candidates.size());
+    m_place.clear();
+    m_canMeet.clear();
+    m_apart.clear();
+    m_distant.clear();
+    std::size_t old = 0;
+    auto carried = m_manifolds.entries().begin();
+    const auto carriedEnd = m_manifolds.entries().end();
+    for (const BodyPair pair : candidates) {
+        while (carried != carriedEnd && carried->pair < pair) m_distant.push_back(*carried++);
+        const bool isCarried = carried != carriedEnd && carried->pair == pair;
+        const double margin = margins.marginOf(here.bodies, pair);
+        const ContactPair contact = pairOf(here.bodies, pair, margin);
+        if (isCarried || refinement.isStepped(here.bodies, pair)) {
+            const std::uint32_t place = isCarried ? (carried++)->place : m_manifolds.add(pair);
+            work.pairsCollided += updateManifold(here, margin, m_manifolds[place]) ? 1 : 0;
+            const PersistentManifold& manifold = m_manifolds[place];
+            if (manifold.count == 0) {
+                m_apart.push_back({pair, place});
+                continue;
+            }
+            m_found.pairs.push_back(contact);
+            m_place.push_back(place);
+            m_canMeet.push_back(manifold.open ? 0 : 1);
+            continue;
+        }
+        while (old < remembered.pairs.size() && remembered.pairs[old].bodies() < pair) ++old;
+        std::span<const ContactConstraint> memory;
+        if (old < remembered.pairs.size() && remembered.pairs[old].bodies() == pair)
+            memory = remembered.pointsOf(remembered.pairs[old]);
+        ++work.pairsCollided;
+        const std::size_t count = m_found.pairs.size();
+        collideInto(here.bodies, here.state, contact, memory, m_found);
+        if (m_found.pairs.size() == count) continue;
+        m_place.push_back(Manifolds::none);
+        double gap = std::numeric_limits<double>::infinity();
+        for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
+            gap = std::min(gap, point.separation);
+        m_canMeet.push_back(carom::canMeet(here, pair, gap) ? 1 : 0);
+    }
+    m_distant.insert(m_distant.end(), carried, carriedEnd);
+}
+
+void FoundContacts::makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
+                              WorkCounters& work) {
+    for (const std::uint32_t index : pairs) {
+        if (m_place[index] == Manifolds::none) continue;
+        const ContactPair pair = m_found.pairs[index];
+        m_scratch.clear();
+        appendTo(m_scratch, here, pair, m_manifolds[m_place[index]]);
+        m_manifolds.remove(m_place[index]);
+        m_place[index] = Manifolds::none;
+        m_fresh.clear();
+        ++work.pairsCollided;
+        collideInto(here.bodies, here.state, pair, m_scratch.points, m_fresh);
+        ContactPair& found = m_found.pairs[index];
+        found.first = static_cast<std::uint32_t>(m_found.points.size());
+        found.count = 0;
+        if (m_fresh.pairs.empty()) continue;
+        found.count = m_fresh.pairs.front().count;
+        found.resolution = m_fresh.pairs.front().resolution;
+        m_found.points.insert(m_found.points.end(), m_fresh.points.begin(), m_fresh.points.end());
+    }
+}
+
+void FoundContacts::makeManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
+                                  WorkCounters& work) {
+    for (const std::uint32_t index : pairs) {
+        if (m_place[index] != Manifolds::none) continue;
+        const ContactPair& pair = m_found.pairs[index];
+        PersistentManifold manifold = manifoldOf(here, pair, m_found.pointsOf(pair));
+        ++work.pairsCollided;
+        updateManifold(here, pair.margin, manifold);
+        m_place[index] = m_manifolds.add(manifold);
+    }
+}
+
+// Found and apart, ascending.
+void FoundContacts::list() {
+    m_listed.clear();
+    auto apart = m_apart.begin();
+    for (std::size_t i = 0; i < m_place.size(); ++i) {
+        if (m_place[i] == Manifolds::none) continue;
+        const BodyPair pair = m_found.pairs[i].bodies();
+        while (apart != m_apart.end() && apart->pair < pair) m_listed.push_back(*apart++);
+        m_listed.push_back({pair, m_place[i]});
+    }
+    m_listed.insert(m_listed.end(), apart, m_apart.end());
+}
+
+std::span<Manifolds::Entry> FoundContacts::known() {
+    list();
+    m_known.clear();
+    std::merge(m_listed.begin(), m_listed.end(), m_distant.begin(), m_distant.end(),
+               std::back_inserter(m_known), isBefore);
+    return m_known;
+}
+
+// Removes the manifolds of some of the known entries, ascending, but for those that were taken over.
+void FoundContacts::drop(std::span<const Manifolds::Entry> entries) {
+    auto known = m_known.begin();
+    for (const Manifolds::Entry& entry : entries) {
+        while (known != m_known.end() && known->pair < entry.pair) ++known;
+        const bool isTaken =
+            known != m_known.end() && known->pair == entry.pair && known->place == Manifolds::none;
+        if (!isTaken) m_manifolds.remove(entry.place);
+    }
+}
+
+void FoundContacts::dropDistant() {
+    drop(m_distant);
+    m_distant.clear();
+    m_known.clear();
+}
+
+void FoundContacts::carryOn(std::span<const Manifolds::Entry> others) {
+    list();
+    m_manifolds.exchange(m_listed);
+    carryWith(others);
+}
+
+void FoundContacts::carryWith(std::span<const Manifolds::Entry> others) {
+    const std::span<const Manifolds::Entry> carried = m_manifolds.entries();
+    m_known.clear();
+    std::merge(carried.begin(), carried.end(), others.begin(), others.end(), std::back_inserter(m_known),
+               isBefore);
+    m_manifolds.exchange(m_known);
+    m_known.clear();
+}
+
+} // namespace carom

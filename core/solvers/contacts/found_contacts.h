@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/work_counters.h"
+#include "core/solvers/candidates.h"
+#include "core/solvers/contacts/manifolds.h"
+#include "core/shapes/manifold.h"
+#include "core/solvers/contacts/refinement.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <vector>
+
+// The contacts of a substep, in two forms. Bodies that took the base path in the substep before have their
+// contacts carried along as manifolds; the others have them found anew by the exact kernels, with the forces
+// they had. Who goes on in the other form has his contacts turned into it.
+//
+//     found      pairs with points, or that may come to touch; with a manifold or without
+//     apart      carried for the direction in which the pair is apart
+//     distant    carried, of pairs that cannot touch within the substep; who is not taken over is dropped
+
+namespace carom {
+
+class FoundContacts {
+  public:
+    FoundContacts() {
+        for (ContactSet* set : {&m_scratch, &m_fresh}) set->makeRoom(1, Manifold::capacity);
+    }
+    /// `remembered` are the contacts with forces of those that have no manifolds.
+    void find(const ManifoldInput& here, std::span<const BodyPair> candidates, const Candidates& margins,
+              const Refinement& refinement, const ContactSet& remembered, WorkCounters& work);
+
+    const ContactSet& set() const { return m_found; }
+    /// By pair of the set, 1: its bodies may touch within the substep.
+    std::span<const std::uint8_t> canMeet() const { return m_canMeet; }
+    Manifolds& manifolds() { return m_manifolds; }
+    const Manifolds& manifolds() const { return m_manifolds; }
+    void recall(const Manifolds& manifolds) { m_manifolds = manifolds; }
+
+    /// Some of the pairs, with points where they are now, found by the exact kernels.
+    void makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
+    /// Some of the pairs, with manifolds.
+    void makeManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
+    /// The manifold of a pair, if it has one.
+    std::uint32_t placeOf(std::uint32_t pair) const { return m_place[pair]; }
+
+    /// All manifolds, ascending. Who takes one over sets its place to none, and takes all of its bodies'
+    /// pairs.
+    std::span<Manifolds::Entry> known();
+    /// Forgets the pairs whose bodies were taken; drops what is apart or distant and was not taken over.
+    template<class IsTaken>
+    void forgetTaken(const IsTaken& isTaken) {
+        for (std::size_t i = 0; i < m_place.size(); ++i)
+            if (isTaken(m_found.pairs[i].bodies())) m_place[i] = Manifolds::none;
+        std::vector<Manifolds::Entry>& dropped = m_listed;
+        dropped.clear();
+        for (const Manifolds::Entry& entry : m_apart)
+            if (isTaken(entry.pair)) dropped.push_back(entry);
+        drop(dropped);
+        std::erase_if(m_apart, [&](const Manifolds::Entry& entry) { return isTaken(entry.pair); });
+        dropDistant();
+    }
+    /// Drops what is distant.
+    void dropDistant();
+    /// The manifolds of the pairs, and `others`, ascending, are carried on.
+    void carryOn(std::span<const Manifolds::Entry> others);
+    /// `others` too, beside what is carried on.
+    void carryWith(std::span<const Manifolds::Entry> others);
+
+  private:
+    void list();
+    void drop(std::span<const Manifolds::Entry> entries);
+
+    Manifolds m_manifolds;
+    ContactSet m_found, m_scratch, m_fresh;
+    std::vector<std::uint8_t> m_canMeet; // by pair of m_found
+    std::vector<std::uint32_t> m_place;  // by pair of m_found: its manifold, or none
+    std::vector<Manifolds::Entry> m_apart, m_distant, m_listed, m_known;
+};
+
+} // namespace carom
