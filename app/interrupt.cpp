@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cerrno>
 #include <condition_variable>
@@ -19,11 +20,12 @@
 namespace carom {
 namespace {
 
-volatile std::sig_atomic_t signalled = 0;
+std::atomic<bool> signalled = false; ///< the handler runs on any thread, and the watching one reads it
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 std::array<int, 2> wakePipe{-1, -1}; ///< written to by the handler and by whoever ends the watching
 
 extern "C" void noteSignal(int) {
-    signalled = 1;
+    signalled = true;
     const char byte = 0;
     if (wakePipe[1] >= 0 && ::write(wakePipe[1], &byte, 1) < 0) return; // full: it wakes all the same
 }
@@ -46,7 +48,7 @@ void catchInterrupts() {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) catchSignal(number);
 }
 
-bool interrupted() { return signalled != 0; }
+bool interrupted() { return signalled; }
 
 InterruptibleWork::InterruptibleWork(std::function<void()> writeWhatThereIs)
     : m_writeWhatThereIs(std::move(writeWhatThereIs)),
