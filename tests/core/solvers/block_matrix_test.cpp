@@ -11,6 +11,9 @@
 #include <vector>
 
 #include <malloc.h>
+#ifdef __SANITIZE_ADDRESS__ // of its allocator, which GCC has no header for
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
+#endif
 
 // The order of elimination against a search through all blocks, and the bound on what fills in.
 
@@ -88,8 +91,12 @@ BlockMatrix factored(Random& random, int blocks, const std::vector<BlockEdge>& e
 
 /// Allocated and not freed [bytes].
 std::size_t bytesInUse() {
+#ifdef __SANITIZE_ADDRESS__
+    return __sanitizer_get_current_allocated_bytes();
+#else
     const struct mallinfo2 info = mallinfo2();
     return info.uordblks + info.hblkhd;
+#endif
 }
 
 } // namespace
