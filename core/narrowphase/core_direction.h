@@ -11,10 +11,10 @@
 // are tried beside it, and the one with the largest gap is taken: the gap along any direction is a lower
 // bound of the signed distance (axis_search.h).
 //
-// Limits: where a rim meets an edge or a rim the direction is that of the cores. The gap along it is too small by
-// (√3 − 1) (rA + rB) at most, with the rims rA and rB, which is .037 of the smallest half dimensions of both
-// together; among random near pairs by less than 6e-4 of the size for nine in ten. Cores that overlap are left to
-// the exact method.
+// Limits: where a rim meets an edge or a rim the direction is that of the cores. The gap along it is too
+// small by (√3 − 1) (rA + rB) at most, with the rims rA and rB, which is .037 of the smallest half dimensions
+// of both together; among random near pairs by less than 6e-4 of the size for nine in ten. Cores that overlap
+// are left to the exact method.
 
 namespace carom {
 
