@@ -20,6 +20,10 @@ inline Vec3 uniformIn(Random& random, double half) {
     return {x, y, random.uniform(-half, half)};
 }
 
+inline Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
+    return {from[0][lane], from[1][lane], from[2][lane]};
+}
+
 inline Vec3 directionOf(Random& random) {
     const double x = random.gaussian(), y = random.gaussian();
     return Vec3(x, y, random.gaussian()).normalized();
