@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/obvious_contacts.h"
 #include "tests/support/solver_rows.h"
 #include "tests/support/test_class.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <vector>
 
 // The passes of the velocity solve, four contacts at a time, against the same formulas for one contact after
@@ -19,6 +19,8 @@
 namespace carom {
 namespace {
 
+using test::ObviousContacts;
+using test::ObviousPoint;
 using test::OwnedPair;
 using test::RowKind;
 using test::RowScene;
@@ -27,162 +29,16 @@ constexpr std::uint64_t seed = 20262;
 /// Of velocities of about 1 m/s after some passes with masses of about 1 kg.
 constexpr double rounding = 1e-11;
 
-enum class Pass { Feedback, Relax, Rebound };
-
-Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
-    return {from[0][lane], from[1][lane], from[2][lane]};
-}
-
-/// One contact after another, as the head comment of velocity_solve.h has it.
-class Obvious {
-  public:
-    Obvious(const ContactRows& itsRows, std::span<const SolverBody> itsBodies)
-        : rows(itsRows), bodies(itsBodies.begin(), itsBodies.end()) {}
-
-    ContactRows rows;
-    std::vector<SolverBody> bodies;
-    /// By how much a tangential impulse was outside its disc when it was set [N s].
-    double violationWhenSet = 0;
-
-    void warmStart() {
-        forEach(false, [this](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t k) {
-            apply(group, row, lane, rows.impulseOf(group, static_cast<int>(lane), k));
-        });
-    }
-
-    bool recordApproach(const StepSettings& settings) {
-        bool any = false;
-        forEach(false, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
-            const double closing = -laneOf(group.normal, lane).dot(velocityAt(group, row, lane));
-            const bool counts =
-                group.restitution[lane] > 0 && !(row.normal[lane] > 0) && closing > settings.resting;
-            row.approach[lane] = counts ? closing : 0;
-            any = any || counts;
-        });
-        return any;
-    }
-
-    double pass(Pass kind, std::span<const Displacement> moved, const StepSettings& settings, bool back) {
-        double worst = 0;
-        forEach(back, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
-            worst = std::max(worst, solve(kind, group, row, lane, moved, settings));
-        });
-        return worst;
-    }
-
-    int struckRows() {
-        int struck = 0;
-        forEach(false, [&](RowGroup&, RowPoint& row, std::size_t lane, std::uint32_t) {
-            struck += row.approach[lane] > 0 && row.normal[lane] > 0;
-        });
-        return struck;
-    }
-
-    void forgetImpulses(const StepSettings& settings) {
-        forEach(false, [&](RowGroup& group, RowPoint& row, std::size_t lane, std::uint32_t) {
-            if (group.restitution[lane] * row.approach[lane] > settings.resting)
-                row.normal[lane] = row.along1[lane] = row.along2[lane] = 0;
-        });
-    }
-
-  private:
-    template<class Do>
-    void forEach(bool back, const Do& perform) {
-        const std::size_t count = rows.groups().size();
-        for (std::size_t i = 0; i < count; ++i) {
-            RowGroup& group = rows.groups()[back ? count - 1 - i : i];
-            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-                if (group.source[lane] == ContactRows::noPair) continue;
-                for (std::uint32_t k = 0; k < group.points; ++k) {
-                    RowPoint& row = rows.points()[group.firstPoint + k];
-                    if (row.massNormal[lane] > 0) perform(group, row, lane, k);
-                }
-            }
-        }
-    }
-
-    Vec3 velocityAt(const RowGroup& group, const RowPoint& row, std::size_t lane) const {
-        return carom::velocityAt(bodies[group.b[lane]], laneOf(row.armB, lane)) -
-               carom::velocityAt(bodies[group.a[lane]], laneOf(row.armA, lane));
-    }
-
-    void apply(const RowGroup& group, const RowPoint& row, std::size_t lane, const Vec3& impulse) {
-        push(bodies[group.a[lane]], laneOf(row.armA, lane), -impulse);
-        push(bodies[group.b[lane]], laneOf(row.armB, lane), impulse);
-    }
-
-    double solve(Pass kind, const RowGroup& group, RowPoint& row, std::size_t lane,
-                 std::span<const Displacement> moved, const StepSettings& settings) {
-        const Vec3 n = laneOf(group.normal, lane), t1 = laneOf(group.tangent, lane), t2 = n.cross(t1);
-        const Vec3 armA = laneOf(row.armA, lane), armB = laneOf(row.armB, lane);
-        const double h = settings.duration;
-
-        // Friction, within the disc of the normal impulse so far.
-        Vec3 u = velocityAt(group, row, lane);
-        Eigen::Vector2d tangential(row.along1[lane], row.along2[lane]);
-        const Eigen::Vector2d before = tangential;
-        tangential -= row.massTangent[lane] * Eigen::Vector2d(t1.dot(u), t2.dot(u));
-        const double radius = group.friction[lane] * row.normal[lane];
-        if (tangential.norm() > radius) tangential *= radius / tangential.norm();
-        const Eigen::Vector2d change = tangential - before;
-        apply(group, row, lane, change.x() * t1 + change.y() * t2);
-
-        // The separation now.
-        double gap = row.gap[lane];
-        if (!moved.empty()) {
-            const Displacement &a = moved[group.a[lane]], &b = moved[group.b[lane]];
-            gap += n.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(armB) - vectorOf(a.shift) -
-                         vectorOf(a.turn).cross(armA));
-        }
-        double bias = 0, part = 1, decay = 0;
-        if (gap > 0) {
-            bias = gap / h;
-        } else if (kind == Pass::Feedback) { // a damped spring, implicit
-            const double angle = 2 * std::numbers::pi * settings.hardness * (group.hard[lane] > 0 ? 2 : 1);
-            const double omega = angle / h, damping = settings.damping;
-            const double rate = omega / (2 * damping + h * omega);
-            const double k = h * omega * (2 * damping + h * omega);
-            bias = std::max(rate * gap, -group.push[lane]);
-            part = k / (1 + k);
-            decay = 1 / (1 + k);
-        }
-        if (kind == Pass::Rebound && row.approach[lane] > 0 && row.normal[lane] > 0)
-            bias = -group.restitution[lane] * row.approach[lane];
-        u = velocityAt(group, row, lane);
-        const double old = row.normal[lane];
-        double normal = std::max(0.0, old - part * row.massNormal[lane] * (n.dot(u) + bias) - decay * old);
-        if (kind != Pass::Feedback && gap > 0 && old == 0) normal = 0;
-        apply(group, row, lane, (normal - old) * n);
-
-        row.normal[lane] = normal;
-        row.along1[lane] = tangential.x();
-        row.along2[lane] = tangential.y();
-        violationWhenSet = std::max(violationWhenSet, tangential.norm() - radius);
-        return std::max({std::abs(normal - old) / row.massNormal[lane],
-                         std::abs(change.x()) / row.massTangent[lane],
-                         std::abs(change.y()) / row.massTangent[lane]});
-    }
-};
-
-double largestDifference(std::span<const SolverBody> one, std::span<const SolverBody> other) {
+/// Impulses [N s] and approaches [m/s].
+double largestDifference(const ContactRows& one, const ObviousContacts& other) {
     double largest = 0;
-    for (std::size_t i = 0; i < one.size(); ++i)
-        largest = std::max({largest, (vectorOf(one[i].velocity) - vectorOf(other[i].velocity)).norm(),
-                            (vectorOf(one[i].spin) - vectorOf(other[i].spin)).norm()});
-    return largest;
-}
-
-double largestDifference(const ContactRows& one, const ContactRows& other) {
-    double largest = 0;
-    for (const RowGroup& group : one.groups())
-        for (int lane = 0; lane < wideLanes; ++lane)
-            for (std::uint32_t k = 0; k < group.points; ++k) {
-                largest = std::max(largest,
-                                   (one.impulseOf(group, lane, k) - other.impulseOf(group, lane, k)).norm());
-                const std::size_t l = static_cast<std::size_t>(lane);
-                largest = std::max(largest, std::abs(one.points()[group.firstPoint + k].approach[l] -
-                                                     other.points()[group.firstPoint + k].approach[l]));
-            }
+    const ObviousContacts mine = test::obviousOf(one, {});
+    for (std::size_t i = 0; i < mine.groups.size(); ++i)
+        for (std::size_t k = 0; k < mine.groups[i].size(); ++k) {
+            const ObviousPoint &here = mine.groups[i][k], &there = other.groups[i][k];
+            largest = std::max({largest, (here.impulse() - there.impulse()).norm(),
+                                std::abs(here.approach - there.approach)});
+        }
     return largest;
 }
 
@@ -263,14 +119,14 @@ class VelocitySolveTest : public QObject {
         for (int trial = 0; trial < 100; ++trial) {
             RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40));
             ContactRows rows = scene.rows();
-            Obvious expected(rows, scene.bodies);
+            ObviousContacts expected = test::obviousOf(rows, scene.bodies);
             const StepSettings settings{.duration = random.uniform(0.001, 0.02),
                                         .hardness = random.uniform(0.05, 0.3),
                                         .damping = random.uniform(0.5, 10),
                                         .resting = random.uniform(0, 0.1)};
             const auto agrees = [&](double within) {
-                return largestDifference(scene.bodies, expected.bodies) < within &&
-                       largestDifference(rows, expected.rows) < within;
+                return test::largestDifference(scene.bodies, expected.bodies) < within &&
+                       largestDifference(rows, expected) < within;
             };
             QCOMPARE(recordApproach(rows, scene.bodies, settings), expected.recordApproach(settings));
             QVERIFY(agrees(rounding));
@@ -281,26 +137,27 @@ class VelocitySolveTest : public QObject {
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 != 0;
                 solveVelocities(rows, scene.bodies, {}, settings, back);
-                expected.pass(Pass::Feedback, {}, settings, back);
+                expected.pass(ObviousContacts::Pass::Feedback, {}, settings, back);
                 QVERIFY(agrees(rounding));
             }
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 == 0;
                 solveVelocities(rows, scene.bodies, moved, settings, back);
-                expected.pass(Pass::Feedback, moved, settings, back);
+                expected.pass(ObviousContacts::Pass::Feedback, moved, settings, back);
                 QVERIFY(agrees(rounding));
             }
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 != 0;
                 const double residual = relaxVelocities(rows, scene.bodies, moved, settings, back);
-                const double other = expected.pass(Pass::Relax, moved, settings, back);
+                const double other = expected.pass(ObviousContacts::Pass::Relax, moved, settings, back);
                 QVERIFY(std::abs(residual - other) < rounding * (1 + other));
                 QVERIFY(agrees(rounding));
             }
             const int struck = struckRows(rows);
             QCOMPARE(struck, expected.struckRows());
             rebound(rows, scene.bodies, moved, settings, 3);
-            for (int pass = 0; pass < 3; ++pass) expected.pass(Pass::Rebound, moved, settings, pass % 2 != 0);
+            for (int pass = 0; pass < 3; ++pass)
+                expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
             expected.forgetImpulses(settings);
             QVERIFY(agrees(rounding));
             impacts += struck;
@@ -337,7 +194,7 @@ class VelocitySolveTest : public QObject {
                     torques.push_back(torque);
                 }
                 resistRolling(rows, scene.bodies);
-                QVERIFY(largestDifference(scene.bodies, bodies) < rounding);
+                QVERIFY(test::largestDifference(scene.bodies, bodies) < rounding);
                 for (std::size_t i = 0; i < torques.size(); ++i) {
                     QVERIFY((rows.rolling()[i].torque - torques[i]).norm() < rounding);
                     QVERIFY(std::abs(rows.rolling()[i].torque.dot(rows.rolling()[i].normal)) < rounding);

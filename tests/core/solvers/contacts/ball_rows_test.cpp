@@ -1,0 +1,748 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/obvious_contacts.h"
+#include "tests/support/obvious_groups.h"
+#include "tests/support/solver_rows.h"
+#include "tests/support/test_class.h"
+
+#include "core/solvers/contacts/ball_rows.h"
+#include "core/solvers/contacts/manifolds.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
+#include <vector>
+
+// Contacts of balls, four at a time, against the same formulas for one pair after another, against the rows
+// of contacts of any shape, and against the closed form of an impact.
+
+namespace carom {
+namespace {
+
+using test::ObviousContacts;
+using test::ObviousPoint;
+
+constexpr std::uint64_t seed = 20264;
+/// Of velocities of about 1 m/s after some passes with masses of about 1 kg.
+constexpr double rounding = 1e-11;
+/// Of a normal that is foreseen: the root of a difference of squares gives the time of the meeting.
+constexpr double foreseenRounding = 1e-10;
+
+double uniformLog(Random& random, double low, double high) {
+    return std::exp(random.uniform(std::log(low), std::log(high)));
+}
+
+struct BallScene {
+    std::vector<SolverBody> bodies; ///< the last cannot move
+    std::vector<BodyPlace> places;
+    std::vector<double> radii;
+    std::vector<BallPair> pairs;
+    double duration = 0.004;
+    Vec3 gravity = Vec3(0, -9.81, 0);
+
+    std::uint32_t immobile() const { return static_cast<std::uint32_t>(bodies.size() - 1); }
+
+    std::uint32_t addBall(double radius, double mass, const Vec3& place, const Vec3& velocity) {
+        const auto at = static_cast<std::ptrdiff_t>(radii.size());
+        SolverBody ball;
+        ball.inverseMass = 1 / mass;
+        ball.roundInverse = 2.5 / (mass * radius * radius);
+        ball.velocity = arrayOf(velocity);
+        test::setInverseInertia(ball.roundInverse * Mat3::Identity(), ball);
+        bodies.insert(bodies.begin() + at, ball);
+        places.insert(places.begin() + at, BodyPlace{arrayOf(place)});
+        radii.push_back(radius);
+        return static_cast<std::uint32_t>(at);
+    }
+    /// Two balls, or a ball and what cannot move, which is the pair's A.
+    BallPair& addPair(std::uint32_t a, std::uint32_t b) {
+        BallPair& pair = pairs.emplace_back();
+        pair.a = a;
+        pair.b = b;
+        pair.radiusB = radii[b];
+        if (a != immobile()) pair.radiusA = radii[a];
+        return pair;
+    }
+    BallPair& addWall(const Vec3& normal, const Vec3& point, std::uint32_t b) {
+        BallPair& pair = addPair(immobile(), b);
+        pair.wall = true;
+        pair.normal = normal;
+        pair.fixed = point;
+        return pair;
+    }
+    Vec3 between(const BallPair& pair) const {
+        return vectorOf(places[pair.b].position) - vectorOf(places[pair.a].position) - pair.fixed;
+    }
+    double gapOf(const BallPair& pair) const {
+        const Vec3 d = between(pair);
+        return (pair.wall ? pair.normal.dot(d) : d.norm()) - pair.radiusA - pair.radiusB;
+    }
+    Vec3 velocityOf(const BallPair& pair) const { // of B relative to A, in the mean of the time
+        Vec3 velocity = vectorOf(bodies[pair.b].velocity) - vectorOf(bodies[pair.a].velocity);
+        if (pair.a == immobile()) velocity += 0.5 * duration * gravity;
+        return velocity;
+    }
+
+    void fill(BallRows& rows) const {
+        rows.clear();
+        rows.begin(bodies.size());
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            rows.add(pairs[i], static_cast<std::uint32_t>(i), immobile(), bodies);
+    }
+    void refresh(BallRows& rows) const { rows.refresh(bodies, places, duration, gravity); }
+    std::vector<Displacement> still() const { return std::vector<Displacement>(bodies.size()); }
+};
+
+BallScene emptyScene() {
+    BallScene scene;
+    scene.bodies.emplace_back();
+    scene.places.emplace_back();
+    return scene;
+}
+
+/// Balls in a box, some fixed ones among them, and pairs of those that are near each other.
+BallScene randomBalls(Random& random, std::size_t count) {
+    BallScene scene = emptyScene();
+    const double side = 0.3 * std::cbrt(static_cast<double>(count));
+    const double speed = uniformLog(random, 0.1, 20);
+    scene.duration = uniformLog(random, 0.001, 0.01);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t ball =
+            scene.addBall(random.uniform(0.05, 0.15), random.uniform(0.5, 3), test::uniformIn(random, side),
+                          speed * test::uniformIn(random, 1));
+        scene.bodies[ball].spin = arrayOf(test::uniformIn(random, 5));
+    }
+    for (std::uint32_t b = 0; b < count; ++b) {
+        for (std::uint32_t a = 0; a < b; ++a) {
+            scene.addPair(a, b);
+            if (scene.gapOf(scene.pairs.back()) > 0.1) scene.pairs.pop_back();
+        }
+        const Vec3 here = vectorOf(scene.places[b].position);
+        if (random.below(3) == 0) {
+            const Vec3 normal = test::directionOf(random);
+            const double gap = random.uniform(-0.01, 0.05);
+            scene.addWall(normal, here - (scene.radii[b] + gap) * normal, b);
+        }
+        if (random.below(4) == 0) {
+            BallPair& pair = scene.addPair(scene.immobile(), b);
+            pair.radiusA = random.uniform(0.05, 0.5);
+            const double gap = random.uniform(-0.01, 0.05);
+            pair.fixed = here - (scene.radii[b] + pair.radiusA + gap) * test::directionOf(random);
+        }
+    }
+    for (std::size_t i = scene.pairs.size(); i > 1; --i)
+        std::swap(scene.pairs[i - 1], scene.pairs[random.below(i)]);
+    for (BallPair& pair : scene.pairs) {
+        if (!pair.wall) pair.normal = scene.between(pair).normalized();
+        pair.friction = random.uniform();
+        pair.restitution = random.below(3) == 0 ? 0 : random.uniform();
+        pair.push = random.uniform(0, 5);
+        if (random.below(3) == 0) continue; // no impulse yet
+        const double normal = 0.1 * random.uniform();
+        pair.impulse = normal * pair.normal;
+        pair.impulse += 0.5 * pair.friction * normal * pair.normal.cross(test::directionOf(random));
+    }
+    return scene;
+}
+
+/// The first tangent, which only the measure of what a pass has changed depends on.
+Vec3 tangentOf(const Vec3& n) {
+    const double sign = std::copysign(1.0, n.z()), a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
+    return {1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()};
+}
+
+/// The rows of balls one after another, with the grouping that lane_packer.h describes.
+class ObviousBalls {
+  public:
+    explicit ObviousBalls(const BallScene& scene) : m_scene(scene) {
+        test::ObviousGroups packer(scene.immobile());
+        for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+            const BallPair& pair = scene.pairs[i];
+            const test::ObviousGroups::Place place = packer.place(pair.a, pair.b, m_groups.size());
+            if (place.isNew) m_groups.emplace_back();
+            const SolverBody &a = scene.bodies[pair.a], &b = scene.bodies[pair.b];
+            const double masses = a.inverseMass + b.inverseMass;
+            const double turning =
+                a.roundInverse * pair.radiusA * pair.radiusA + b.roundInverse * pair.radiusB * pair.radiusB;
+            ObviousPoint point{.a = pair.a,
+                               .b = pair.b,
+                               .source = static_cast<std::uint32_t>(i),
+                               .normal = pair.normal,
+                               .massNormal = 1 / masses,
+                               .massTangent = 1 / (masses + turning),
+                               .friction = pair.friction,
+                               .restitution = pair.restitution,
+                               .push = pair.push,
+                               .hard = pair.a == scene.immobile(),
+                               .normalImpulse = pair.normal.dot(pair.impulse)};
+            turn(point, pair.normal, pair.impulse);
+            m_groups[place.group].points.push_back(point);
+        }
+    }
+
+    void refresh() {
+        for (Group& group : m_groups) {
+            group.isActive = false;
+            for (ObviousPoint& point : group.points) group.isActive |= refresh(point, {});
+        }
+    }
+    bool findStruck(std::span<const SolverBody> bodies, std::span<const Displacement> moved) {
+        bool any = false;
+        for (Group& group : m_groups) {
+            if (group.isActive) continue;
+            const bool closes =
+                std::any_of(group.points.begin(), group.points.end(), [&](const ObviousPoint& point) {
+                    const Vec3 shift = vectorOf(moved[point.b].shift) - vectorOf(moved[point.a].shift);
+                    const Vec3 velocity =
+                        vectorOf(bodies[point.b].velocity) - vectorOf(bodies[point.a].velocity);
+                    return point.gap + point.normal.dot(shift + m_scene.duration * velocity) < 0;
+                });
+            if (!closes) continue;
+            group.isActive = any = true;
+            for (ObviousPoint& point : group.points) refresh(point, moved);
+        }
+        return any;
+    }
+
+    /// For passes over what is active; store() puts the impulses back.
+    ObviousContacts active(std::span<const SolverBody> bodies) const {
+        ObviousContacts result;
+        result.bodies.assign(bodies.begin(), bodies.end());
+        for (const Group& group : m_groups)
+            if (group.isActive) result.groups.push_back(group.points);
+        return result;
+    }
+    void store(const ObviousContacts& contacts) {
+        auto from = contacts.groups.begin();
+        for (Group& group : m_groups)
+            if (group.isActive) group.points = *from++;
+    }
+
+    std::size_t activeGroups() const {
+        return static_cast<std::size_t>(
+            std::count_if(m_groups.begin(), m_groups.end(), [](const Group& g) { return g.isActive; }));
+    }
+    std::size_t groups() const { return m_groups.size(); }
+    /// By pair.
+    std::vector<ObviousPoint> points() const {
+        std::vector<ObviousPoint> result(m_scene.pairs.size());
+        for (const Group& group : m_groups)
+            for (const ObviousPoint& point : group.points) result[point.source] = point;
+        return result;
+    }
+    std::vector<std::uint32_t> sources() const {
+        std::vector<std::uint32_t> result;
+        for (const Group& group : m_groups)
+            for (const ObviousPoint& point : group.points) result.push_back(point.source);
+        return result;
+    }
+    /// Some pair is too near a decision for rounding not to matter.
+    bool isDoubtful() const { return m_isDoubtful; }
+
+  private:
+    struct Group {
+        std::vector<ObviousPoint> points;
+        bool isActive = false;
+    };
+
+    // Friction is what is left of the old one in the new plane.
+    static void turn(ObviousPoint& point, const Vec3& normal, const Vec3& impulse) {
+        point.normal = normal;
+        point.tangent = tangentOf(normal);
+        point.tangential = {point.tangent.dot(impulse), normal.cross(point.tangent).dot(impulse)};
+    }
+
+    // Whether the two can meet.
+    bool refresh(ObviousPoint& point, std::span<const Displacement> moved) {
+        const BallPair& pair = m_scene.pairs[point.source];
+        const Vec3 d = m_scene.between(pair), v = m_scene.velocityOf(pair);
+        const double h = m_scene.duration, radii = pair.radiusA + pair.radiusB, gap = m_scene.gapOf(pair);
+        const Vec3 friction = point.impulse() - point.normalImpulse * point.normal;
+        Vec3 normal = pair.normal;
+        double least = gap;
+        if (pair.wall) {
+            least += std::min(0.0, h * normal.dot(v));
+        } else {
+            // Nearest at t = −d·v/v², or when they touch before that.
+            const double closing = d.dot(v), square = v.squaredNorm();
+            const double nearest = square > 0 ? std::clamp(-closing / square, 0.0, h) : 0;
+            least = (d + nearest * v).norm() - radii;
+            double time = nearest;
+            if (least < 0 && gap > 0) { // by halving: the gap falls until then
+                double early = 0, late = nearest;
+                for (int i = 0; i < 200; ++i) {
+                    time = 0.5 * (early + late);
+                    ((d + time * v).norm() > radii ? early : late) = time;
+                }
+            }
+            normal = (gap > openBeyond * radii ? Vec3(d + time * v) : d).normalized();
+            m_isDoubtful = m_isDoubtful || std::abs(gap / radii - openBeyond) < 1e-9 ||
+                           std::abs(least) < 1e-6 * radii; // nearly tangent: the time is ill conditioned
+        }
+        const double smallest = pair.wall ? pair.radiusB : std::min(pair.radiusA, pair.radiusB);
+        const double slack = slackPart * smallest + m_scene.gravity.norm() * h * h;
+        m_isDoubtful = m_isDoubtful || std::abs(least - slack) < 1e-9 || std::abs(gap - slack) < 1e-9;
+        const bool meets = gap <= slack || least <= slack;
+        turn(point, normal, friction);
+        if (!meets) {
+            point.normalImpulse = 0;
+            point.tangential.setZero();
+        }
+        point.armA = pair.radiusA * normal;
+        point.armB = -pair.radiusB * normal;
+        point.gap = normal.dot(d) - radii;
+        if (!moved.empty())
+            point.gap -= normal.dot(vectorOf(moved[point.b].shift) - vectorOf(moved[point.a].shift));
+        return meets;
+    }
+
+    const BallScene& m_scene;
+    std::vector<Group> m_groups;
+    bool m_isDoubtful = false;
+};
+
+struct Seen {
+    std::vector<std::uint32_t> sources;  // in their order
+    std::vector<Vec3> normals, impulses; // by pair
+};
+
+Seen seenIn(const BallRows& rows, std::size_t pairs) {
+    Seen seen{{}, std::vector<Vec3>(pairs, Vec3::Zero()), std::vector<Vec3>(pairs, Vec3::Zero())};
+    rows.forEach([&](std::uint32_t source, const Vec3& normal, const Vec3& impulse) {
+        seen.sources.push_back(source);
+        seen.normals[source] = normal;
+        seen.impulses[source] = impulse;
+    });
+    return seen;
+}
+
+double largestDifference(const BallRows& rows, const std::vector<ObviousPoint>& expected) {
+    const Seen seen = seenIn(rows, expected.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        largest = std::max({largest, (seen.normals[i] - expected[i].normal).norm(),
+                            (seen.impulses[i] - expected[i].impulse()).norm()});
+    return largest;
+}
+
+bool sameBits(const SolverBody& one, const SolverBody& other) {
+    return std::memcmp(&one, &other, sizeof(SolverBody)) == 0;
+}
+
+/// A whole step but gravity, as the base path makes it. The number of impacts.
+int step(BallRows& rows, BallScene& scene, const StepSettings& settings, int passes) {
+    rows.recordApproach(scene.bodies, settings);
+    rows.warmStart(scene.bodies);
+    std::vector<Displacement> moved = scene.still();
+    for (int pass = 0; pass < passes; ++pass) rows.solve(scene.bodies, moved, settings, pass % 2 != 0);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        add(moved[i].shift, settings.duration * vectorOf(scene.bodies[i].velocity));
+        add(scene.places[i].position, settings.duration * vectorOf(scene.bodies[i].velocity));
+    }
+    for (int pass = 0; pass < passes; ++pass) rows.relax(scene.bodies, moved, settings, pass % 2 != 0);
+    const int impacts = rows.struckRows();
+    rows.rebound(scene.bodies, moved, settings, passes);
+    return impacts;
+}
+
+StepSettings randomSettings(Random& random, double duration) {
+    return {.duration = duration,
+            .hardness = random.uniform(0.05, 0.3),
+            .damping = random.uniform(0.5, 10),
+            .resting = random.uniform(0, 0.1)};
+}
+
+} // namespace
+
+class BallRowsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void everyPassIsThatOfOnePairAtATime() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        int impacts = 0, woken = 0, idle = 0, doubtful = 0;
+        double worst = 0;
+        for (int trial = 0; trial < 200; ++trial) {
+            BallScene scene = randomBalls(random, 2 + random.below(60));
+            BallRows rows;
+            scene.fill(rows);
+            ObviousBalls balls(scene);
+            QCOMPARE(rows.groups(), balls.groups());
+            for (int frame = 0; frame < 3; ++frame) { // the next ones begin with impulses, elsewhere
+                const StepSettings settings = randomSettings(random, scene.duration);
+                scene.refresh(rows);
+                balls.refresh();
+                doubtful += balls.isDoubtful() ? 1 : 0;
+                if (balls.isDoubtful()) break;
+                QCOMPARE(rows.activeGroups(), balls.activeGroups());
+                idle += static_cast<int>(rows.groups() - rows.activeGroups());
+                QVERIFY(largestDifference(rows, balls.points()) < foreseenRounding);
+                ObviousContacts expected = balls.active(scene.bodies);
+                const auto agrees = [&] {
+                    balls.store(expected);
+                    worst = std::max({worst, test::largestDifference(scene.bodies, expected.bodies),
+                                      largestDifference(rows, balls.points())});
+                    return worst < rounding;
+                };
+                QCOMPARE(rows.recordApproach(scene.bodies, settings), expected.recordApproach(settings));
+                rows.warmStart(scene.bodies);
+                expected.warmStart();
+                QVERIFY(agrees());
+                std::vector<Displacement> moved = scene.still();
+                for (int pass = 0; pass < 4; ++pass) {
+                    const bool back = pass % 2 != 0;
+                    rows.solve(scene.bodies, moved, settings, back);
+                    expected.pass(ObviousContacts::Pass::Feedback, moved, settings, back);
+                    QVERIFY(agrees());
+                    if (pass == 1)
+                        for (std::size_t i = 0; i + 1 < moved.size(); ++i)
+                            add(moved[i].shift, test::uniformIn(random, 0.01));
+                }
+                woken += balls.findStruck(scene.bodies, moved) ? 1 : 0;
+                if (balls.isDoubtful()) break;
+                const std::size_t before = rows.activeGroups();
+                rows.findStruck(scene.bodies, scene.places, moved, scene.duration, scene.gravity);
+                QCOMPARE(rows.activeGroups(), balls.activeGroups());
+                if (rows.activeGroups() != before) {
+                    std::vector<SolverBody> bodies = expected.bodies;
+                    expected = balls.active(bodies);
+                    QVERIFY(agrees());
+                }
+                for (int pass = 0; pass < 3; ++pass) {
+                    const bool back = pass % 2 != 0;
+                    const double residual = rows.relax(scene.bodies, moved, settings, back);
+                    const double other = expected.pass(ObviousContacts::Pass::Relax, moved, settings, back);
+                    QVERIFY(std::abs(residual - other) < rounding);
+                    QVERIFY(agrees());
+                }
+                const int struck = rows.struckRows();
+                QCOMPARE(struck, expected.struckRows());
+                rows.rebound(scene.bodies, moved, settings, 3);
+                for (int pass = 0; pass < 3; ++pass)
+                    expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
+                expected.forgetImpulses(settings);
+                QVERIFY(agrees());
+                QVERIFY(expected.violationWhenSet < rounding);
+                impacts += struck;
+                for (BodyPlace& place : scene.places)
+                    if (&place != &scene.places.back()) add(place.position, test::uniformIn(random, 0.02));
+            }
+        }
+        qInfo("largest difference %.2g, impacts %d, woken %d, idle groups %d, left out %d of 600", worst,
+              impacts, woken, idle, doubtful);
+        QVERIFY(impacts > 200 && woken > 50 && idle > 500 && doubtful < 60);
+    }
+
+    void theRowsOfAnyShapeMoveBallsTheSame() {
+        Random random(seed, 1);
+        int impacts = 0;
+        for (int trial = 0; trial < 400; ++trial) {
+            BallScene scene = randomBalls(random, 2 + random.below(60));
+            std::erase_if(scene.pairs, [&](const BallPair& pair) { // those that meet: nothing is idle
+                return scene.gapOf(pair) > slackPart * std::min(pair.radiusB, pair.wall ? 1 : pair.radiusA);
+            });
+            BallRows rows;
+            scene.fill(rows);
+            scene.refresh(rows);
+            QCOMPARE(rows.activeGroups(), rows.groups());
+            const Seen seen = seenIn(rows, scene.pairs.size());
+            ContactRows general;
+            general.begin(scene.bodies.size(), scene.immobile());
+            for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+                const BallPair& pair = scene.pairs[i];
+                const Vec3& n = seen.normals[i];
+                const PointInput point{.armA = pair.radiusA * n,
+                                       .armB = -pair.radiusB * n,
+                                       .separation = n.dot(scene.between(pair)) - pair.radiusA - pair.radiusB,
+                                       .impulse = seen.impulses[i]};
+                general.add({.a = pair.a,
+                             .b = pair.b,
+                             .normal = n,
+                             .friction = pair.friction,
+                             .restitution = pair.restitution,
+                             .push = pair.push,
+                             .points = std::span(&point, 1)},
+                            static_cast<std::uint32_t>(i), scene.bodies);
+            }
+            general.end();
+            QCOMPARE(general.groups().size(), rows.groups());
+            std::vector<SolverBody> bodies = scene.bodies;
+            const StepSettings settings = randomSettings(random, scene.duration);
+            const auto agrees = [&] {
+                double largest = test::largestDifference(scene.bodies, bodies);
+                const Seen now = seenIn(rows, scene.pairs.size());
+                for (const RowGroup& group : general.groups())
+                    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                        if (group.source[lane] != ContactRows::noPair)
+                            largest = std::max(largest, (now.impulses[group.source[lane]] -
+                                                         general.impulseOf(group, static_cast<int>(lane), 0))
+                                                            .norm());
+                return largest < 1e2 * rounding;
+            };
+            QVERIFY(agrees());
+            QCOMPARE(rows.recordApproach(scene.bodies, settings), recordApproach(general, bodies, settings));
+            rows.warmStart(scene.bodies);
+            warmStart(general, bodies);
+            QVERIFY(agrees());
+            std::vector<Displacement> moved = scene.still();
+            for (int pass = 0; pass < 4; ++pass) {
+                rows.solve(scene.bodies, moved, settings, pass % 2 != 0);
+                solveVelocities(general, bodies, moved, settings, pass % 2 != 0);
+                QVERIFY(agrees());
+                for (std::size_t i = 0; i + 1 < moved.size(); ++i) // turning changes no gap of a ball
+                    for (auto* to : {&moved[i].shift, &moved[i].turn})
+                        add(*to, test::uniformIn(random, 0.002));
+            }
+            for (int pass = 0; pass < 3; ++pass) {
+                rows.relax(scene.bodies, moved, settings, pass % 2 != 0);
+                relaxVelocities(general, bodies, moved, settings, pass % 2 != 0);
+                QVERIFY(agrees());
+            }
+            QCOMPARE(rows.struckRows(), struckRows(general));
+            impacts += struckRows(general);
+            rows.rebound(scene.bodies, moved, settings, 2);
+            rebound(general, bodies, moved, settings, 2);
+            QVERIFY(agrees());
+        }
+        qInfo("impacts %d", impacts);
+        QVERIFY(impacts > 50);
+    }
+
+    // Two balls anywhere, that meet within the step: impulse and velocities of Newton's law along the line of
+    // centres at the moment they touch.
+    void theNormalIsThatOfTheMeeting() {
+        Random random(seed, 2);
+        for (int trial = 0; trial < 2000; ++trial) {
+            BallScene scene = emptyScene();
+            scene.gravity.setZero();
+            const double radiusA = random.uniform(0.05, 0.5), radiusB = random.uniform(0.05, 0.5);
+            const double massA = random.uniform(0.5, 3), massB = random.uniform(0.5, 3);
+            // At the meeting the centres are along n and close; before it they are further apart.
+            const Vec3 n = test::directionOf(random);
+            const Vec3 along = 3 * n.cross(test::directionOf(random));
+            const Vec3 closing = -random.uniform(1, 5) * n + along; // of B relative to A
+            const Vec3 mean = test::uniformIn(random, 3);
+            const double time = random.uniform(0.2, 0.9) * scene.duration;
+            const bool isFixed = trial % 3 == 0;
+            const Vec3 place = test::uniformIn(random, 2);
+            const Vec3 velocityA = isFixed ? Vec3(Vec3::Zero()) : mean;
+            const Vec3 placeB = place + (radiusA + radiusB) * n - time * closing;
+            if (!isFixed) scene.addBall(radiusA, massA, place, velocityA);
+            const std::uint32_t b = scene.addBall(radiusB, massB, placeB, velocityA + closing);
+            BallPair& pair = scene.addPair(isFixed ? scene.immobile() : 0, b);
+            pair.radiusA = radiusA;
+            if (isFixed) pair.fixed = place;
+            pair.normal = scene.between(pair).normalized();
+            pair.restitution = random.uniform(0.1, 1);
+            BallRows rows;
+            scene.fill(rows);
+            scene.refresh(rows);
+            if (scene.gapOf(pair) <= openBeyond * (radiusA + radiusB)) continue;
+            QCOMPARE(rows.activeGroups(), 1U);
+            QVERIFY((seenIn(rows, 1).normals[0] - n).norm() < foreseenRounding);
+            const StepSettings settings{.duration = scene.duration, .resting = 1e-3};
+            QCOMPARE(step(rows, scene, settings, 2), 1);
+            const double reduced = 1 / (scene.bodies[pair.a].inverseMass + scene.bodies[b].inverseMass);
+            const Vec3 impulse = -(1 + pair.restitution) * reduced * n.dot(closing) * n;
+            QVERIFY((vectorOf(scene.bodies[b].velocity) - velocityA - closing - impulse / massB).norm() <
+                    1e2 * foreseenRounding);
+            if (!isFixed)
+                QVERIFY((vectorOf(scene.bodies[0].velocity) - velocityA + impulse / massA).norm() <
+                        1e2 * foreseenRounding);
+        }
+    }
+
+    void aBallOnAWallHasItsNormalAndFallsOnItInTime() {
+        BallScene scene = emptyScene();
+        const double radius = 0.1, h = scene.duration;
+        const Vec3 normal = Vec3(1, 2, -0.5).normalized(), point(3, 1, -2);
+        scene.addBall(radius, 2, Vec3::Zero(), Vec3::Zero());
+        scene.addWall(normal, point, 0).restitution = 0.5;
+        BallRows rows;
+        const double slack = slackPart * radius + scene.gravity.norm() * h * h;
+        for (const double speed : {-3.0, 0.0, 0.1, 10.0})
+            for (const double gap : {-0.005, 0.0, 0.0005, 0.002, 0.02, 0.05}) {
+                scene.places[0].position = arrayOf(point + (radius + gap) * normal);
+                scene.bodies[0].velocity = arrayOf(-speed * normal);
+                scene.fill(rows);
+                scene.refresh(rows);
+                const double coming = h * speed - 0.5 * h * h * normal.dot(scene.gravity);
+                const bool meets = gap <= slack || gap - coming <= slack;
+                QCOMPARE(rows.activeGroups(), meets ? 1U : 0U);
+                QVERIFY((seenIn(rows, 1).normals[0] - normal).norm() == 0);
+                QVERIFY(std::abs(rows.deepest() - std::max(0.0, -gap)) < rounding);
+            }
+    }
+
+    void whoPassesByIsIdleAndCostsNothing() {
+        Random random(seed, 3);
+        for (int trial = 0; trial < 200; ++trial) {
+            BallScene scene = emptyScene();
+            scene.gravity.setZero();
+            // Fast, with a nearest approach of more than the slack, at a time within the step.
+            for (int k = 0; k < 20; ++k) {
+                const Vec3 place = test::uniformIn(random, 1), n = test::directionOf(random);
+                const Vec3 velocity = 100 * n.cross(test::directionOf(random)).normalized();
+                const std::uint32_t a = scene.addBall(0.1, 1, place, Vec3::Zero());
+                const Vec3 nearest = place + random.uniform(0.2021, 0.3) * n;
+                const std::uint32_t b = scene.addBall(
+                    0.1, 1, nearest - random.uniform(0, 1) * scene.duration * velocity, velocity);
+                BallPair& pair = scene.addPair(a, b);
+                pair.normal = n;
+                pair.friction = pair.restitution = 1;
+                pair.impulse = n; // it was in contact before
+            }
+            BallRows rows;
+            scene.fill(rows);
+            scene.refresh(rows);
+            QCOMPARE(rows.activeGroups(), 0U);
+            const std::vector<SolverBody> before = scene.bodies;
+            const StepSettings settings{.duration = scene.duration};
+            const std::vector<Displacement> moved = scene.still();
+            QVERIFY(!rows.recordApproach(scene.bodies, settings));
+            QVERIFY(!rows.findStruck(scene.bodies, scene.places, moved, scene.duration, scene.gravity));
+            QCOMPARE(step(rows, scene, settings, 2), 0);
+            for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(sameBits(scene.bodies[i], before[i]));
+            for (const Vec3& impulse : seenIn(rows, scene.pairs.size()).impulses)
+                QVERIFY(impulse == Vec3::Zero());
+        }
+    }
+
+    // A ball rests near another one that nothing moves; then it is struck towards it within the step.
+    void anIdleGroupWakesWhenABallIsStruck() {
+        BallScene scene = emptyScene();
+        scene.gravity.setZero();
+        scene.addBall(0.1, 1, Vec3::Zero(), Vec3::Zero());
+        scene.addBall(0.1, 1, Vec3(0.21, 0, 0), Vec3::Zero());
+        scene.addPair(0, 1).normal = Vec3::UnitX();
+        BallRows rows;
+        scene.fill(rows);
+        scene.refresh(rows);
+        QCOMPARE(rows.activeGroups(), 0U);
+        std::vector<Displacement> moved = scene.still();
+        const auto find = [&] {
+            return rows.findStruck(scene.bodies, scene.places, moved, scene.duration, scene.gravity);
+        };
+        const StepSettings settings{.duration = scene.duration};
+        scene.bodies[0].velocity[0] = 2.4; // .0096 of .01 m
+        QVERIFY(!find());
+        scene.bodies[0].velocity[0] = 2.6;
+        QVERIFY(find());
+        QCOMPARE(rows.activeGroups(), 1U);
+        rows.solve(scene.bodies, moved, settings, false);
+        // They come as near as to touch, and momentum is kept.
+        const double closing = scene.bodies[0].velocity[0] - scene.bodies[1].velocity[0];
+        QVERIFY(std::abs(closing - 0.01 / scene.duration) < rounding);
+        QVERIFY(std::abs(scene.bodies[0].velocity[0] + scene.bodies[1].velocity[0] - 2.6) < rounding);
+
+        // The same where the bodies have come some of the way since the rows were made.
+        scene.bodies[0].velocity[0] = scene.bodies[1].velocity[0] = 0;
+        scene.refresh(rows);
+        QCOMPARE(rows.activeGroups(), 0U);
+        moved[0].shift[0] = scene.places[0].position[0] = 0.006;
+        scene.bodies[0].velocity[0] = 0.9; // .0036 of .004 m
+        QVERIFY(!find());
+        scene.bodies[0].velocity[0] = 1.1;
+        QVERIFY(find());
+        rows.solve(scene.bodies, moved, settings, false);
+        QVERIFY(std::abs(scene.bodies[0].velocity[0] - scene.bodies[1].velocity[0] - 0.004 / scene.duration) <
+                rounding);
+    }
+
+    void frictionImpulsesFollowATurningNormal() {
+        Random random(seed, 4);
+        for (int trial = 0; trial < 500; ++trial) {
+            BallScene scene = emptyScene();
+            scene.gravity.setZero();
+            const Vec3 n = test::directionOf(random);
+            scene.addBall(0.1, 1, Vec3::Zero(), Vec3::Zero());
+            scene.addBall(0.2, 1, 0.2995 * n, Vec3::Zero());
+            BallPair& pair = scene.addPair(0, 1);
+            pair.normal = n;
+            const double normal = random.uniform(0, 1);
+            const Vec3 friction = 0.3 * n.cross(test::directionOf(random));
+            pair.impulse = normal * n + friction;
+            BallRows rows;
+            scene.fill(rows);
+            scene.refresh(rows);
+            QVERIFY((seenIn(rows, 1).impulses[0] - pair.impulse).norm() < rounding);
+            const Vec3 now = (n + test::uniformIn(random, 0.3)).normalized();
+            scene.places[1].position = arrayOf(0.2995 * now);
+            scene.refresh(rows);
+            const Vec3 expected = normal * now + (friction - now.dot(friction) * now);
+            QVERIFY((seenIn(rows, 1).normals[0] - now).norm() < rounding);
+            QVERIFY((seenIn(rows, 1).impulses[0] - expected).norm() < rounding);
+        }
+    }
+
+    // One ball in one lane of four; the others stand for what cannot move.
+    void whatCannotMoveIsNotChangedByALane() {
+        Random random(seed, 5);
+        for (int trial = 0; trial < 500; ++trial) {
+            BallScene scene = randomBalls(random, 1 + random.below(3));
+            for (SolverBody& body : scene.bodies)
+                if (body.inverseMass > 0)
+                    for (double& speed : body.velocity) speed *= trial % 3 == 0 ? 1e100 : 1;
+            BallRows rows;
+            scene.fill(rows);
+            const SolverBody before = scene.bodies.back();
+            for (int frame = 0; frame < 3; ++frame) {
+                scene.refresh(rows);
+                step(rows, scene, {.duration = scene.duration}, 2);
+                rows.findStruck(scene.bodies, scene.places, scene.still(), scene.duration, scene.gravity);
+                QVERIFY(sameBits(scene.bodies.back(), before));
+            }
+        }
+    }
+
+    void groupsDependOnTheOrderOfPairsAlone() {
+        Random random(seed, 6);
+        for (int trial = 0; trial < 100; ++trial) {
+            BallScene scene = randomBalls(random, 2 + random.below(100));
+            BallRows rows;
+            scene.fill(rows);
+            const std::vector<std::uint32_t> expected = ObviousBalls(scene).sources();
+            QVERIFY(seenIn(rows, scene.pairs.size()).sources == expected);
+            // Elsewhere, with other speeds, after some steps: rows stay.
+            scene.refresh(rows);
+            step(rows, scene, {.duration = scene.duration}, 1);
+            scene.refresh(rows);
+            QVERIFY(seenIn(rows, scene.pairs.size()).sources == expected);
+            for (BodyPlace& place : scene.places) place.position = arrayOf(test::uniformIn(random, 9));
+            for (SolverBody& body : scene.bodies) body.velocity = arrayOf(test::uniformIn(random, 9));
+            for (BallPair& pair : scene.pairs) pair.friction = pair.restitution = 0;
+            scene.fill(rows);
+            scene.refresh(rows);
+            QVERIFY(seenIn(rows, scene.pairs.size()).sources == expected);
+        }
+    }
+
+    void momentumOfBallsIsKept() {
+        Random random(seed, 7);
+        for (int trial = 0; trial < 50; ++trial) {
+            BallScene scene = randomBalls(random, 2 + random.below(60));
+            std::erase_if(scene.pairs, [&](const BallPair& pair) { return pair.a == scene.immobile(); });
+            BallRows rows;
+            scene.fill(rows);
+            scene.refresh(rows);
+            const auto momentum = [&] {
+                Vec3 sum = Vec3::Zero();
+                for (std::uint32_t i = 0; i < scene.immobile(); ++i)
+                    sum += vectorOf(scene.bodies[i].velocity) / scene.bodies[i].inverseMass;
+                return sum;
+            };
+            const Vec3 before = momentum();
+            step(rows, scene, {.duration = scene.duration}, 2);
+            QVERIFY((momentum() - before).norm() < 1e2 * rounding);
+        }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(ball_rows_test, carom::BallRowsTest)
+#include "ball_rows_test.moc"
