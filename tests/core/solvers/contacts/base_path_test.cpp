@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/contact_scenes.h"
+#include "tests/support/manifold_places.h"
+#include "tests/support/random_scene.h"
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+
+#include "core/narrowphase/narrowphase.h"
+#include "core/solvers/contacts/base_path.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+// Bodies that enter the base path with all pairs they can touch for a while, move, and leave it.
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t seed = 20266;
+constexpr int substeps = 4; // a frame
+constexpr double substep = 1.0 / 240, frame = substeps * substep;
+constexpr double skin = 0.05;
+
+/// A scene whose bodies all may enter the base path.
+class Entered {
+  public:
+    explicit Entered(const Scene& scene)
+        : bodies(bodiesOf(scene)), state(initialStateOf(scene)), path(bodies.count(), 1),
+          m_gravity(scene.gravity.acceleration), m_neighbours(bodies),
+          m_broadphase(findBroadphase("all_pairs")->create()) {}
+
+    SteppedInput input() { return {.bodies = bodies, .gravity = m_gravity, .state = state}; }
+
+    /// With the manifolds of those that are near, as they are now.
+    void enter(const std::vector<BodyIndex>& list) {
+        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, frame, *m_broadphase);
+        while (!path.prepare(input(), list, frame, skin, m_neighbours))
+            m_neighbours.search(bodies, state, *m_broadphase);
+        std::vector<Manifolds::Entry> known;
+        for (BodyIndex a = 0; a < bodies.count(); ++a)
+            for (BodyIndex b = a + 1; b < bodies.count(); ++b)
+                if (isListed(list, a) || isListed(list, b)) know({a, b}, known);
+        path.enter(input(), list, m_neighbours, {}, substep, known, manifolds);
+        for (const Manifolds::Entry& entry : known)
+            if (entry.place != Manifolds::none) manifolds.remove(entry.place);
+        carried.clear();
+    }
+    void enterAll() { enter(bodies.mobileBodies); }
+    void leave() {
+        carried.clear();
+        path.leave(input(), manifolds, carried);
+        std::sort(
+            carried.begin(), carried.end(),
+            [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
+    }
+    bool holds() { return path.holds(input(), substep); }
+    void advance() { path.advance(input(), manifolds); }
+    /// A substep; all enter anew if the pairs do not serve for it.
+    void step() {
+        if (path.isEmpty()) enterAll();
+        if (!holds()) {
+            leave();
+            enterAll();
+            ++renewals;
+        }
+        advance();
+    }
+    /// The pairs that are on the base path and have a manifold.
+    std::vector<BodyPair> pairs() {
+        BasePath copy = path;
+        Manifolds itsManifolds = manifolds;
+        std::vector<Manifolds::Entry> entries;
+        copy.leave(input(), itsManifolds, entries);
+        std::vector<BodyPair> result;
+        for (const Manifolds::Entry& entry : entries) result.push_back(entry.pair);
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+    PlacedShape shapeOf(BodyIndex i) const { return {&bodies.shape[i], &state.pose[i]}; }
+    double distanceOf(BodyPair pair) const { return proximityOf(shapeOf(pair.a), shapeOf(pair.b)).distance; }
+    /// Between two bodies, on the second [N].
+    Vec3 forceOf(BodyPair pair) {
+        Vec3 sum = Vec3::Zero();
+        path.forEachContact(bodies, state, manifolds, [&](const PersistentManifold& manifold) {
+            if (manifold.pair != pair) return;
+            for (int k = 0; k < manifold.count; ++k)
+                sum += manifold.points[static_cast<std::size_t>(k)].force;
+        });
+        return sum;
+    }
+
+    Bodies bodies;
+    State state;
+    Manifolds manifolds;
+    BasePath path;
+    std::vector<Manifolds::Entry> carried; ///< of those that left last
+    int renewals = 0;
+
+  private:
+    static bool isListed(const std::vector<BodyIndex>& list, BodyIndex body) {
+        return std::binary_search(list.begin(), list.end(), body);
+    }
+    void know(BodyPair pair, std::vector<Manifolds::Entry>& known) {
+        const ManifoldInput here{bodies, state, m_gravity, substep};
+        for (const Manifolds::Entry& entry : carried)
+            if (entry.pair == pair) known.push_back(entry);
+        const bool isCarried = !known.empty() && known.back().pair == pair;
+        if (bodies.mobile[pair.a] == 0 && bodies.mobile[pair.b] == 0) return;
+        if (!isCarried && boundingGap(bodies, state, pair) > 0.05) return;
+        if (!isCarried) known.push_back({pair, manifolds.add(pair)});
+        updateManifold(here, 0.05, manifolds[known.back().place]);
+    }
+
+    Vec3 m_gravity;
+    Neighbours m_neighbours;
+    std::unique_ptr<Broadphase> m_broadphase;
+};
+
+bool sameBits(const State& one, const State& other) {
+    const auto same = [](const auto& a, const auto& b) {
+        return std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+    };
+    return same(one.velocity, other.velocity) && same(one.angularVelocity, other.angularVelocity) &&
+           std::equal(one.pose.begin(), one.pose.end(), other.pose.begin(), [](const Pose& a, const Pose& b) {
+               return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+           });
+}
+
+/// The largest distance between the same body in two states [m].
+double distanceBetween(const State& one, const State& other) {
+    double largest = 0;
+    for (std::size_t i = 0; i < one.pose.size(); ++i)
+        largest = std::max(largest, (one.pose[i].position - other.pose[i].position).norm());
+    return largest;
+}
+
+/// So many cubes of 1 m and 1 kg upon each other on a floor.
+Scene stackOf(int count) {
+    Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+    for (int k = 0; k < count; ++k)
+        scene.bodies.push_back(test::rough(test::cuboid({1, 1, 1}, 1, {0, 0.5 + k, 0}), 0.5));
+    return scene;
+}
+
+/// Rolling resistance gives balls manifolds as other bodies have.
+Scene withManifolds(Scene scene) {
+    for (Body& body : scene.bodies) body.rolling = std::max(body.rolling, 1e-6);
+    return scene;
+}
+
+Body ball(double radius, const Vec3& centre, const Vec3& velocity, double elastic = 1) {
+    Body body = test::sphere(radius, 1, centre, velocity);
+    body.elastic = elastic;
+    return body;
+}
+
+} // namespace
+
+class BasePathTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void thePairsOfAFrameAreAllThatTouchWhileTheyServe() {
+        qInfo("seed %llu", static_cast<unsigned long long>(seed));
+        Random random(seed);
+        int touching = 0, missed = 0, renewals = 0;
+        double deepest = 0; // of a pair that was missed, of the smaller one's size
+        for (int trial = 0; trial < 30; ++trial) {
+            Entered scene(withManifolds(test::randomRoughScene(random)));
+            for (int n = 0; n < 10 * substeps; ++n) {
+                scene.step();
+                const std::vector<BodyPair> pairs = scene.pairs();
+                for (const BodyIndex i : scene.bodies.mobileBodies)
+                    for (BodyIndex k = 0; k < scene.bodies.count(); ++k) {
+                        const BodyPair pair{std::min(i, k), std::max(i, k)};
+                        if (i == k || (scene.bodies.mobile[k] != 0 && k < i)) continue;
+                        if (boundingGap(scene.bodies, scene.state, pair) > 0) continue;
+                        const double distance = scene.distanceOf(pair);
+                        if (!(distance < 0)) continue;
+                        ++touching;
+                        if (std::binary_search(pairs.begin(), pairs.end(), pair)) continue;
+                        ++missed;
+                        const double size = scene.bodies.boundingRadius[i];
+                        deepest = std::max(deepest, -distance / size);
+                    }
+            }
+            renewals += scene.renewals;
+        }
+        qInfo("%d pairs that touch, %d missed, by up to %.2g of the size; renewed %d times", touching, missed,
+              deepest, renewals);
+        QVERIFY(touching > 1000);
+        QCOMPARE(missed, 0);
+    }
+
+    void noBallPassesAnotherOfARowThatIsStruck() {
+        Random random(seed, 1);
+        double deepest = 0;
+        for (int trial = 0; trial < 40; ++trial) {
+            Scene scene = test::sceneOf({}, Vec3::Zero());
+            for (int k = 0; k < 12; ++k) // in a row, so that one strikes the next
+                scene.bodies.push_back(ball(0.05, {0.11 * k + random.uniform(0, 0.005), 0, 0}, Vec3::Zero()));
+            scene.bodies.push_back(ball(0.05, {-0.3, 0, 0}, {random.uniform(0.5, 30), 0, 0}));
+            Entered entered(scene);
+            for (int n = 0; n < 200; ++n) {
+                entered.step();
+                for (BodyIndex a = 0; a < entered.bodies.count(); ++a)
+                    for (BodyIndex b = a + 1; b < entered.bodies.count(); ++b)
+                        deepest = std::max(deepest, -entered.distanceOf({a, b}) / 0.05);
+            }
+            // Nobody has passed another: they are in the order they began in, the fast one first.
+            double last = entered.state.pose[12].position.x();
+            for (BodyIndex i = 0; i < 12; ++i) {
+                QVERIFY(entered.state.pose[i].position.x() > last);
+                last = entered.state.pose[i].position.x();
+            }
+        }
+        qInfo("deepest overlap %.2g radii", deepest);
+    }
+
+    // A ball strikes one that entered before, as fast as it is: were they two islands, the energy limit of
+    // the struck one would let it have nothing.
+    void whoJoinsLaterIsOneIslandWithWhatItTouches() {
+        for (const bool general : {false, true}) {
+            Scene scene =
+                test::sceneOf({ball(0.05, {0, 0, 0}, Vec3::Zero()), ball(0.05, {-0.11, 0, 0}, {2, 0, 0})});
+            if (general) scene = withManifolds(scene);
+            Entered entered(scene);
+            entered.enter({0});
+            QVERIFY(entered.path.has(0) && !entered.path.has(1));
+            entered.advance();
+            entered.state.pose[1].position.x() += 2 * substep;
+            entered.enter({1});
+            QVERIFY(entered.path.has(1));
+            QCOMPARE(entered.path.blockOf()[0], entered.path.blockOf()[1]);
+            QVERIFY(entered.holds());
+            entered.advance();
+            QVERIFY(std::abs(entered.state.velocity[0].x() - 2) < 1e-6);
+            QVERIFY(std::abs(entered.state.velocity[1].x()) < 1e-6);
+        }
+    }
+
+    // A third ball between two that are apart touches both, and carries an impulse across.
+    void anIslandThatJoinsTwoIslandsMakesOneOfThem() {
+        Entered entered(
+            test::sceneOf({ball(0.05, {0, 0, 0}, {3, 0, 0}), ball(0.05, {0.2001, 0, 0}, Vec3::Zero()),
+                           ball(0.05, {0.10005, 0, 0}, Vec3::Zero())}));
+        entered.enter({0, 1});
+        entered.enter({2});
+        QVERIFY(entered.holds());
+        entered.advance();
+        const auto speed = [&](BodyIndex i) { return entered.state.velocity[i].x(); };
+        QVERIFY(speed(1) > 0.5);
+        QVERIFY(std::abs(speed(0) + speed(1) + speed(2) - 3) < 1e-9);
+        QVERIFY(speed(0) * speed(0) + speed(1) * speed(1) + speed(2) * speed(2) < 9 + 1e-9);
+    }
+
+    void whoIsHereIsInABlock() {
+        Entered entered(stackOf(3));
+        QVERIFY(entered.path.isEmpty());
+        QCOMPARE(entered.path.islands(), 0U);
+        entered.enterAll();
+        QVERIFY(!entered.path.isEmpty());
+        QCOMPARE(entered.path.islands(), 1U);
+        for (const BodyIndex i : entered.bodies.mobileBodies) QVERIFY(entered.path.has(i));
+        QVERIFY(!entered.path.has(0)); // the floor
+        entered.leave();
+        QVERIFY(entered.path.isEmpty());
+        for (const BodyIndex i : entered.bodies.mobileBodies) QVERIFY(!entered.path.has(i));
+        entered.enterAll();
+        entered.path.clear();
+        QVERIFY(entered.path.isEmpty() && !entered.path.has(1));
+    }
+
+    // A stack at rest leaves and enters again, in every substep or in none.
+    void leavingAndEnteringAgainLeavesForcesAndMotionNearlyAsTheyWere() {
+        for (const int count : {1, 4}) {
+            Entered staying(stackOf(count)), leaving(stackOf(count));
+            for (int n = 0; n < 240; ++n) {
+                staying.step();
+                leaving.step();
+            }
+            QVERIFY(sameBits(staying.state, leaving.state));
+            double motion = 0, force = 0;
+            for (int n = 0; n < 40; ++n) {
+                staying.step();
+                leaving.leave();
+                leaving.step();
+                motion = std::max(motion, distanceBetween(staying.state, leaving.state));
+                for (BodyIndex i = 1; i < staying.bodies.count(); ++i) {
+                    const double weight = test::gravity * (count - static_cast<int>(i) + 1);
+                    const BodyPair pair{i - 1, i};
+                    force = std::max(force, (staying.forceOf(pair) - leaving.forceOf(pair)).norm() / weight);
+                    QVERIFY(std::abs(leaving.forceOf(pair).y() / weight - 1) < 0.02);
+                }
+            }
+            qInfo("%d cubes: motion differs by %.2g m, forces by %.2g of the weight", count, motion, force);
+            QVERIFY(motion < 1e-5 && force < 0.01);
+        }
+    }
+
+    void aHeapOfBallsLeavesAndEntersAgainWithItsForces() {
+        Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+        for (int k = 0; k < 3; ++k)
+            scene.bodies.push_back(test::rough(
+                test::sphere(0.1, 1, {0.2 * std::cos(2.1 * k), 0.1, 0.2 * std::sin(2.1 * k)}), 0.5));
+        Entered staying(scene), leaving(scene);
+        for (int n = 0; n < 240; ++n) {
+            staying.step();
+            leaving.step();
+        }
+        for (int n = 0; n < 40; ++n) {
+            staying.step();
+            leaving.leave();
+            leaving.step();
+        }
+        QVERIFY(distanceBetween(staying.state, leaving.state) < 1e-6);
+        for (BodyIndex i = 1; i <= 3; ++i) {
+            QVERIFY(std::abs(staying.forceOf({0, i}).y() / test::gravity - 1) < 0.01);
+            QVERIFY((staying.forceOf({0, i}) - leaving.forceOf({0, i})).norm() < 0.01 * test::gravity);
+        }
+    }
+
+    void aCopyGoesOnWithTheSameBits() {
+        Random random(seed, 2);
+        for (int trial = 0; trial < 20; ++trial) {
+            Entered scene(test::randomRoughScene(random));
+            for (int n = 0; n < 10; ++n) scene.step();
+            if (!scene.holds()) {
+                scene.leave();
+                scene.enterAll();
+            }
+            BasePath path = scene.path; // in the middle of a frame
+            Manifolds manifolds = scene.manifolds;
+            State state = scene.state;
+            const SteppedInput input{
+                .bodies = scene.bodies, .gravity = scene.input().gravity, .state = state};
+            for (int n = 0; n < 5; ++n) {
+                const bool holds = scene.holds();
+                QCOMPARE(path.holds(input, substep), holds);
+                if (!holds) break;
+                scene.advance();
+                path.advance(input, manifolds);
+                QVERIFY(sameBits(state, scene.state));
+            }
+            std::vector<Manifolds::Entry> carried;
+            path.leave(input, manifolds, carried);
+            scene.leave();
+            QCOMPARE(carried.size(), scene.carried.size());
+        }
+    }
+
+    void whoeverIsMovedFromOutsideEndsIt_data() {
+        QTest::addColumn<int>("what");
+        QTest::newRow("position") << 0;
+        QTest::newRow("velocity") << 1;
+        QTest::newRow("angular velocity") << 2;
+        QTest::newRow("orientation") << 3;
+    }
+    void whoeverIsMovedFromOutsideEndsIt() {
+        QFETCH(int, what);
+        Entered entered(stackOf(2));
+        for (int n = 0; n < 10; ++n) entered.step();
+        QVERIFY(entered.holds());
+        const double little = 1e-9;
+        switch (what) {
+        case 0:
+            entered.state.pose[2].position.x() += little;
+            break;
+        case 1:
+            entered.state.velocity[2].x() += little;
+            break;
+        case 2:
+            entered.state.angularVelocity[2].x() += little;
+            break;
+        default:
+            entered.state.pose[2].orientation =
+                fromRotationVector(Vec3(0, little, 0)) * entered.state.pose[2].orientation;
+            break;
+        }
+        QVERIFY(!entered.holds());
+    }
+
+    void itEndsWhenABodyOutrunsItsReach() {
+        // A ball that falls freely: its reach is that of a frame and a twentieth of its size.
+        Entered entered(test::sceneOf({ball(0.5, {0, 0, 0}, Vec3::Zero())}, test::downwards()));
+        entered.enterAll();
+        const double reach = 0.5 * test::gravity * frame * frame + skin * 0.5;
+        int n = 0;
+        for (; n < 100 && entered.holds(); ++n) {
+            const double moved = -entered.state.pose[0].position.y();
+            const double path =
+                -entered.state.velocity[0].y() * substep + 0.5 * test::gravity * substep * substep;
+            QVERIFY(moved + Neighbours::reachFactor * path <= reach * (1 + 1e-9));
+            entered.advance();
+        }
+        QVERIFY(n > substeps && n < 100); // longer than a frame, since nothing speeds it up
+    }
+
+    void bodiesAtRestStay() {
+        Entered entered(stackOf(3));
+        entered.enterAll();
+        for (int n = 0; n < 500; ++n) {
+            QVERIFY(entered.holds());
+            entered.advance();
+        }
+        for (BodyIndex i = 1; i <= 3; ++i)
+            QVERIFY(std::abs(entered.state.pose[i].position.y() - (i - 0.5)) < 0.01);
+    }
+
+    void manifoldsAreNeitherLostNorDoubled() {
+        Random random(seed, 3);
+        int joined = 0;
+        for (int trial = 0; trial < 40; ++trial) {
+            Entered scene(trial % 2 == 0 ? withManifolds(test::randomRoughScene(random))
+                                         : test::randomRoughScene(random));
+            for (int n = 0; n < 10; ++n) {
+                // Some enter; then some more, one after another, beside those that are here.
+                std::vector<std::vector<BodyIndex>> lists(1 + random.below(4));
+                for (const BodyIndex i : scene.bodies.mobileBodies)
+                    lists[random.below(lists.size())].push_back(i);
+                for (const std::vector<BodyIndex>& list : lists)
+                    if (!list.empty()) {
+                        const std::vector<Manifolds::Entry> before = scene.carried;
+                        scene.enter(list);
+                        // What another of the lists is about is carried on.
+                        for (const Manifolds::Entry& entry : before)
+                            if (!scene.path.has(entry.pair.a) && !scene.path.has(entry.pair.b))
+                                scene.carried.push_back(entry);
+                        ++joined;
+                    }
+                for (int k = 0; k < 3 && scene.holds(); ++k) scene.advance();
+                scene.leave();
+                QVERIFY(test::ManifoldPlaces(scene.manifolds).areThoseOf(scene.carried));
+                for (std::size_t i = 1; i < scene.carried.size(); ++i)
+                    QVERIFY(scene.carried[i - 1].pair < scene.carried[i].pair);
+                for (const Manifolds::Entry& entry : scene.carried)
+                    QVERIFY(scene.manifolds[entry.place].pair == entry.pair);
+            }
+        }
+        QVERIFY(joined > 400);
+    }
+
+    void busyIsAMatterOfPathsAndSizes() {
+        Entered entered(test::sceneOf({ball(0.1, {0, 0, 0}, {1, 0, 0}), ball(0.3, {1, 0, 0}, Vec3::Zero())}));
+        // The mean path is a tenth of the mean size at v t = .04 m.
+        QVERIFY(!BasePath::areBusy(entered.bodies, entered.state, entered.bodies.mobileBodies, 0.039));
+        QVERIFY(BasePath::areBusy(entered.bodies, entered.state, entered.bodies.mobileBodies, 0.041));
+    }
+
+    void smallIslandsLookMoreOften() {
+        int looks = 1000, steps = 1000;
+        for (const std::size_t points : {0U, 1U, 16U, 32U, 64U, 192U, 193U, 1000U}) {
+            const Division division = BasePath::divisionFor(points, false, 1);
+            QVERIFY(division.looks <= looks && division.steps <= steps);
+            looks = division.looks;
+            steps = division.steps;
+            QCOMPARE(BasePath::divisionFor(points, true, 1).looks, 1); // balls are looked at each step
+            const Division more = BasePath::divisionFor(points, false, 3);
+            QCOMPARE(more.passes, 3 * division.passes);
+            QCOMPARE(more.looks, division.looks);
+        }
+        QCOMPARE(looks, 1);
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(base_path_test, carom::BasePathTest)
+#include "base_path_test.moc"
