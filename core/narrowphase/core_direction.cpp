@@ -188,8 +188,8 @@ bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess,
     const Vec3 offset = b.pose->position - a.pose->position;
     coreB.turn = turnA.transpose() * turnB;
     coreB.centre = turnA.transpose() * offset;
-    const Vec3 between =
-        betweenCores(coreA, coreB, turnA.transpose() * guess, margin + coreA.rim + coreB.rim);
+    const double far = margin + std::sqrt(3.0) * (coreA.rim + coreB.rim); // so far at a corner
+    const Vec3 between = betweenCores(coreA, coreB, turnA.transpose() * guess, far);
     const double distance = between.norm();
     if (!(distance > 0)) return collide(a, b, margin, manifold);
     const Vec3 found = turnA * between / distance;
