@@ -64,10 +64,7 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
     };
     choose(m_upward, m_up);
     choose(m_downward, m_down);
-    std::sort(m_down.begin(), m_down.end());
-    m_pairs.reserve(m_up.capacity() + m_down.capacity());
-    m_pairs.resize(m_up.size() + m_down.size());
-    std::merge(m_up.begin(), m_up.end(), m_down.begin(), m_down.end(), m_pairs.begin());
+    mergeAscending(m_up, m_down, m_pairs);
     return m_pairs;
 }
 

@@ -31,7 +31,7 @@
 //     islands      bodies that contacts or springs join; they know nothing of each other (islands.h)
 //     refinement   which islands the budget allows to be solved to the tolerance, with impacts located
 //                  (contacts/refinement.h, island_motion.h)
-//     base path    all others, for the rest of the frame: sweeps at a cost known beforehand
+//     base path    all others, as long as their pairs serve: sweeps at a cost known beforehand
 //                  (contacts/base_path.h); and what refinement has left of its substep where the budget ended
 //     sleeping     islands at rest are left alone until something meets them (resting.h)
 //     the rest     bodies that touch nothing, and what springs join them to, move as the integrator has it
@@ -55,8 +55,12 @@ class Contacts final : public Solver {
         : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_resting(bodies.count()),
           m_candidates(bodies.count()), m_refinement(bodies.count()),
           m_base(bodies.count(), passesOf(settings)), m_brief(bodies.count(), passesOf(settings)),
-          m_calm(bodies.count()) {
-        for (const SpringForce& spring : bodies.springs) m_links.push_back({spring.from, spring.to});
+          m_calm(bodies.count()), m_isOnSpring(bodies.count(), 0) {
+        for (const SpringForce& spring : bodies.springs) {
+            m_links.push_back({spring.from, spring.to});
+            for (const BodyIndex end : {spring.from, spring.to})
+                if (end != noBody) m_isOnSpring[end] = 1;
+        }
     }
 
     SolverReport advance(const SolverInput& input) override;
@@ -123,14 +127,15 @@ class Contacts final : public Solver {
     int m_stayed = 0, m_patience = 0; // how long that was, and is to be at most [substeps]
     BasePath m_brief;                 // for the substep
     Calm m_calm;
-    std::vector<BodyIndex> m_members; // mobile bodies that do not rest
-    std::vector<BodyIndex> m_free;    // members that did not take the base path when the substep began
+    std::vector<std::uint8_t> m_isOnSpring; // by body: it never counts as calm
+    std::vector<BodyIndex> m_members;       // mobile bodies that do not rest
+    std::vector<BodyIndex> m_free;          // members that did not take the base path when the substep began
     std::vector<BodyIndex> m_entering, m_passing, m_woken;
     std::vector<BodyPair> m_links;     // the ends of springs
     ContactSet m_contacts;             // of refined islands, from the last substep
     FoundContacts m_found;             // of the substep
     ContactSet m_kept;                 // of refined islands, at its end
-    std::vector<std::uint8_t> m_joins; // by island, 1: it touches the base path
+    std::vector<std::uint8_t> m_joins; // by island: the block of the base path it touches, or 0
     std::vector<BodyPair> m_pairs;
     std::span<Manifolds::Entry> m_known;
     std::vector<Manifolds::Entry> m_left; // of what has left the base path
@@ -295,7 +300,7 @@ bool Contacts::findJoining() {
     return true;
 }
 
-// Bodies of islands that are not refined take the base path, until the frame ends or for this substep.
+// Bodies of islands that are not refined take the base path, for as long as it holds or for this substep.
 void Contacts::enterBase(const SolverInput& input) {
     const double time = input.parts * input.substep;
     if (m_base.isEmpty()) {
@@ -339,9 +344,7 @@ void Contacts::leave(const SolverInput& input, BasePath& path) {
         for (const BodyIndex i : m_members)
             if (m_base.has(i)) m_refinement.waited(std::span(&i, 1), m_stayed);
     path.leave(stepped(input), m_found.manifolds(), m_left);
-    std::sort(m_left.begin(), m_left.end(), [](const Manifolds::Entry& one, const Manifolds::Entry& other) {
-        return one.pair < other.pair;
-    });
+    std::sort(m_left.begin(), m_left.end());
 }
 
 void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
@@ -393,14 +396,10 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
                           SolverReport& report) {
     m_found.makeManifolds(here(input), island.pairs, m_work);
     Manifolds& manifolds = m_found.manifolds();
-    std::size_t points = 0;
-    bool round = true;
-    for (const std::uint32_t index : island.pairs) {
-        points += static_cast<std::size_t>(manifolds[m_found.placeOf(index)].count);
-        round = round && manifolds[m_found.placeOf(index)].round;
-    }
+    ContactCount count;
+    for (const std::uint32_t index : island.pairs) count.add(manifolds[m_found.placeOf(index)]);
     const SteppedInput stepping = stepped(input);
-    m_rest.begin(input.bodies, BasePath::divisionFor(points, round, passesOf(m_settings)), input.substep);
+    m_rest.begin(input.bodies, BasePath::divisionFor(count, passesOf(m_settings)), input.substep);
     m_rest.addIsland(stepping, island.bodies, island.links);
     m_rest.beginPairs();
     for (const std::uint32_t index : island.pairs)
@@ -418,7 +417,9 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     for (const BodyIndex i : m_members)
         if (m_base.has(i)) m_entering.push_back(i);
     m_calm.note(input.bodies, input.state, m_entering, input.gravity, input.parts * input.substep);
-    const auto isCalm = [&](BodyIndex body) { return m_calm.isCalm(input.bodies, body, input.gravity); };
+    const auto isCalm = [&](BodyIndex body) {
+        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, body, input.gravity);
+    };
     if (!(input.gravity.norm() > 0) || !m_base.anyIsland(isCalm)) return;
     leave(input, m_base);
     m_pairs.clear();
@@ -426,8 +427,7 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     m_islands.find(input.bodies, m_entering, m_pairs, m_links);
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
-        if (island.links.empty() && std::all_of(island.bodies.begin(), island.bodies.end(), isCalm))
-            putToSleep(input, island);
+        if (std::all_of(island.bodies.begin(), island.bodies.end(), isCalm)) putToSleep(input, island);
     }
     m_resting.exchange(input.bodies, m_contacts);
     std::erase_if(m_left, [](const Manifolds::Entry& entry) { return entry.place == Manifolds::none; });

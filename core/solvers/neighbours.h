@@ -5,6 +5,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,20 @@ double boundingGap(const Bodies& bodies, const State& state, BodyPair pair);
 /// Whether a pair whose balls are within `margin` [m] is so with its boxes, too. A list that covers both
 /// bodies for `margin` has all pairs for which both is true, and may have others.
 bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin);
+/// Both.
+inline bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
+    return boundingGap(bodies, state, pair) <= margin && areBoxesWithin(bodies, state, pair, margin);
+}
+
+/// What was found from each body to those of larger index, ascending, and the rest, as one: `down` is sorted.
+/// No memory is taken while crowds are no larger than they were.
+template<class Pair>
+void mergeAscending(const std::vector<Pair>& up, std::vector<Pair>& down, std::vector<Pair>& all) {
+    std::sort(down.begin(), down.end());
+    all.reserve(up.capacity() + down.capacity());
+    all.resize(up.size() + down.size());
+    std::merge(up.begin(), up.end(), down.begin(), down.end(), all.begin());
+}
 
 class Neighbours {
   public:

@@ -29,15 +29,6 @@ inline Vec3 directionOf(Random& random) {
     return Vec3(x, y, random.gaussian()).normalized();
 }
 
-inline void setInverseInertia(const Mat3& inverse, SolverBody& body) {
-    body.xx = inverse(0, 0);
-    body.xy = inverse(0, 1);
-    body.xz = inverse(0, 2);
-    body.yy = inverse(1, 1);
-    body.yz = inverse(1, 2);
-    body.zz = inverse(2, 2);
-}
-
 /// A pair that owns its points.
 struct OwnedPair {
     PairInput laws;

@@ -19,10 +19,7 @@ CAROM_INLINE Wide3 tangentOf(const Wide3& n) {
 }
 
 CAROM_INLINE Wide3 gatherPlace(const BodyPlace* places, const std::array<std::uint32_t, 4>& index) {
-    Wide a = loadWide(places[index[0]].position.data()), b = loadWide(places[index[1]].position.data());
-    Wide c = loadWide(places[index[2]].position.data()), d = loadWide(places[index[3]].position.data());
-    transpose(a, b, c, d);
-    return {a, b, c};
+    return gatherThree<BodyPlace>(places->position.data(), index);
 }
 
 CAROM_INLINE void store(std::array<Wide, 3>& to, const Wide3& from) { to = {from.x, from.y, from.z}; }

@@ -2,7 +2,6 @@
 #include "core/solvers/contacts/base_path.h"
 
 #include <algorithm>
-#include <variant>
 
 namespace carom {
 namespace {
@@ -18,15 +17,21 @@ constexpr double busyPath = 0.1;
 /// From the fewest points to the most.
 constexpr std::array<Division, 4> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}};
 
-/// Which of them, by the number of points; `round` if they are all of balls.
-std::uint8_t divisionNumber(std::size_t points, bool round) {
-    if (points > fewPoints) return 3;
+/// Which of them.
+std::uint8_t divisionNumber(const ContactCount& count) {
+    if (count.points > fewPoints) return 3;
     const std::size_t looks =
-        round ? 1 : std::clamp(pointsOfOneLook / std::max<std::size_t>(points, 1), std::size_t{1}, mostLooks);
+        count.round
+            ? 1
+            : std::clamp(pointsOfOneLook / std::max<std::size_t>(count.points, 1), std::size_t{1}, mostLooks);
     return looks >= 4 ? 0 : looks >= 2 ? 1 : 2;
 }
 
-bool isBefore(const BasePath::Entry& one, const BasePath::Entry& other) { return one.pair < other.pair; }
+Division divisionOf(std::uint8_t number, int passes) {
+    Division division = divisionsOfSubstep[number];
+    division.passes *= passes;
+    return division;
+}
 
 } // namespace
 
@@ -40,10 +45,8 @@ bool BasePath::areBusy(const Bodies& bodies, const State& state, std::span<const
     return paths > busyPath * sizes;
 }
 
-Division BasePath::divisionFor(std::size_t points, bool round, int passes) {
-    Division division = divisionsOfSubstep[divisionNumber(points, round)];
-    division.passes *= passes;
-    return division;
+Division BasePath::divisionFor(const ContactCount& count, int passes) {
+    return divisionOf(divisionNumber(count), passes);
 }
 
 std::size_t BasePath::islands() const {
@@ -84,10 +87,7 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     for (const BodyIndex i : list)
         for (const BodyIndex k : neighbours.around(i)) {
             if (m_block[k] != entering || k < i || m_reach[i] == m_reach[k]) continue;
-            const double sum = m_reach[i] + m_reach[k];
-            if (boundingGap(bodies, input.state, {i, k}) > sum ||
-                !areBoxesWithin(bodies, input.state, {i, k}, sum))
-                continue;
+            if (!areWithin(bodies, input.state, {i, k}, m_reach[i] + m_reach[k])) continue;
             const BodyIndex slower = m_reach[i] < m_reach[k] ? i : k;
             m_reach[slower] = std::max(m_reach[i], m_reach[k]);
             covered = neighbours.covers(slower, m_reach[slower]) && covered;
@@ -111,16 +111,10 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
             if (mobile && (m_block[k] == noBlock || (m_block[k] == entering && k < i))) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             const double margin = marginOf(input.bodies, pair);
-            if (boundingGap(input.bodies, input.state, pair) > margin ||
-                !areBoxesWithin(input.bodies, input.state, pair, margin))
-                continue;
+            if (!areWithin(input.bodies, input.state, pair, margin)) continue;
             (i < k ? m_upward : m_downward).push_back({pair, Manifolds::none, margin});
         }
-    std::sort(m_downward.begin(), m_downward.end(), isBefore);
-    m_entering.reserve(m_upward.capacity() + m_downward.capacity());
-    m_entering.resize(m_upward.size() + m_downward.size());
-    std::merge(m_upward.begin(), m_upward.end(), m_downward.begin(), m_downward.end(), m_entering.begin(),
-               isBefore);
+    mergeAscending(m_upward, m_downward, m_entering);
     auto old = known.begin();
     for (Entry& entry : m_entering) {
         while (old != known.end() && old->pair < entry.pair) ++old;
@@ -129,15 +123,11 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
 }
 
 std::uint8_t BasePath::blockFor(const Island& island, const Manifolds& manifolds) const {
-    std::size_t points = 0;
-    bool round = true;
-    for (const std::uint32_t index : island.pairs) {
-        const std::uint32_t place = m_entering[index].place;
-        if (place == Manifolds::none) continue;
-        points += static_cast<std::size_t>(manifolds[place].count);
-        round = round && manifolds[place].round;
-    }
-    return divisionNumber(points, round);
+    ContactCount count;
+    for (const std::uint32_t index : island.pairs)
+        if (const std::uint32_t place = m_entering[index].place; place != Manifolds::none)
+            count.add(manifolds[place]);
+    return divisionNumber(count);
 }
 
 void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
@@ -156,11 +146,8 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                 number = m_block[here];
         if (number == noBlock) number = static_cast<std::uint8_t>(blockFor(island, manifolds) + 1);
         SteppedMotion& block = m_blocks[number - 1u];
-        if (block.isEmpty()) {
-            Division division = divisionsOfSubstep[number - 1u];
-            division.passes *= m_passes;
-            block.begin(input.bodies, division, substep);
-        }
+        if (block.isEmpty())
+            block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(number - 1), m_passes), substep);
         block.addIsland(input, island.bodies, island.links);
         block.beginPairs();
         for (const std::uint32_t index : island.pairs) {

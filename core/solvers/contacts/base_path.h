@@ -13,19 +13,29 @@
 // Who takes the base path, and for how long: bodies enter with all pairs that can touch for a while, so that
 // the substeps search for nothing.
 //
-//     reach      how far a body's surface may come within a frame, some times its own path; bodies within
-//     reach of
-//                each other share the larger one, since one may strike the other
-//     pairs      those of the neighbours' lists within the reach of both
-//     islands    what such pairs join. Small ones look at their contacts more often and in smaller steps: a
+//     reach    how far a body's surface comes within a frame, and some times as far in its last substep;
+//     bodies
+//              within reach of each other share the larger one, since one may strike the other
+//     pairs    those of the neighbours' lists within the reach of both
+//     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
 //     body
-//                that turns comes down with another part of it, and a chain of bodies passes an impact on by
-//                a few of them a pass. So there is a block of bodies for every division of the substep.
-//     holds      while no body outruns its reach and nobody else has moved it. Bodies at rest stay for many
-//                frames. If it does not hold, or if others join two blocks, all leave, and the solver begins
-//                anew.
+//              that turns comes down with another part of it, and a chain of bodies passes an impact on by a
+//              few of them a pass. So there is a block of bodies for every division of the substep.
+//     holds    while no body outruns its reach and nobody else has moved it. Bodies at rest stay for many
+//              frames. If it does not hold, or if others join two blocks, all leave, and the solver begins
+//              anew.
 
 namespace carom {
+
+/// What decides how an island divides a substep.
+struct ContactCount {
+    std::size_t points = 0;
+    bool round = true; ///< all of them are of balls
+    void add(const PersistentManifold& manifold) {
+        points += static_cast<std::size_t>(manifold.count);
+        round = round && manifold.round;
+    }
+};
 
 class BasePath {
   public:
@@ -40,11 +50,11 @@ class BasePath {
     /// By body: 0 for those that are not here, otherwise a number for all that are in one block.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
-    /// Whether the pairs serve for another substep, whose paths the neighbours have noted.
+    /// Whether the pairs serve for another `substep` [s].
     bool holds(const SteppedInput& input, double substep) const;
 
-    /// Notes where bodies that are to enter, ascending, may come within `time` [s], until which all that are
-    /// here leave. False if the neighbours must search and this be asked again.
+    /// Notes how far bodies that are to enter, ascending, may come within `time` [s], and by `skin` times
+    /// their size further. False if the neighbours must search and this be asked again.
     bool prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                  Neighbours& neighbours);
     /// Those that were prepared enter. `known` are the manifolds there are, ascending; those of pairs that
@@ -76,8 +86,8 @@ class BasePath {
     /// of cost alone.
     static bool areBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         double time);
-    /// How an island of so many contact points divides a substep; `round` if they are all of balls.
-    static Division divisionFor(std::size_t points, bool round, int passes);
+    /// How an island with such contacts divides a substep.
+    static Division divisionFor(const ContactCount& count, int passes);
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1

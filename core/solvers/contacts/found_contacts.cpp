@@ -6,11 +6,6 @@
 #include <limits>
 
 namespace carom {
-namespace {
-
-bool isBefore(const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; }
-
-} // namespace
 
 void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> candidates,
                          const Candidates& margins, const Refinement& refinement,
@@ -110,7 +105,7 @@ std::span<Manifolds::Entry> FoundContacts::known() {
     list();
     m_known.clear();
     std::merge(m_listed.begin(), m_listed.end(), m_distant.begin(), m_distant.end(),
-               std::back_inserter(m_known), isBefore);
+               std::back_inserter(m_known));
     return m_known;
 }
 
@@ -140,8 +135,7 @@ void FoundContacts::carryOn(std::span<const Manifolds::Entry> others) {
 void FoundContacts::carryWith(std::span<const Manifolds::Entry> others) {
     const std::span<const Manifolds::Entry> carried = m_manifolds.entries();
     m_known.clear();
-    std::merge(carried.begin(), carried.end(), others.begin(), others.end(), std::back_inserter(m_known),
-               isBefore);
+    std::merge(carried.begin(), carried.end(), others.begin(), others.end(), std::back_inserter(m_known));
     m_manifolds.exchange(m_known);
     m_known.clear();
 }

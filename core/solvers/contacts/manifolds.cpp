@@ -17,8 +17,6 @@ namespace {
 constexpr double keptWithin = 0.002, keptAngle = 0.002;
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
-bool isSphere(const Bodies& bodies, BodyIndex i) { return std::holds_alternative<Sphere>(bodies.shape[i]); }
-
 double sizeOf(const Bodies& bodies, BodyPair pair) {
     const double a = bodies.boundingRadius[pair.a], b = bodies.boundingRadius[pair.b];
     if (isWall(bodies.shape[pair.a])) return b;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 // Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
@@ -36,6 +37,10 @@ inline constexpr std::size_t manifoldPoints = 4;
 inline constexpr double slackPart = 0.01;
 /// A contact of balls counts as apart, and its normal is foreseen, beyond this part of their radii.
 inline constexpr double openBeyond = 1e-3;
+
+inline bool isSphere(const Bodies& bodies, BodyIndex i) {
+    return std::holds_alternative<Sphere>(bodies.shape[i]);
+}
 
 /// The contact of two bodies, as it is carried from substep to substep.
 struct PersistentManifold {
@@ -101,6 +106,7 @@ class Manifolds {
     struct Entry {
         BodyPair pair;
         std::uint32_t place = none;
+        bool operator<(const Entry& other) const { return pair < other.pair; }
     };
     std::span<const Entry> entries() const { return m_entries; }
     PersistentManifold& operator[](std::uint32_t place) { return m_manifolds[place]; }

@@ -15,18 +15,16 @@
 //
 //     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
 //     order      islands that are expected to cost least come first, while the budget lasts
-//     share      an island may take its equal share of what the ones before it are expected to leave, or a
-//     few
-//                times what it is expected to cost; with springs forSprings times as much
+//     share      an island may take its equal share of what those before it are expected to leave, or a
+//                few times what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may draw on it. Forces that are found once
 //                hold for good there, and cost much the first time. The base path's work is paid from the
 //                same budget, so what moves all the time saves nothing.
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
-//                ... 63 substeps: an island that moves all the time costs
-//                attempts in vain ever more seldom, one that has just been put down is solved from the forces
-//                the base path has found
+//                ... 63 substeps: an island that moves all the time costs attempts in vain ever more seldom,
+//                one that has just been put down is solved from the forces the base path has found
 //
 // A frame's work is at most mostShares times the floor and mostOverrun times the budget, forSprings times
 // that where there are springs, what was saved, the overrun of one step of each solver, and the base path.
@@ -46,7 +44,7 @@ struct RefinementInput {
     const State& state;
     const Islands& islands;
     std::span<const std::uint8_t> canMeet; ///< by pair, 1: its bodies may touch within the substep
-    std::span<const std::uint8_t> joins;   ///< by island, 1: it touches bodies of the base path
+    std::span<const std::uint8_t> joins;   ///< by island, not 0: it touches bodies of the base path
     Vec3 gravity;                          ///< [m/s²]
     double substep = 0;                    ///< [s]
     int part = 0, parts = 1;               ///< of the frame

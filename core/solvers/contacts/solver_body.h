@@ -44,6 +44,15 @@ inline Mat3 inverseInertiaOf(const SolverBody& body) {
     return inverse;
 }
 
+inline void setInverseInertia(const Mat3& inverse, SolverBody& body) {
+    body.xx = inverse(0, 0);
+    body.xy = inverse(0, 1);
+    body.xz = inverse(0, 2);
+    body.yy = inverse(1, 1);
+    body.yz = inverse(1, 2);
+    body.zz = inverse(2, 2);
+}
+
 /// Change of angular velocity by a torque impulse [N m s].
 inline Vec3 turnedBy(const SolverBody& body, const Vec3& torque) {
     return {body.xx * torque.x() + body.xy * torque.y() + body.xz * torque.z(),

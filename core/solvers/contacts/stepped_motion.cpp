@@ -21,22 +21,9 @@ constexpr int mostRounds = 4;
 constexpr std::uint32_t immobile = 0;
 
 void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
-    if (isIsotropic(principal)) {
-        body.xx = body.yy = body.zz = principal.x();
-        body.xy = body.xz = body.yz = 0;
-        return;
-    }
-    const Mat3 turn = orientation.toRotationMatrix();
-    const Mat3 inverse = turn * principal.asDiagonal() * turn.transpose();
-    body.xx = inverse(0, 0);
-    body.xy = inverse(0, 1);
-    body.xz = inverse(0, 2);
-    body.yy = inverse(1, 1);
-    body.yz = inverse(1, 2);
-    body.zz = inverse(2, 2);
+    const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
+    carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
 }
-
-bool isSphere(const Bodies& bodies, BodyIndex i) { return std::holds_alternative<Sphere>(bodies.shape[i]); }
 
 } // namespace
 
@@ -53,7 +40,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_island.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
-    m_islands = 0;
+    m_islands = m_joined = 0;
     m_links.clear();
     m_entries.clear();
     m_isFlipped.clear();
@@ -85,7 +72,9 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
 }
 
 void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
-    if (one != other) std::replace(m_island.begin() + 1, m_island.end(), other, one);
+    if (one == other) return;
+    std::replace(m_island.begin() + 1, m_island.end(), other, one);
+    ++m_joined;
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
@@ -430,8 +419,7 @@ void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::ve
     entries.clear();
     for (const Entry& entry : m_entries)
         if (entry.place != Manifolds::none) entries.push_back(entry);
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& one, const Entry& other) { return one.pair < other.pair; });
+    std::sort(entries.begin(), entries.end());
     clear();
 }
 

@@ -65,16 +65,16 @@ class SteppedMotion {
         BodyPair pair;
         std::uint32_t place = Manifolds::none;
         double margin = 0; ///< [m]
+        bool operator<(const Entry& other) const { return pair < other.pair; }
     };
 
     /// `substep` [s] is that of all that come.
     void begin(const Bodies& bodies, const Division& division, double substep);
     bool isEmpty() const { return m_list.empty(); }
-    bool has(BodyIndex body) const { return body < m_local.size() && m_local[body] != 0; }
     /// Mobile bodies, in the order they were added.
     std::span<const BodyIndex> bodies() const { return m_list; }
     std::uint32_t islandOf(BodyIndex body) const { return m_island[m_local[body]]; }
-    std::size_t islands() const { return m_islands; }
+    std::size_t islands() const { return m_islands - m_joined; }
 
     /// Bodies of an island, with the springs that hold them.
     void addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
@@ -159,9 +159,9 @@ class SteppedMotion {
     std::vector<std::uint8_t> m_struck;        // by anything since the last look
     std::vector<SolverBody> m_before;          // the rebound of an impact
 
-    std::size_t m_islands = 0;
-    std::vector<std::uint8_t> m_isCalm; // by island
-    std::vector<std::uint32_t> m_links; // springs
+    std::size_t m_islands = 0, m_joined = 0; // numbers given, and those that stand for none any more
+    std::vector<std::uint8_t> m_isCalm;      // by island
+    std::vector<std::uint32_t> m_links;      // springs
     std::vector<SpringRow> m_springs;
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first

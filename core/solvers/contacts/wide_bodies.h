@@ -5,6 +5,7 @@
 #include "core/solvers/contacts/solver_body.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 // Four bodies in registers, one in each lane: gathered from their records, worked on, and scattered back.
@@ -36,39 +37,36 @@ struct Motion {
 CAROM_INLINE const double* recordOf(const SolverBody& body) { return body.velocity.data(); }
 CAROM_INLINE double* recordOf(SolverBody& body) { return body.velocity.data(); }
 
+/// Four doubles of each of four records that are `stride` doubles apart, from where `first` points in record
+/// 0.
+CAROM_INLINE void gatherFour(const double* first, std::size_t stride,
+                             const std::array<std::uint32_t, 4>& index, Wide& a, Wide& b, Wide& c, Wide& d) {
+    a = loadWide(first + stride * index[0]);
+    b = loadWide(first + stride * index[1]);
+    c = loadWide(first + stride * index[2]);
+    d = loadWide(first + stride * index[3]);
+    transpose(a, b, c, d);
+}
+
+template<class Record>
+inline constexpr std::size_t strideOf = sizeof(Record) / sizeof(double);
+
 CAROM_INLINE void gatherVelocity(const SolverBody* bodies, const std::array<std::uint32_t, 4>& index,
                                  Motion& motion) {
-    Wide a = loadWide(recordOf(bodies[index[0]])), b = loadWide(recordOf(bodies[index[1]]));
-    Wide c = loadWide(recordOf(bodies[index[2]])), d = loadWide(recordOf(bodies[index[3]]));
-    transpose(a, b, c, d);
-    motion.velocity = {a, b, c};
-    motion.inverseMass = d;
-    a = loadWide(recordOf(bodies[index[0]]) + 4);
-    b = loadWide(recordOf(bodies[index[1]]) + 4);
-    c = loadWide(recordOf(bodies[index[2]]) + 4);
-    d = loadWide(recordOf(bodies[index[3]]) + 4);
-    transpose(a, b, c, d);
-    motion.spin = {a, b, c};
-    motion.roundInverse = d;
+    constexpr std::size_t stride = strideOf<SolverBody>;
+    gatherFour(recordOf(*bodies), stride, index, motion.velocity.x, motion.velocity.y, motion.velocity.z,
+               motion.inverseMass);
+    gatherFour(recordOf(*bodies) + 4, stride, index, motion.spin.x, motion.spin.y, motion.spin.z,
+               motion.roundInverse);
 }
 
 CAROM_INLINE void gather(const SolverBody* bodies, const std::array<std::uint32_t, 4>& index,
                          Motion& motion) {
+    constexpr std::size_t stride = strideOf<SolverBody>;
     gatherVelocity(bodies, index, motion);
-    Wide a = loadWide(recordOf(bodies[index[0]]) + 8), b = loadWide(recordOf(bodies[index[1]]) + 8);
-    Wide c = loadWide(recordOf(bodies[index[2]]) + 8), d = loadWide(recordOf(bodies[index[3]]) + 8);
-    transpose(a, b, c, d);
-    motion.xx = a;
-    motion.xy = b;
-    motion.xz = c;
-    motion.yy = d;
-    a = loadWide(recordOf(bodies[index[0]]) + 12);
-    b = loadWide(recordOf(bodies[index[1]]) + 12);
-    c = loadWide(recordOf(bodies[index[2]]) + 12);
-    d = loadWide(recordOf(bodies[index[3]]) + 12);
-    transpose(a, b, c, d);
-    motion.yz = a;
-    motion.zz = b;
+    Wide unused, other;
+    gatherFour(recordOf(*bodies) + 8, stride, index, motion.xx, motion.xy, motion.xz, motion.yy);
+    gatherFour(recordOf(*bodies) + 12, stride, index, motion.yz, motion.zz, unused, other);
 }
 
 // What cannot move stands in several lanes; it is written what was read.
@@ -88,11 +86,17 @@ CAROM_INLINE void scatter(SolverBody* bodies, const std::array<std::uint32_t, 4>
     storeWide(recordOf(bodies[index[3]]) + 4, d);
 }
 
+/// Three doubles of each of four records.
+template<class Record>
+CAROM_INLINE Wide3 gatherThree(const double* first, const std::array<std::uint32_t, 4>& index) {
+    Wide3 result;
+    Wide unused;
+    gatherFour(first, strideOf<Record>, index, result.x, result.y, result.z, unused);
+    return result;
+}
+
 CAROM_INLINE Wide3 gatherShift(const Displacement* moved, const std::array<std::uint32_t, 4>& index) {
-    Wide a = loadWide(moved[index[0]].shift.data()), b = loadWide(moved[index[1]].shift.data());
-    Wide c = loadWide(moved[index[2]].shift.data()), d = loadWide(moved[index[3]].shift.data());
-    transpose(a, b, c, d);
-    return {a, b, c};
+    return gatherThree<Displacement>(moved->shift.data(), index);
 }
 
 struct Moved {
@@ -100,10 +104,7 @@ struct Moved {
 };
 
 CAROM_INLINE Moved gather(const Displacement* moved, const std::array<std::uint32_t, 4>& index) {
-    Wide a = loadWide(moved[index[0]].turn.data()), b = loadWide(moved[index[1]].turn.data());
-    Wide c = loadWide(moved[index[2]].turn.data()), d = loadWide(moved[index[3]].turn.data());
-    transpose(a, b, c, d);
-    return {gatherShift(moved, index), {a, b, c}};
+    return {gatherShift(moved, index), gatherThree<Displacement>(moved->turn.data(), index)};
 }
 
 CAROM_INLINE Wide3 relativeVelocity(const Motion& a, const Motion& b, const Wide3& armA, const Wide3& armB) {

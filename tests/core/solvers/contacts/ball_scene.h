@@ -49,7 +49,7 @@ struct BallScene {
         ball.inverseMass = 1 / mass;
         ball.roundInverse = 2.5 / (mass * radius * radius);
         ball.velocity = arrayOf(velocity);
-        test::setInverseInertia(ball.roundInverse * Mat3::Identity(), ball);
+        setInverseInertia(ball.roundInverse * Mat3::Identity(), ball);
         bodies.insert(bodies.begin() + at, ball);
         places.insert(places.begin() + at, BodyPlace{arrayOf(place)});
         radii.push_back(radius);

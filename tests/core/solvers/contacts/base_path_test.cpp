@@ -455,12 +455,12 @@ class BasePathTest : public QObject {
     void smallIslandsLookMoreOften() {
         int looks = 1000, steps = 1000;
         for (const std::size_t points : {0U, 1U, 16U, 32U, 64U, 192U, 193U, 1000U}) {
-            const Division division = BasePath::divisionFor(points, false, 1);
+            const Division division = BasePath::divisionFor({points, false}, 1);
             QVERIFY(division.looks <= looks && division.steps <= steps);
             looks = division.looks;
             steps = division.steps;
-            QCOMPARE(BasePath::divisionFor(points, true, 1).looks, 1); // balls are looked at each step
-            const Division more = BasePath::divisionFor(points, false, 3);
+            QCOMPARE(BasePath::divisionFor({points, true}, 1).looks, 1); // balls are looked at each step
+            const Division more = BasePath::divisionFor({points, false}, 3);
             QCOMPARE(more.passes, 3 * division.passes);
             QCOMPARE(more.looks, division.looks);
         }

@@ -69,7 +69,7 @@ RowScene ballOnWall(const Vec3& normal, double speed, double restitution, double
     RowScene scene;
     SolverBody& ball = scene.bodies.emplace_back();
     ball.inverseMass = 1;
-    test::setInverseInertia(Mat3::Identity() * (2.5 / 0.01), ball);
+    setInverseInertia(Mat3::Identity() * (2.5 / 0.01), ball);
     const Vec3 velocity = -speed * normal + Vec3(0.3, -0.2, 0.5).cross(normal);
     for (std::size_t k = 0; k < 3; ++k) ball.velocity[k] = velocity[static_cast<Eigen::Index>(k)];
     scene.bodies.emplace_back();
