@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/event_gas.h"
-
-#include <Eigen/Cholesky>
+#include "core/solvers/joint_impulses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,12 +23,8 @@ namespace {
 constexpr double touching = 1e-12;
 /// Speeds within this part of the fastest have no order among them.
 constexpr double tie = 1e-9;
-/// A cluster of touching balls is followed so far, and so many pairs are solved for jointly: enough for
-/// racks.
+/// A cluster of touching balls is followed so far: enough for racks.
 constexpr std::size_t mostTouching = 512;
-constexpr int mostJoint = 16;
-/// W counts as singular below this reciprocal condition.
-constexpr double singular = 1e-10;
 
 } // namespace
 
@@ -123,13 +118,12 @@ void EventGas::takeGroup() {
 }
 
 void EventGas::strikeJointly(double time) {
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostJoint, mostJoint>;
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostJoint, 1>;
     const Eigen::Index size = static_cast<Eigen::Index>(m_group.size());
-    Vector impulses;
-    if (size > 1 && size <= mostJoint) {
-        Matrix w(size, size);
-        Vector wanted(size);
+    JointValues impulses;
+    bool areJoint = false;
+    if (size > 1 && size <= mostJointContacts) {
+        JointResponse w(size, size);
+        JointValues wanted(size);
         const auto coupling = [this](const Touch& x, const Touch& y) {
             const double along = x.normal.dot(y.normal);
             double sum = 0;
@@ -145,11 +139,9 @@ void EventGas::strikeJointly(double time) {
             for (Eigen::Index l = 0; l < size; ++l)
                 w(k, l) = coupling(touch, m_group[static_cast<std::size_t>(l)]);
         }
-        const Eigen::LDLT<Matrix> forward(w), backward(w.reverse());
-        if (forward.rcond() > singular)
-            impulses = 0.5 * (forward.solve(wanted) + backward.solve(wanted.reverse()).reverse());
+        areJoint = jointImpulses(w, wanted, impulses);
     }
-    if (impulses.size() == 0 || !(impulses.minCoeff() >= 0)) { // alone, or too many: by place
+    if (!areJoint) { // alone, or too many: by place
         for (const Touch& touch : m_group) strike(touch.a, touch.b, time);
         return;
     }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/event_rest.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace carom {
@@ -14,15 +12,17 @@ Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals) {
     Vec3 best = gravity;
     double strongest = -1;
     for (unsigned subset = 1; subset < (1U << normals.size()); ++subset) {
-        Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> chosen(3, std::popcount(subset));
-        Eigen::Index column = 0;
-        for (std::size_t k = 0; k < normals.size(); ++k)
-            if ((subset >> k & 1U) != 0) chosen.col(column++) = normals[k];
-        const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram =
-            chosen.transpose() * chosen;
+        Mat3 chosen = Mat3::Zero();     // a column for each wall
+        Mat3 absent = Mat3::Identity(); // on the diagonal, for columns without one
+        Eigen::Index count = 0;
+        for (std::size_t k = 0; k < normals.size(); ++k) {
+            if ((subset >> k & 1U) == 0) continue;
+            absent(count, count) = 0;
+            chosen.col(count++) = normals[k];
+        }
+        const Mat3 gram = chosen.transpose() * chosen + absent;
         if (std::abs(gram.determinant()) < 1e-12) continue; // parallel walls
-        const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> reactions =
-            gram.ldlt().solve(-chosen.transpose() * gravity);
+        const Vec3 reactions = gram.inverse() * (-chosen.transpose() * gravity);
         if (reactions.minCoeff() < 0) continue;
         const Vec3 left = gravity + chosen * reactions;
         bool pressesIn = false;

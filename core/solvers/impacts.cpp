@@ -3,6 +3,7 @@
 
 #include "core/solvers/bookings.h"
 #include "core/solvers/contacts/work_budget.h"
+#include "core/solvers/joint_impulses.h"
 
 #include <Eigen/Cholesky>
 
@@ -15,9 +16,7 @@ namespace {
 /// Closing speeds within this part of the largest have no order among them: far above rounding, far below any
 /// difference a scene intends.
 constexpr double tie = 1e-9;
-/// Contacts solved directly at most; larger groups are rare and left to the sparse solver.
-constexpr int mostDirect = 16;
-/// W counts as singular below this reciprocal condition.
+/// A response counts as singular below this reciprocal condition.
 constexpr double singular = 1e-10;
 /// Newton's tolerance relative to the largest closing speed.
 constexpr double groupTolerance = 1e-12;
@@ -235,14 +234,12 @@ bool ImpactSolver::solveLone(ContactProblem& problem, std::span<const ImpactRow>
 
 bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const ImpactRow> rows) {
     const std::size_t count = m_group.size();
-    if (count > std::size_t{mostDirect}) return false;
+    if (count > std::size_t{mostJointContacts}) return false;
     for (const std::size_t i : m_group)
         if (problem.rows[i].friction > noFriction || !(m_closing[i] > 0)) return false;
     const Eigen::Index size = static_cast<Eigen::Index>(count);
-    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostDirect, mostDirect>;
-    using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostDirect, 1>;
-    Matrix w(size, size);
-    Vector right(size);
+    JointResponse w(size, size);
+    JointValues right(size), impulse;
     for (Eigen::Index i = 0; i < size; ++i) {
         const std::size_t rowI = m_group[static_cast<std::size_t>(i)];
         right[i] = (1 + rows[rowI].restitution) * m_closing[rowI];
@@ -250,15 +247,7 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
             w(i, k) =
                 couplingOf(problem, problem.rows[rowI], problem.rows[m_group[static_cast<std::size_t>(k)]]);
     }
-    Vector impulse;
-    if (size == 1) {
-        impulse = right / w(0, 0);
-    } else {
-        const Eigen::LDLT<Matrix> forward(w), backward(w.reverse());
-        if (!(forward.rcond() > singular)) return false;
-        impulse = 0.5 * (forward.solve(right) + backward.solve(right.reverse()).reverse());
-    }
-    if (!(impulse.minCoeff() >= 0)) return false;
+    if (!jointImpulses(w, right, impulse)) return false;
     for (Eigen::Index i = 0; i < size; ++i)
         applyNormal(problem, problem.rows[m_group[static_cast<std::size_t>(i)]], impulse[i]);
     if (ledger == nullptr) return true;

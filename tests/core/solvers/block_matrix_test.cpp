@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/test_class.h"
 
 #include "core/math/random.h"
@@ -19,8 +20,6 @@ extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 
 namespace carom {
 namespace {
-
-constexpr std::uint64_t seed = 20265;
 
 struct Elimination {
     std::vector<int> place;                   ///< by block
@@ -106,8 +105,8 @@ class BlockMatrixTest : public QObject {
 
   private Q_SLOTS:
     void factorisationTakesAsManyProductsAsTheObviousOrder() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         BlockMatrix matrix; // the same one for all: nothing is left over
         for (int trial = 0; trial < 300; ++trial) {
             const int blocks = 1 + static_cast<int>(random.below(80));
@@ -121,7 +120,7 @@ class BlockMatrixTest : public QObject {
     void blocksAreEliminatedInTheObviousOrder() {
         // Seen from outside: a body's solution depends on the pivot of another one it is coupled with, while
         // that one's right side is zero, exactly if it is eliminated before it.
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         std::size_t compared = 0;
         for (int trial = 0; trial < 60; ++trial) {
             const int blocks = 2 + static_cast<int>(random.below(14));
@@ -149,7 +148,7 @@ class BlockMatrixTest : public QObject {
     }
 
     void boundIsKeptExactly() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 100; ++trial) {
             const int blocks = 2 + static_cast<int>(random.below(40));
             std::vector<BlockEdge> edges = randomEdges(random, blocks, 0.3);
@@ -166,7 +165,7 @@ class BlockMatrixTest : public QObject {
     }
 
     void refusedMatrixServesAgain() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         BlockMatrix matrix;
         for (int trial = 0; trial < 50; ++trial) {
             QVERIFY(!matrix.analyse(30, allCoupled(30), 100));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/test_class.h"
 
 #include "core/math/random.h"
@@ -16,7 +17,6 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20260;
 constexpr double gravityStep = 9.81 / 240; // g h [m/s]
 
 Vec3 uniformIn(Random& random, double half) {
@@ -105,8 +105,8 @@ class ContactProblemTest : public QObject {
 
   private Q_SLOTS:
     void theFactorisationSolvesWhatADenseOneSolves() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         for (int trial = 0; trial < 50; ++trial) {
             const int blocks = 1 + static_cast<int>(random.below(9));
             std::vector<BlockEdge> edges;
@@ -184,8 +184,8 @@ class ContactProblemTest : public QObject {
     void bothMethodsFindTheSameVelocities() {
         QFETCH(double, friction);
         QFETCH(double, rolling);
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed, 1);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 1);
         constexpr double tolerance = 1e-12; // [m/s]
         constexpr double agreement = 1e-8;  // of velocities [m/s]; Gauss–Seidel stops at changes of 1e-14
         int compared = 0, solved = 0, different = 0;

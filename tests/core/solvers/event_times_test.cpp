@@ -14,7 +14,7 @@ namespace carom {
 namespace {
 
 /// Relative to the time found; one root and a handful of sums.
-constexpr double rounding = 1e-13;
+constexpr double roundingOfTimes = 1e-13;
 
 Vec3 anyVector(Random& random, double deviation) {
     return {random.gaussian(0, deviation), random.gaussian(0, deviation), random.gaussian(0, deviation)};
@@ -53,7 +53,7 @@ class EventTimesTest : public QObject {
     void aDroppedBallReachesTheFloorAfterTheRootOfTwoHeightsOverGravity() {
         for (const double height : {1e-9, 1e-3, 1.0, 1e3}) {
             const double closed = std::sqrt(2 * height / 9.81);
-            QVERIFY(std::abs(timeToPlane(height, 0, -9.81) - closed) <= rounding * closed);
+            QVERIFY(std::abs(timeToPlane(height, 0, -9.81) - closed) <= roundingOfTimes * closed);
         }
     }
 
@@ -63,7 +63,7 @@ class EventTimesTest : public QObject {
         QCOMPARE(timeToPlane(0, -3, -9.81), 0.0);
         QCOMPARE(timeToPlane(1, -2, 0), 0.5);
         QCOMPARE(timeToPlane(1, -1, 1), never); // turns round before it arrives
-        QVERIFY(std::abs(timeToPlane(1, -2, 1.5) - (2 - std::sqrt(4 - 3.0)) / 1.5) < rounding);
+        QVERIFY(std::abs(timeToPlane(1, -2, 1.5) - (2 - std::sqrt(4 - 3.0)) / 1.5) < roundingOfTimes);
     }
 
     void aFallingRootIsTheFirstAndFalls() {

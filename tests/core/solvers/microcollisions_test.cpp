@@ -22,7 +22,7 @@ using test::wall;
 using test::worldOf;
 
 /// Small numbers, a handful of operations each.
-constexpr double rounding = 1e-14;
+constexpr double roundingOfImpacts = 1e-14;
 
 /// A step so short that nothing moves but by displacement.
 SimulationSettings instant() {
@@ -56,8 +56,8 @@ class MicrocollisionsTest : public QObject {
                                        sphere(1, 100, Vec3(1.5, 0, 0), Vec3(-1, 0, 0))}),
                               instant());
         world.step();
-        QVERIFY((positionOf(world, 0) - Vec3(-0.25, 0, 0)).norm() < rounding);
-        QVERIFY((positionOf(world, 1) - Vec3(1.75, 0, 0)).norm() < rounding);
+        QVERIFY((positionOf(world, 0) - Vec3(-0.25, 0, 0)).norm() < roundingOfImpacts);
+        QVERIFY((positionOf(world, 1) - Vec3(1.75, 0, 0)).norm() < roundingOfImpacts);
     }
 
     void anImmobilePartnerLeavesTheWholeDisplacement() {
@@ -65,15 +65,15 @@ class MicrocollisionsTest : public QObject {
         pillar.fixed = true;
         World world = worldOf(sceneOf({sphere(1, 1, Vec3(0, 0, 0), Vec3(1, 0, 0)), pillar}), instant());
         world.step();
-        QVERIFY((positionOf(world, 0) - Vec3(-0.5, 0, 0)).norm() < rounding);
+        QVERIFY((positionOf(world, 0) - Vec3(-0.5, 0, 0)).norm() < roundingOfImpacts);
         QCOMPARE(positionOf(world, 1), Vec3(1.5, 0, 0));
-        QVERIFY((world.state().velocity[0] - Vec3(-1, 0, 0)).norm() < rounding);
+        QVERIFY((world.state().velocity[0] - Vec3(-1, 0, 0)).norm() < roundingOfImpacts);
     }
 
     void bodiesAtRestInEachOtherAreStillDisplaced() {
         World world = worldOf(sceneOf({sphere(1, 1, Vec3(0, 0, 0)), sphere(1, 1, Vec3(0, 1, 0))}), instant());
         world.step();
-        QVERIFY((positionOf(world, 1) - positionOf(world, 0) - Vec3(0, 2, 0)).norm() < rounding);
+        QVERIFY((positionOf(world, 1) - positionOf(world, 0) - Vec3(0, 2, 0)).norm() < roundingOfImpacts);
         QCOMPARE(world.state().velocity[0], Vec3(Vec3::Zero()));
     }
 
@@ -85,8 +85,8 @@ class MicrocollisionsTest : public QObject {
         World world = worldOf(sceneOf({soft, hard}), instant());
         world.step();
         const double parting = world.state().velocity[1].x() - world.state().velocity[0].x();
-        QVERIFY(std::abs(parting - 0.25 * 4) < rounding);
-        QVERIFY((world.statistics().momentum - Vec3(3 * 2 - 5 * 2, 0, 0)).norm() < rounding);
+        QVERIFY(std::abs(parting - 0.25 * 4) < roundingOfImpacts);
+        QVERIFY((world.statistics().momentum - Vec3(3 * 2 - 5 * 2, 0, 0)).norm() < roundingOfImpacts);
     }
 
     void aStickyPairDoesNotMoveThroughEachOther() {
@@ -94,8 +94,8 @@ class MicrocollisionsTest : public QObject {
         sticky.elastic = 0;
         World world = worldOf(sceneOf({sticky, sphere(1, 1, Vec3(1.9, 0, 0))}), instant());
         world.step();
-        QVERIFY((world.state().velocity[0] - Vec3(0.5, 0, 0)).norm() < rounding);
-        QVERIFY((world.state().velocity[1] - Vec3(0.5, 0, 0)).norm() < rounding);
+        QVERIFY((world.state().velocity[0] - Vec3(0.5, 0, 0)).norm() < roundingOfImpacts);
+        QVERIFY((world.state().velocity[1] - Vec3(0.5, 0, 0)).norm() < roundingOfImpacts);
     }
 
     // Three equal elastic balls in a row, all touching, the first one moving. Pairs are met as (0,1), (0,2),
@@ -105,14 +105,14 @@ class MicrocollisionsTest : public QObject {
                                          sphere(1, 1, Vec3(2, 0, 0)), sphere(1, 1, Vec3(4, 0, 0))}),
                                 instant());
         forward.step();
-        QVERIFY((forward.state().velocity[2] - Vec3(1, 0, 0)).norm() < rounding);
+        QVERIFY((forward.state().velocity[2] - Vec3(1, 0, 0)).norm() < roundingOfImpacts);
         // The same row declared from the other end: (0,1) are the resting two, so the blow stops in the
         // middle.
         World backward = worldOf(sceneOf({sphere(1, 1, Vec3(4, 0, 0)), sphere(1, 1, Vec3(2, 0, 0)),
                                           sphere(1, 1, Vec3(0, 0, 0), Vec3(1, 0, 0))}),
                                  instant());
         backward.step();
-        QVERIFY((backward.state().velocity[1] - Vec3(1, 0, 0)).norm() < rounding);
+        QVERIFY((backward.state().velocity[1] - Vec3(1, 0, 0)).norm() < roundingOfImpacts);
         QCOMPARE(backward.state().velocity[0], Vec3(Vec3::Zero()));
     }
 
@@ -125,16 +125,16 @@ class MicrocollisionsTest : public QObject {
         const Body pusher = sphere(1, 1, Vec3(3, 0, 0), Vec3(-1, 0, 0));
         World wallFirst = worldOf(sceneOf({floor, ball, pusher}), instant());
         wallFirst.step();
-        QVERIFY((wallFirst.state().velocity[1] - Vec3(-1, 0, 0)).norm() < rounding);
+        QVERIFY((wallFirst.state().velocity[1] - Vec3(-1, 0, 0)).norm() < roundingOfImpacts);
         World wallLast = worldOf(sceneOf({ball, pusher, floor}), instant());
         wallLast.step();
-        QVERIFY((wallLast.state().velocity[0] - Vec3(1, 0, 0)).norm() < rounding);
+        QVERIFY((wallLast.state().velocity[0] - Vec3(1, 0, 0)).norm() < roundingOfImpacts);
         World wallBetween = worldOf(sceneOf({pusher, floor, ball}), instant());
         wallBetween.step(); // (pusher, ball) before (wall, ball)
-        QVERIFY((wallBetween.state().velocity[2] - Vec3(1, 0, 0)).norm() < rounding);
+        QVERIFY((wallBetween.state().velocity[2] - Vec3(1, 0, 0)).norm() < roundingOfImpacts);
         World wallSecond = worldOf(sceneOf({ball, floor, pusher}), instant());
         wallSecond.step(); // (ball, wall) before (ball, pusher)
-        QVERIFY((wallSecond.state().velocity[0] - Vec3(-1, 0, 0)).norm() < rounding);
+        QVERIFY((wallSecond.state().velocity[0] - Vec3(-1, 0, 0)).norm() < roundingOfImpacts);
     }
 
     // The wall is 0.2 m out of the first ball's reach until the second has pushed it 0.3 m that way.
@@ -144,7 +144,7 @@ class MicrocollisionsTest : public QObject {
             instant());
         world.step();
         QCOMPARE(world.statistics().contacts, 2U);
-        QVERIFY((positionOf(world, 0) - Vec3(1, 0, 0)).norm() < rounding);
+        QVERIFY((positionOf(world, 0) - Vec3(1, 0, 0)).norm() < roundingOfImpacts);
     }
 
     void eachPairIsTestedAtThePosesOfItsTurn() {
@@ -162,7 +162,7 @@ class MicrocollisionsTest : public QObject {
         World world = worldOf(sceneOf({sphere(1, 1, Vec3(3, 3, 3)), sphere(1, 1, Vec3(3, 3, 3))}), instant());
         world.step();
         QVERIFY(world.health().finite);
-        QVERIFY(std::abs((positionOf(world, 1) - positionOf(world, 0)).norm() - 2) < rounding);
+        QVERIFY(std::abs((positionOf(world, 1) - positionOf(world, 0)).norm() - 2) < roundingOfImpacts);
     }
 
     void aBodyThatLandsFlatDoesNotStartToSpin_data() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/test_class.h"
 
 #include "core/math/random.h"
@@ -18,7 +19,6 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20266;
 constexpr double tolerance = 1e-10; // [m/s]
 
 Vec3 uniformIn(Random& random, double half) {
@@ -83,8 +83,8 @@ class NewtonTest : public QObject {
 
   private Q_SLOTS:
     void workStaysWithinTheBudget() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         double worst = 0; // beyond the budget, in steps
         int ended = 0;
         for (int trial = 0; trial < 100; ++trial) {
@@ -111,7 +111,7 @@ class NewtonTest : public QObject {
     }
 
     void whatIsLeftIsNoWorseThanTheStart() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         for (int trial = 0; trial < 100; ++trial) {
             ContactProblem problem =
                 heap(random, 1 + static_cast<int>(random.below(25)), random.below(2) == 0 ? 0 : 0.5);
@@ -133,7 +133,7 @@ class NewtonTest : public QObject {
     }
 
     void withoutABudgetNothingIsFactored() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 30; ++trial) {
             ContactProblem problem = heap(random, 20, 0.5);
             const std::vector<ContactRow> rows = problem.rows;
@@ -147,7 +147,7 @@ class NewtonTest : public QObject {
     }
 
     void solverThatDidSomethingElseBeforeDoesTheSame() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         NewtonSolver used;
         for (int trial = 0; trial < 30; ++trial) {
             const ContactProblem problem = heap(random, 1 + static_cast<int>(random.below(30)), 0.5);

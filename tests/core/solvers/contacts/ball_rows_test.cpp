@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/solvers/contacts/ball_scene.h"
+#include "tests/support/constants.h"
 #include "tests/support/test_class.h"
 
 #include <QTest>
@@ -14,8 +15,8 @@ class BallRowsTest : public QObject {
 
   private Q_SLOTS:
     void everyPassIsThatOfOnePairAtATime() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         int impacts = 0, woken = 0, idle = 0, doubtful = 0;
         double worst = 0;
         for (int trial = 0; trial < 200; ++trial) {
@@ -90,7 +91,7 @@ class BallRowsTest : public QObject {
     }
 
     void theRowsOfAnyShapeMoveBallsTheSame() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         int impacts = 0;
         for (int trial = 0; trial < 400; ++trial) {
             BallScene scene = randomBalls(random, 2 + random.below(60));
@@ -167,7 +168,7 @@ class BallRowsTest : public QObject {
     // Two balls anywhere, that meet within the step: impulse and velocities of Newton's law along the line of
     // centres at the moment they touch.
     void theNormalIsThatOfTheMeeting() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 2000; ++trial) {
             BallScene scene = emptyScene();
             scene.gravity.setZero();
@@ -231,7 +232,7 @@ class BallRowsTest : public QObject {
     }
 
     void whoPassesByIsIdleAndCostsNothing() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         for (int trial = 0; trial < 200; ++trial) {
             BallScene scene = emptyScene();
             scene.gravity.setZero();
@@ -306,7 +307,7 @@ class BallRowsTest : public QObject {
     }
 
     void frictionImpulsesFollowATurningNormal() {
-        Random random(seed, 4);
+        Random random(test::seed, 4);
         for (int trial = 0; trial < 500; ++trial) {
             BallScene scene = emptyScene();
             scene.gravity.setZero();
@@ -333,7 +334,7 @@ class BallRowsTest : public QObject {
 
     // One ball in one lane of four; the others stand for what cannot move.
     void whatCannotMoveIsNotChangedByALane() {
-        Random random(seed, 5);
+        Random random(test::seed, 5);
         for (int trial = 0; trial < 500; ++trial) {
             BallScene scene = randomBalls(random, 1 + random.below(3));
             for (SolverBody& body : scene.bodies)
@@ -352,7 +353,7 @@ class BallRowsTest : public QObject {
     }
 
     void groupsDependOnTheOrderOfPairsAlone() {
-        Random random(seed, 6);
+        Random random(test::seed, 6);
         for (int trial = 0; trial < 100; ++trial) {
             BallScene scene = randomBalls(random, 2 + random.below(100));
             BallRows rows;
@@ -374,7 +375,7 @@ class BallRowsTest : public QObject {
     }
 
     void momentumOfBallsIsKept() {
-        Random random(seed, 7);
+        Random random(test::seed, 7);
         for (int trial = 0; trial < 50; ++trial) {
             BallScene scene = randomBalls(random, 2 + random.below(60));
             std::erase_if(scene.pairs, [&](const BallPair& pair) { return pair.a == scene.immobile(); });

@@ -23,7 +23,6 @@ namespace {
 using test::ObviousContacts;
 using test::ObviousPoint;
 
-constexpr std::uint64_t seed = 20264;
 /// Of velocities of about 1 m/s after some passes with masses of about 1 kg.
 constexpr double rounding = 1e-11;
 /// Of a normal that is foreseen: the root of a difference of squares gives the time of the meeting.

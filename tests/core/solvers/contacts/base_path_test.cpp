@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/manifold_places.h"
 #include "tests/support/random_scene.h"
@@ -21,9 +22,8 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20266;
 constexpr int substeps = 4; // a frame
-constexpr double substep = 1.0 / 240, frame = substeps * substep;
+constexpr double frame = substeps * test::substep;
 constexpr double skin = 0.05;
 
 /// A scene whose bodies all may enter the base path.
@@ -45,7 +45,7 @@ class Entered {
         for (BodyIndex a = 0; a < bodies.count(); ++a)
             for (BodyIndex b = a + 1; b < bodies.count(); ++b)
                 if (isListed(list, a) || isListed(list, b)) know({a, b}, known);
-        path.enter(input(), list, m_neighbours, {}, substep, known, manifolds);
+        path.enter(input(), list, m_neighbours, {}, test::substep, known, manifolds);
         for (const Manifolds::Entry& entry : known)
             if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         carried.clear();
@@ -58,7 +58,7 @@ class Entered {
             carried.begin(), carried.end(),
             [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
     }
-    bool holds() { return path.holds(input(), substep); }
+    bool holds() { return path.holds(input(), test::substep); }
     void advance() { path.advance(input(), manifolds); }
     /// A substep; all enter anew if the pairs do not serve for it.
     void step() {
@@ -106,7 +106,7 @@ class Entered {
         return std::binary_search(list.begin(), list.end(), body);
     }
     void know(BodyPair pair, std::vector<Manifolds::Entry>& known) {
-        const ManifoldInput here{bodies, state, m_gravity, substep};
+        const ManifoldInput here{bodies, state, m_gravity, test::substep};
         for (const Manifolds::Entry& entry : carried)
             if (entry.pair == pair) known.push_back(entry);
         const bool isCarried = !known.empty() && known.back().pair == pair;
@@ -166,8 +166,8 @@ class BasePathTest : public QObject {
 
   private Q_SLOTS:
     void thePairsOfAFrameAreAllThatTouchWhileTheyServe() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         int touching = 0, missed = 0, renewals = 0;
         double deepest = 0; // of a pair that was missed, of the smaller one's size
         for (int trial = 0; trial < 30; ++trial) {
@@ -198,7 +198,7 @@ class BasePathTest : public QObject {
     }
 
     void noBallPassesAnotherOfARowThatIsStruck() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         double deepest = 0;
         for (int trial = 0; trial < 40; ++trial) {
             Scene scene = test::sceneOf({}, Vec3::Zero());
@@ -233,7 +233,7 @@ class BasePathTest : public QObject {
             entered.enter({0});
             QVERIFY(entered.path.has(0) && !entered.path.has(1));
             entered.advance();
-            entered.state.pose[1].position.x() += 2 * substep;
+            entered.state.pose[1].position.x() += 2 * test::substep;
             entered.enter({1});
             QVERIFY(entered.path.has(1));
             QCOMPARE(entered.path.blockOf()[0], entered.path.blockOf()[1]);
@@ -326,7 +326,7 @@ class BasePathTest : public QObject {
     }
 
     void aCopyGoesOnWithTheSameBits() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 20; ++trial) {
             Entered scene(test::randomRoughScene(random));
             for (int n = 0; n < 10; ++n) scene.step();
@@ -341,7 +341,7 @@ class BasePathTest : public QObject {
                 .bodies = scene.bodies, .gravity = scene.input().gravity, .state = state};
             for (int n = 0; n < 5; ++n) {
                 const bool holds = scene.holds();
-                QCOMPARE(path.holds(input, substep), holds);
+                QCOMPARE(path.holds(input, test::substep), holds);
                 if (!holds) break;
                 scene.advance();
                 path.advance(input, manifolds);
@@ -393,8 +393,8 @@ class BasePathTest : public QObject {
         int n = 0;
         for (; n < 100 && entered.holds(); ++n) {
             const double moved = -entered.state.pose[0].position.y();
-            const double path =
-                -entered.state.velocity[0].y() * substep + 0.5 * test::gravity * substep * substep;
+            const double path = -entered.state.velocity[0].y() * test::substep +
+                                0.5 * test::gravity * test::substep * test::substep;
             QVERIFY(moved + Neighbours::reachFactor * path <= reach * (1 + 1e-9));
             entered.advance();
         }
@@ -413,7 +413,7 @@ class BasePathTest : public QObject {
     }
 
     void manifoldsAreNeitherLostNorDoubled() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         int joined = 0;
         for (int trial = 0; trial < 40; ++trial) {
             Entered scene(trial % 2 == 0 ? withManifolds(test::randomRoughScene(random))

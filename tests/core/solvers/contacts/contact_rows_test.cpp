@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/obvious_groups.h"
 #include "tests/support/solver_rows.h"
 #include "tests/support/test_class.h"
@@ -21,8 +22,7 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20261;
-constexpr double rounding = 1e-12; // of products of a few numbers of the size of 1
+constexpr double roundingOfRows = 1e-12; // of products of a few numbers of the size of 1
 
 using test::laneOf;
 using test::ObviousGroups;
@@ -50,8 +50,8 @@ RowScene hub(Random& random, std::size_t contacts) {
 }
 
 std::vector<RowScene> manyScenes() {
-    qInfo("seed %llu", static_cast<unsigned long long>(seed));
-    Random random(seed);
+    qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+    Random random(test::seed);
     std::vector<RowScene> scenes;
     RowKind kind;
     kind.rolling = 0.1;
@@ -142,8 +142,8 @@ class ContactRowsTest : public QObject {
                     QCOMPARE(group.b[lane], pair.laws.b);
                     QVERIFY(laneOf(group.normal, lane) == pair.laws.normal);
                     const Vec3 tangent = laneOf(group.tangent, lane);
-                    QVERIFY(std::abs(tangent.norm() - 1) < rounding);
-                    QVERIFY(std::abs(tangent.dot(pair.laws.normal)) < rounding);
+                    QVERIFY(std::abs(tangent.norm() - 1) < roundingOfRows);
+                    QVERIFY(std::abs(tangent.dot(pair.laws.normal)) < roundingOfRows);
                     QVERIFY(group.friction[lane] == pair.laws.friction);
                     QVERIFY(group.restitution[lane] == pair.laws.restitution);
                     QVERIFY(group.push[lane] == pair.laws.push);
@@ -182,7 +182,7 @@ class ContactRowsTest : public QObject {
                                        carom::inverseInertiaOf(scene.bodies[row.b])) *
                                       across;
                 const double larger = Eigen::SelfAdjointEigenSolver<Mat3>(response).eigenvalues().maxCoeff();
-                QVERIFY(std::abs(row.inertia * larger - 1) < rounding);
+                QVERIFY(std::abs(row.inertia * larger - 1) < roundingOfRows);
             }
         }
     }
@@ -198,7 +198,7 @@ class ContactRowsTest : public QObject {
     }
 
     void orderIsAFunctionOfThePairsAlone() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         ContactRows used; // rows that held something else before
         for (const RowScene& scene : manyScenes()) {
             const auto expected = placementOf(scene.rows());
@@ -225,7 +225,7 @@ class ContactRowsTest : public QObject {
     }
 
     void groupsOfIndependentPairsAreFull() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         RowScene scene = test::randomBodies(random, 400);
         for (std::uint32_t i = 0; i < 400; i += 2) {
             OwnedPair pair = test::randomPair(random, scene, i, i + 1, {});
@@ -266,17 +266,18 @@ class ContactRowsTest : public QObject {
             QVERIFY(laneOf(row.armA, lane) == point.armA);
             QVERIFY(laneOf(row.armB, lane) == point.armB);
             QVERIFY(row.gap[lane] == point.separation);
-            QVERIFY((rows.impulseOf(group, static_cast<int>(lane), k) - point.impulse).norm() < rounding);
+            QVERIFY((rows.impulseOf(group, static_cast<int>(lane), k) - point.impulse).norm() <
+                    roundingOfRows);
             const Mat3 response = frame *
                                   responseOf(scene.bodies[pair.laws.a], scene.bodies[pair.laws.b], point) *
                                   frame.transpose();
-            QVERIFY(std::abs(row.massNormal[lane] * response(0, 0) - 1) < rounding);
+            QVERIFY(std::abs(row.massNormal[lane] * response(0, 0) - 1) < roundingOfRows);
             const Eigen::Matrix2d across = response.bottomRightCorner<2, 2>();
             const double larger =
                 Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(across).eigenvalues().maxCoeff();
-            QVERIFY(std::abs(row.massTangent[lane] * larger - 1) < rounding);
-            QVERIFY(std::abs(row.coupling1[lane] - response(0, 1)) < rounding * response.norm());
-            QVERIFY(std::abs(row.coupling2[lane] - response(0, 2)) < rounding * response.norm());
+            QVERIFY(std::abs(row.massTangent[lane] * larger - 1) < roundingOfRows);
+            QVERIFY(std::abs(row.coupling1[lane] - response(0, 1)) < roundingOfRows * response.norm());
+            QVERIFY(std::abs(row.coupling2[lane] - response(0, 2)) < roundingOfRows * response.norm());
         }
     }
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/manifold_places.h"
 #include "tests/support/random_scene.h"
@@ -25,9 +26,6 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20267;
-constexpr double substep = 1.0 / 240;
-
 bool isBefore(const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; }
 
 /// Substeps of a scene in which nobody moves but as the test says.
@@ -39,11 +37,11 @@ class Found {
           m_candidates(bodies.count()), m_refinement(bodies.count()),
           m_broadphase(findBroadphase("all_pairs")->create()) {}
 
-    ManifoldInput here() const { return {bodies, state, m_gravity, substep}; }
+    ManifoldInput here() const { return {bodies, state, m_gravity, test::substep}; }
 
     void find() {
-        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, substep, *m_broadphase);
-        if (!m_neighbours.follow(bodies, state, bodies.mobileBodies, m_gravity, substep))
+        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, test::substep, *m_broadphase);
+        if (!m_neighbours.follow(bodies, state, bodies.mobileBodies, m_gravity, test::substep))
             m_neighbours.search(bodies, state, *m_broadphase);
         while (!m_candidates.look(bodies, state, bodies.mobileBodies, holds, m_neighbours))
             m_neighbours.search(bodies, state, *m_broadphase);
@@ -147,8 +145,8 @@ class FoundContactsTest : public QObject {
 
   private Q_SLOTS:
     void everyPairIsFoundOnceInOneForm() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         int exact = 0, carried = 0;
         for (int trial = 0; trial < 40; ++trial) {
             Found found(test::randomRoughScene(random));
@@ -210,7 +208,7 @@ class FoundContactsTest : public QObject {
     }
 
     void manifoldsAreNeitherLostNorDoubledAsFormsChange() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         std::size_t most = 0;
         for (int trial = 0; trial < 40; ++trial) {
             Found found(test::randomRoughScene(random));
@@ -238,7 +236,7 @@ class FoundContactsTest : public QObject {
 
     // As the base path takes them over for some substeps, and gives them back.
     void manifoldsAreNeitherLostNorDoubledAsTheyAreTakenOver() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         std::size_t takenOver = 0;
         for (int trial = 0; trial < 40; ++trial) {
             Found found(test::randomRoughScene(random));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/obvious_groups.h"
 #include "tests/support/test_class.h"
 
@@ -17,7 +18,6 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20263;
 constexpr std::uint32_t shared = 0;
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -30,8 +30,8 @@ struct PackerScene {
 
 /// Some with few bodies in many pairs, so that many groups are open, and some with one in nearly all.
 std::vector<PackerScene> packerScenes() {
-    qInfo("seed %llu", static_cast<unsigned long long>(seed));
-    Random random(seed);
+    qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+    Random random(test::seed);
     std::vector<PackerScene> scenes;
     for (int trial = 0; trial < 200; ++trial) {
         PackerScene& scene = scenes.emplace_back();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 
@@ -17,9 +18,7 @@
 namespace carom {
 namespace {
 
-constexpr std::uint64_t seed = 20264;
-constexpr double rounding = 1e-12; // relative
-constexpr double substep = 1.0 / 240;
+constexpr double roundingOfSums = 1e-12; // relative
 constexpr double earth = 9.81;
 
 /// Bodies without walls, coupled as `pairs` say; what is in no pair is alone.
@@ -56,7 +55,7 @@ struct Crowd {
         joins.assign(islands.count(), 0);
     }
     RefinementInput input(int part = 0, int parts = 1) const {
-        return {bodies, state, islands, canMeet, joins, {0, -earth, 0}, substep, part, parts};
+        return {bodies, state, islands, canMeet, joins, {0, -earth, 0}, test::substep, part, parts};
     }
     /// Bodies and pairs of islands that have pairs: what a budget grows with.
     double items() const {
@@ -123,8 +122,8 @@ class RefinementTest : public QObject {
 
   private Q_SLOTS:
     void budgetsAddUpToNoMoreThanIsDocumented() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         double closest = 0;
         for (int trial = 0; trial < 300; ++trial) {
             const Crowd crowd = randomCrowd(random, 300);
@@ -148,7 +147,7 @@ class RefinementTest : public QObject {
                 const double bound = Refinement::mostShares * budget.floor +
                                      (Refinement::mostOverrun + 1) * whole + savedBefore;
                 closest = std::max(closest, sum / bound);
-                QVERIFY2(sum <= bound * (1 + rounding),
+                QVERIFY2(sum <= bound * (1 + roundingOfSums),
                          qPrintable(QStringLiteral("trial %1: %2 of %3").arg(trial).arg(sum).arg(bound)));
                 saved = refinement.memory().saved;
                 QVERIFY(saved >= 0 && saved <= std::max(budget.saved, savedBefore));
@@ -181,7 +180,7 @@ class RefinementTest : public QObject {
     }
 
     void everyIslandIsRefinedSteppedOrLone() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         std::size_t stepped = 0;
         for (int trial = 0; trial < 300; ++trial) {
             const Crowd crowd = randomCrowd(random, 200);
@@ -267,7 +266,7 @@ class RefinementTest : public QObject {
     }
 
     void islandsThatCostLeastComeFirst() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 100; ++trial) {
             const Crowd crowd = randomCrowd(random, 200);
             RefinementBudget budget = randomBudget(random);
@@ -287,7 +286,7 @@ class RefinementTest : public QObject {
     void savedWorkGoesToWhatIsNearlyAtRest() {
         Crowd crowd(4);
         crowd.chain({2, 2});
-        crowd.state.velocity[0] = {2 * 10 * earth * substep, 0, 0}; // too fast
+        crowd.state.velocity[0] = {2 * 10 * earth * test::substep, 0, 0}; // too fast
         crowd.find();
         const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6};
         Refinement refinement(4);
@@ -295,11 +294,11 @@ class RefinementTest : public QObject {
         QCOMPARE(refinement.refined().size(), 2U);
         QVERIFY(refinement.refined()[0].budget < budget.start);
         QVERIFY(refinement.refined()[1].budget >= budget.start);
-        crowd.state.velocity[0] = {0.5 * 10 * earth * substep, 0, 0};
+        crowd.state.velocity[0] = {0.5 * 10 * earth * test::substep, 0, 0};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget >= budget.start); // to the first, the other may be left none
         QVERIFY(refinement.refined()[1].budget < budget.start);
-        crowd.state.angularVelocity[1] = {0, 0, 2 * 10 * earth * substep / 0.1};
+        crowd.state.angularVelocity[1] = {0, 0, 2 * 10 * earth * test::substep / 0.1};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget < budget.start);
     }
@@ -353,12 +352,12 @@ class RefinementTest : public QObject {
     }
 
     void whatItRemembersGoesOnAsItDid() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         const Crowd crowd = randomCrowd(random, 100);
         const RefinementBudget budget{.floor = 3e4, .perItem = 300, .start = 1e6, .saved = 1e5};
         Refinement one(crowd.bodies.count());
         const auto live = [&](Refinement& refinement, std::uint64_t stream) {
-            Random fate(seed, stream);
+            Random fate(test::seed, stream);
             refinement.choose(crowd.input(), budget);
             for (const Refinement::Choice& choice : refinement.refined())
                 if (fate.below(2) == 0)

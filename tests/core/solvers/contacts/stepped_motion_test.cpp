@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 
@@ -15,9 +16,8 @@
 namespace carom {
 namespace {
 
-constexpr double substep = 1.0 / 240; // [s]
-constexpr double radius = 0.05;       // [m]
-constexpr double rounding = 1e-9;
+constexpr double radius = 0.05; // [m]
+constexpr double roundingOfSteps = 1e-9;
 
 Body ball(const Vec3& centre, const Vec3& velocity, double elastic) {
     Body body = test::sphere(radius, 1, centre, velocity);
@@ -35,11 +35,11 @@ class BasePath {
 
     void step() {
         const SteppedInput input{.bodies = bodies, .gravity = Vec3::Zero(), .state = state};
-        m_motion.begin(bodies, {.looks = 1, .steps = 4, .passes = 2}, substep);
+        m_motion.begin(bodies, {.looks = 1, .steps = 4, .passes = 2}, test::substep);
         m_motion.addIsland(input, bodies.mobileBodies, {});
         m_motion.beginPairs();
         for (const std::uint32_t place : m_places) {
-            updateManifold({bodies, state, Vec3::Zero(), substep}, 1.0, m_manifolds[place]);
+            updateManifold({bodies, state, Vec3::Zero(), test::substep}, 1.0, m_manifolds[place]);
             m_motion.addPair(input, {m_manifolds[place].pair, place, 1.0}, m_manifolds);
         }
         m_motion.advance(input, m_manifolds);
@@ -68,12 +68,12 @@ class SteppedMotionTest : public QObject {
         for (const double elastic : {0.5, 1.0})
             for (int k = 0; k < 40; ++k) {
                 constexpr double speed = 5;
-                const double gap = (k + 0.5) / 20 * speed * substep; // in this substep or the next
+                const double gap = (k + 0.5) / 20 * speed * test::substep; // in this substep or the next
                 Body wall = test::wall(Vec3::UnitY(), 0);
                 BasePath path(test::sceneOf({wall, ball({0, radius + gap, 0}, {0, -speed, 0}, elastic)}));
                 for (int n = 0; n < 4; ++n) path.step();
                 const double parting = path.state.velocity[1].y();
-                QVERIFY2(std::abs(parting - elastic * speed) < rounding,
+                QVERIFY2(std::abs(parting - elastic * speed) < roundingOfSteps,
                          qPrintable(QStringLiteral("gap %1 of v h: parts at %2 of %3 m/s")
                                         .arg((k + 0.5) / 20)
                                         .arg(parting)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
 #include "tests/support/obvious_contacts.h"
 #include "tests/support/solver_rows.h"
 #include "tests/support/test_class.h"
@@ -25,9 +26,8 @@ using test::OwnedPair;
 using test::RowKind;
 using test::RowScene;
 
-constexpr std::uint64_t seed = 20262;
 /// Of velocities of about 1 m/s after some passes with masses of about 1 kg.
-constexpr double rounding = 1e-11;
+constexpr double roundingOfSweeps = 1e-11;
 
 /// Impulses [N s] and approaches [m/s].
 double largestDifference(const ContactRows& one, const ObviousContacts& other) {
@@ -113,8 +113,8 @@ class VelocitySolveTest : public QObject {
 
   private Q_SLOTS:
     void everyPassIsTheScalarOne() {
-        qInfo("seed %llu", static_cast<unsigned long long>(seed));
-        Random random(seed);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed);
         int impacts = 0;
         for (int trial = 0; trial < 100; ++trial) {
             RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40));
@@ -129,29 +129,29 @@ class VelocitySolveTest : public QObject {
                        largestDifference(rows, expected) < within;
             };
             QCOMPARE(recordApproach(rows, scene.bodies, settings), expected.recordApproach(settings));
-            QVERIFY(agrees(rounding));
+            QVERIFY(agrees(roundingOfSweeps));
             warmStart(rows, scene.bodies);
             expected.warmStart();
-            QVERIFY(agrees(rounding));
+            QVERIFY(agrees(roundingOfSweeps));
             const std::vector<Displacement> moved = randomDisplacements(random, scene.mobileCount(), 0.02);
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 != 0;
                 solveVelocities(rows, scene.bodies, {}, settings, back);
                 expected.pass(ObviousContacts::Pass::Feedback, {}, settings, back);
-                QVERIFY(agrees(rounding));
+                QVERIFY(agrees(roundingOfSweeps));
             }
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 == 0;
                 solveVelocities(rows, scene.bodies, moved, settings, back);
                 expected.pass(ObviousContacts::Pass::Feedback, moved, settings, back);
-                QVERIFY(agrees(rounding));
+                QVERIFY(agrees(roundingOfSweeps));
             }
             for (int pass = 0; pass < 3; ++pass) {
                 const bool back = pass % 2 != 0;
                 const double residual = relaxVelocities(rows, scene.bodies, moved, settings, back);
                 const double other = expected.pass(ObviousContacts::Pass::Relax, moved, settings, back);
-                QVERIFY(std::abs(residual - other) < rounding * (1 + other));
-                QVERIFY(agrees(rounding));
+                QVERIFY(std::abs(residual - other) < roundingOfSweeps * (1 + other));
+                QVERIFY(agrees(roundingOfSweeps));
             }
             const int struck = struckRows(rows);
             QCOMPARE(struck, expected.struckRows());
@@ -159,15 +159,15 @@ class VelocitySolveTest : public QObject {
             for (int pass = 0; pass < 3; ++pass)
                 expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
             expected.forgetImpulses(settings);
-            QVERIFY(agrees(rounding));
+            QVERIFY(agrees(roundingOfSweeps));
             impacts += struck;
-            QVERIFY(expected.violationWhenSet < rounding);
+            QVERIFY(expected.violationWhenSet < roundingOfSweeps);
         }
         QVERIFY(impacts > 50);
     }
 
     void rollingResistanceIsTheObviousOne() {
-        Random random(seed, 1);
+        Random random(test::seed, 1);
         for (int trial = 0; trial < 100; ++trial) {
             RowKind kind;
             kind.rolling = 0.2;
@@ -194,17 +194,18 @@ class VelocitySolveTest : public QObject {
                     torques.push_back(torque);
                 }
                 resistRolling(rows, scene.bodies);
-                QVERIFY(test::largestDifference(scene.bodies, bodies) < rounding);
+                QVERIFY(test::largestDifference(scene.bodies, bodies) < roundingOfSweeps);
                 for (std::size_t i = 0; i < torques.size(); ++i) {
-                    QVERIFY((rows.rolling()[i].torque - torques[i]).norm() < rounding);
-                    QVERIFY(std::abs(rows.rolling()[i].torque.dot(rows.rolling()[i].normal)) < rounding);
+                    QVERIFY((rows.rolling()[i].torque - torques[i]).norm() < roundingOfSweeps);
+                    QVERIFY(std::abs(rows.rolling()[i].torque.dot(rows.rolling()[i].normal)) <
+                            roundingOfSweeps);
                 }
             }
         }
     }
 
     void momentumBetweenMobileBodiesIsKept() {
-        Random random(seed, 2);
+        Random random(test::seed, 2);
         for (int trial = 0; trial < 50; ++trial) {
             RowKind kind;
             kind.immobileShare = 0;
@@ -216,8 +217,8 @@ class VelocitySolveTest : public QObject {
             const Vec3 momentum = scene.momentum(), angular = scene.angularMomentum();
             const StepSettings settings{.duration = 0.005};
             const auto isKept = [&] {
-                return (scene.momentum() - momentum).norm() < rounding &&
-                       (scene.angularMomentum() - angular).norm() < rounding;
+                return (scene.momentum() - momentum).norm() < roundingOfSweeps &&
+                       (scene.angularMomentum() - angular).norm() < roundingOfSweeps;
             };
             warmStart(rows, scene.bodies);
             QVERIFY(isKept());
@@ -236,7 +237,7 @@ class VelocitySolveTest : public QObject {
     }
 
     void whatCannotMoveStaysAsItIs() {
-        Random random(seed, 3);
+        Random random(test::seed, 3);
         for (int trial = 0; trial < 50; ++trial) {
             RowKind kind;
             kind.immobileShare = 0.8;
@@ -255,7 +256,7 @@ class VelocitySolveTest : public QObject {
     }
 
     void aLaneDoesNotDependOnTheOthers() {
-        Random random(seed, 4);
+        Random random(test::seed, 4);
         for (int trial = 0; trial < 100; ++trial) {
             // One pair, alone; then in each lane beside three others, some of them very fast.
             RowScene alone = test::randomRows(random, 2, 1);
@@ -296,7 +297,7 @@ class VelocitySolveTest : public QObject {
     }
 
     void normalImpulsesPushAndFrictionIsWithinItsConeWhenSet() {
-        Random random(seed, 5);
+        Random random(test::seed, 5);
         double worst = 0; // outside the cone after a pass, relative to the normal impulse
         for (int trial = 0; trial < 100; ++trial) {
             RowScene scene = test::randomRows(random, 2 + random.below(20), 1 + random.below(40));
@@ -317,7 +318,7 @@ class VelocitySolveTest : public QObject {
                             QVERIFY(row.normal[lane] >= 0);
                             const double along = std::hypot(row.along1[lane], row.along2[lane]);
                             const double friction = group.friction[lane];
-                            QVERIFY(along <= friction * old.normal[lane] + rounding);
+                            QVERIFY(along <= friction * old.normal[lane] + roundingOfSweeps);
                             worst = std::max(worst, along - friction * row.normal[lane]);
                         }
             }
@@ -331,7 +332,7 @@ class VelocitySolveTest : public QObject {
     }
     void aBallPartsFromAWallAtETimesItsClosingSpeed() {
         QFETCH(double, restitution);
-        Random random(seed, 6);
+        Random random(test::seed, 6);
         for (int trial = 0; trial < 200; ++trial) {
             const Vec3 normal = test::directionOf(random);
             const double speed = random.uniform(0.1, 10), duration = 0.004;
@@ -346,14 +347,14 @@ class VelocitySolveTest : public QObject {
             const double parting = normal.dot(vectorOf(scene.bodies[0].velocity));
             if (restitution > 0) {
                 QCOMPARE(impacts, 1);
-                QVERIFY(std::abs(parting - restitution * speed) < rounding * speed);
+                QVERIFY(std::abs(parting - restitution * speed) < roundingOfSweeps * speed);
                 QVERIFY(rows.impulseOf(rows.groups()[0], 0, 0) == Vec3::Zero());
             } else {
                 // It stops at the surface.
                 QCOMPARE(impacts, 0);
-                QVERIFY(parting >= -rounding && parting < rounding + 1e-3 * speed);
+                QVERIFY(parting >= -roundingOfSweeps && parting < roundingOfSweeps + 1e-3 * speed);
             }
-            QVERIFY(scene.energy() <= before * (1 + rounding));
+            QVERIFY(scene.energy() <= before * (1 + roundingOfSweeps));
         }
     }
 
@@ -367,7 +368,7 @@ class VelocitySolveTest : public QObject {
         RowScene distant = ballOnWall(Vec3::UnitY(), 1, 1, 0, 0.0041);
         ContactRows distantRows = distant.rows();
         QCOMPARE(step(distant, distantRows, settings, 2, 2), 0);
-        QVERIFY(std::abs(distant.bodies[0].velocity[1] + 1) < rounding);
+        QVERIFY(std::abs(distant.bodies[0].velocity[1] + 1) < roundingOfSweeps);
         RowScene carried = ballOnWall(Vec3::UnitY(), 1, 1, 0, 0); // it has an impulse: no new contact
         carried.pairs[0].points[0].impulse = 0.01 * Vec3::UnitY();
         ContactRows rows = carried.rows();
@@ -380,7 +381,7 @@ class VelocitySolveTest : public QObject {
             ContactRows rows = scene.rows();
             const StepSettings settings{.duration = 0.004};
             solveVelocities(rows, scene.bodies, {}, settings, false);
-            QVERIFY(std::abs(scene.bodies[0].velocity[1] + part * 2) < rounding);
+            QVERIFY(std::abs(scene.bodies[0].velocity[1] + part * 2) < roundingOfSweeps);
         }
     }
 
@@ -402,7 +403,7 @@ class VelocitySolveTest : public QObject {
         QFETCH(int, pairs);
         QFETCH(int, points);
         QFETCH(double, restitution);
-        Random random(seed, 7);
+        Random random(test::seed, 7);
         int impacts = 0;
         for (int trial = 0; trial < 1000; ++trial) {
             const RowKind kind{.friction = 0, .gap = 0, .impulse = 0};
@@ -415,7 +416,7 @@ class VelocitySolveTest : public QObject {
             const double before = scene.energy();
             ContactRows rows = scene.rows();
             impacts += step(scene, rows, {.duration = 0.002, .resting = 1e-3}, 2, 2);
-            QVERIFY(scene.energy() <= before * (1 + rounding));
+            QVERIFY(scene.energy() <= before * (1 + roundingOfSweeps));
         }
         QVERIFY(impacts > 100);
     }
