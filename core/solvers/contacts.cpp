@@ -364,6 +364,8 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
 
 // Who takes the base path; then, one by one, what refinement left.
 void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
+    for (const Refinement::Choice& spent : m_crew.spent())
+        m_refinement.spend(m_islands[spent.island], spent.budget);
     for (const std::uint32_t island : m_crew.finished()) m_refinement.succeeded(m_islands[island]);
     m_work.unfinished = m_base.islands() + m_brief.islands() + m_crew.unfinished().size();
     for (BasePath* path : {&m_base, &m_brief})

@@ -86,7 +86,9 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
                              .state = input.state,
                              .ledger = ledger,
                              .budget = m_work[work].budget};
+    const double before = hand.motion.report.work.operations;
     outcome.isStill = hand.motion.advance(motion, island, task.found);
+    outcome.spent = hand.motion.report.work.operations - before;
     outcome.loss = hand.motion.report.loss;
     hand.motion.report.loss = {};
     outcome.left = hand.motion.left();
@@ -124,8 +126,10 @@ void IslandCrew::collect(const SolverInput& input, std::size_t pairs, ContactSet
     m_still.clear();
     m_unfinished.clear();
     m_finished.clear();
+    m_spent.clear();
     for (std::size_t work = 0; work < m_work.size(); ++work) {
         const Outcome& outcome = m_outcomes[work];
+        m_spent.push_back({m_work[work].island, outcome.spent});
         if (outcome.isStill) m_still.push_back(m_work[work].island);
         if (outcome.left == 0) m_finished.push_back(m_work[work].island);
         if (outcome.left > 0 && !outcome.loss) m_unfinished.push_back({m_work[work].island, outcome.left});

@@ -32,6 +32,8 @@ class IslandCrew {
     const MotionReport& report() const { return m_report; }
     std::span<const Unfinished> unfinished() const { return m_unfinished; } ///< ascending
     std::span<const std::uint32_t> finished() const { return m_finished; }  ///< ascending
+    /// What each of the chosen took, as its budget was given; ascending.
+    std::span<const Refinement::Choice> spent() const { return m_spent; }
     /// Islands that have not moved, ascending.
     std::span<const std::uint32_t> still() const { return m_still; }
 
@@ -46,7 +48,8 @@ class IslandCrew {
     /// What came of one island.
     struct Outcome {
         bool isStill = false;
-        double left = 0; // [s]
+        double left = 0;  // [s]
+        double spent = 0; // operations
         Loss loss;
         Ledger ledger;
     };
@@ -60,6 +63,7 @@ class IslandCrew {
     std::vector<Refinement::Choice> m_work; // islands to be moved
     std::vector<Unfinished> m_unfinished;
     std::vector<std::uint32_t> m_finished;
+    std::vector<Refinement::Choice> m_spent;
     std::vector<std::uint32_t> m_batch; // of m_work: where each batch begins, and its end
     std::vector<Outcome> m_outcomes;    // by work
     std::vector<std::uint32_t> m_still;

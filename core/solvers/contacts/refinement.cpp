@@ -83,8 +83,9 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     m_most = budget.saved;
     if (m_saved < 0) m_saved = budget.start;
     double left = m_income, saved = m_saved;
+    if (input.part == 0) std::fill(m_used.begin(), m_used.end(), 0.0);
     const double share =
-        budget.floor / input.parts *
+        budget.floor *
         std::min(1.0, mostShares / std::max<double>(1, static_cast<double>(m_expected.size())));
     for (const Expected& expected : m_expected) {
         if (expected.work > left) {
@@ -92,7 +93,9 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
             continue;
         }
         left -= expected.work;
-        double most = std::max(share, mostOverrun * expected.work);
+        double used = 0;
+        for (const BodyIndex body : islands[expected.island].bodies) used = std::max(used, m_used[body]);
+        double most = std::max(share - used, mostOverrun * expected.work);
         if (!islands[expected.island].links.empty()) most *= forSprings;
         if (saved > most && nearlyRests(input, islands[expected.island])) {
             most += saved;
@@ -111,6 +114,12 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
 void Refinement::waited(std::span<const BodyIndex> bodies, int substeps) {
     for (const BodyIndex body : bodies)
         m_wait[body] = static_cast<std::uint8_t>(std::max(0, m_wait[body] - substeps));
+}
+
+void Refinement::spend(const Island& island, double operations) {
+    double used = operations;
+    for (const BodyIndex body : island.bodies) used = std::max(used, m_used[body] + operations);
+    for (const BodyIndex body : island.bodies) m_used[body] = used;
 }
 
 void Refinement::setBack(const Island& island) {

@@ -15,8 +15,8 @@
 //
 //     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
 //     order      islands that are expected to cost least come first, while the budget lasts
-//     share      an island may take its equal share of what those before it are expected to leave, or a
-//                few times what it is expected to cost; with springs forSprings times as much
+//     share      an island may take its equal share of the floor in a frame, whichever substep needs it, or
+//                a few times what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may draw on it. Forces that are found once
 //                hold for good there, and cost much the first time. The base path's work is paid from the
@@ -62,9 +62,11 @@ class Refinement {
     static constexpr double mostShares = 16;
 
     explicit Refinement(std::size_t bodies)
-        : m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0) {}
+        : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0) {}
 
     void choose(const RefinementInput& input, const RefinementBudget& budget);
+    /// What an island that was refined took.
+    void spend(const Island& island, double operations);
     /// What the substep took [operations].
     void pay(double refined, double base);
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
@@ -115,6 +117,7 @@ class Refinement {
 
     double m_saved = -1;                  // operations; negative: the run begins
     double m_income = 0, m_most = 0;      // of the substep; saved up to
+    std::vector<double> m_used;           // by body: operations its island took in this frame
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
     std::vector<std::uint8_t> m_failures; // by body: attempts in vain in a row
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path

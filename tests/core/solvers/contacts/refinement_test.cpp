@@ -140,6 +140,8 @@ class RefinementTest : public QObject {
                     for (const Refinement::Choice& one : refinement.refined()) used += one.budget;
                     sum += used;
                     // All of it is used up.
+                    for (const Refinement::Choice& one : refinement.refined())
+                        refinement.spend(crowd.islands[one.island], one.budget);
                     refinement.pay(used, 0);
                 }
                 const double whole = budget.floor + budget.perItem * crowd.items();
