@@ -122,6 +122,7 @@ std::string RunSummary::asText() const {
                       std::to_string(m_diagnostics) + " diagnostics");
     line("simulation",
          std::string(settings.method->name)
+             .append(settings.methodReason.empty() ? "" : " (" + settings.methodReason + ")")
              .append(", ")
              .append(settings.integrator->name)
              .append(", ")

@@ -61,7 +61,9 @@ std::vector<double> numbersFrom(const Arguments& arguments, std::string_view opt
 /// The plan of the scene, narrowed to what the command line names.
 AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
     AccuracyPlan plan = planFor(scene);
-    const auto methods = wordsGiven(arguments, "methods", methodWords());
+    std::vector<std::string_view> known; // all but `auto`, which is one of them
+    for (const SolverRow& row : solvers()) known.push_back(row.name);
+    const auto methods = wordsGiven(arguments, "methods", known);
     const auto schemes = wordsGiven(arguments, "integrators", integratorWords());
     std::erase_if(plan.settings, [&](const AccuracySetting& setting) {
         const auto lacks = [](const auto& words, std::string_view name) {

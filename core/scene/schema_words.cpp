@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 3> methods = {"contacts", "microcollisions", "events"};
+constexpr std::array<std::string_view, 4> methods = {"auto", "contacts", "microcollisions", "events"};
 constexpr std::array<std::string_view, 5> integratorNames = {"euler", "symplectic", "verlet", "rk4",
                                                              "midpoint"};
 constexpr std::array<std::string_view, 6> broadphaseNames = {

@@ -142,7 +142,9 @@ DeclarationRow simulationDeclaration() {
         simulationCount(
             "substeps", "Equal parts a frame is computed in.",
             [](D& into, const V& value) { simulation(into).substeps = static_cast<int>(value.number); }),
-        simulationWord("method", methodWords(), "How collisions are treated.",
+        simulationWord("method", methodWords(),
+                       "How collisions are treated; `auto` takes the exact `events` where nothing but smooth "
+                       "spheres moves and no impact loses energy, otherwise `contacts`.",
                        [](D& into, const V& value) { simulation(into).method = std::string(value.word); }),
         simulationWord(
             "integrator", integratorWords(), "How motion between collisions is computed.",
@@ -176,7 +178,7 @@ DeclarationRow simulationDeclaration() {
         }
     };
     amend("step", "1/60 s: one frame", "0.01");
-    amend("method", "contacts", "contacts");
+    amend("method", "auto", "contacts");
     amend("tolerance", "what the preset says", "1e-6");
     amend("broadphase", "auto", "auto");
     amend("boxes", "tight", "cube");

@@ -45,6 +45,12 @@ std::vector<BodyIndex> bodiesIn(const Scene& scene, const std::vector<Diagnostic
     return found;
 }
 
+// Which method makes them part, and why `auto` took it.
+void sayMethod(const RunSettings& settings, EffectDecision& collision) {
+    collision.reason += "; method `" + std::string(settings.method->name) + "`";
+    if (!settings.methodReason.empty()) collision.reason += ": " + settings.methodReason;
+}
+
 void turnNone(std::span<const BodyIndex>, double, State&) {}
 void tumbleNone(const Bodies&, std::span<const BodyIndex>, double, State&) {}
 
@@ -72,6 +78,7 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
     stage.reach(settled);
     for (const EffectRow& row : carom::effects()) {
         m_effects.push_back(row.decide(m_scene, m_settings.method->abilities));
+        if (row.name == "collision") sayMethod(m_settings, m_effects.back());
         warnOfUnmet(row, m_effects.back(), m_warnings);
     }
     for (Diagnostic& warning : foreseen(m_scene, m_settings, m_bodies, stage.part(decided, 1)))

@@ -2,6 +2,7 @@
 #include "core/simulation/settings.h"
 
 #include "core/integrators/integrator.h"
+#include "core/simulation/method_choice.h"
 #include "core/solvers/solver.h"
 
 #include "core/base/catalogue.h"
@@ -53,9 +54,9 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
 
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
-/// The method where nobody names one. It iterates to a tolerance, and the integrator that fits it is stable
+/// The method that treats every scene. It iterates to a tolerance, and the integrator that fits it is stable
 /// at any step, as it is.
-constexpr std::string_view defaultMethod = "contacts", alwaysStable = "midpoint";
+constexpr std::string_view generalMethod = "contacts", alwaysStable = "midpoint";
 /// Sweeps a substep over the contacts of a big pile.
 constexpr int sweeps = 20;
 
@@ -73,6 +74,37 @@ std::span<const PresetRow> presets() {
     return rows;
 }
 
+namespace {
+
+// The method asked for, or what `auto` stands for.
+void settleMethod(const Scene& scene, const SimulationSettings& options, const SimulationSettings& wanted,
+                  RunSettings& settings, std::vector<Diagnostic>& warnings) {
+    const SolverRow* fallback = findSolver(generalMethod);
+    const Asked asked{scene, "method", options.method.has_value()};
+    if (!wanted.method || wanted.method == automatic) {
+        MethodChoice choice = chooseMethod(scene, wanted.impacts == "simultaneous");
+        settings.method = choice.row;
+        settings.methodReason = std::move(choice.reason);
+        settings.methodPlace = choice.place;
+        return;
+    }
+    settings.method = rowFor(wanted.method, solvers(), fallback, asked, warnings);
+    const std::optional<SolverObjection> objection = objectionTo(*settings.method, scene);
+    if (!objection) return;
+    Diagnostic error{.code = DiagnosticCode::UnsuitableMethod,
+                     .range = objection->place,
+                     .message = "method `" + std::string(settings.method->name) +
+                                "` cannot treat this scene: " + objection->reason + "; `" +
+                                std::string(fallback->name) + "` runs in its place",
+                     .notes = {},
+                     .fixIt = {}};
+    if (!asked.onCommandLine) error.notes.push_back({asked.place(), "the method is asked for here"});
+    warnings.push_back(std::move(error));
+    settings.method = fallback;
+}
+
+} // namespace
+
 RunSettings settledSettings(const Scene& scene, const SimulationSettings& options,
                             std::vector<Diagnostic>& warnings) {
     const SimulationSettings wanted = overridden(scene.simulation, options);
@@ -81,31 +113,16 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
 
     RunSettings settings;
     if (wanted.step) settings.step = *wanted.step;
-    const SolverRow* fallback = findSolver(defaultMethod);
-    settings.method =
-        rowFor(wanted.method, solvers(), fallback, {scene, "method", options.method.has_value()}, warnings);
-    if (const std::optional<SolverObjection> objection = objectionTo(*settings.method, scene)) {
-        const Asked asked{scene, "method", options.method.has_value()};
-        Diagnostic error{.code = DiagnosticCode::UnsuitableMethod,
-                         .range = objection->place,
-                         .message = "method `" + std::string(settings.method->name) +
-                                    "` cannot treat this scene: " + objection->reason + "; `" +
-                                    std::string(fallback->name) + "` runs in its place",
-                         .notes = {},
-                         .fixIt = {}};
-        if (!asked.onCommandLine) error.notes.push_back({asked.place(), "the method is asked for here"});
-        warnings.push_back(std::move(error));
-        settings.method = fallback;
-    }
+    settleMethod(scene, options, wanted, settings, warnings);
     const std::string method(settings.method->name);
-    const bool iterates = method == defaultMethod;
+    const bool iterates = method == generalMethod;
     const IntegratorRow* integrator = iterates ? findIntegrator(alwaysStable) : integrators().data();
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
     if (!iterates && settings.integrator->motion.swing == nullptr && !scene.springs.empty()) {
         Asked{scene, "integrator", options.integrator.has_value()}.warn(
             "integrator `" + std::string(settings.integrator->name) + "` moves springs by method `" +
-                std::string(defaultMethod) + "` only; `" + std::string(integrator->name) +
+                std::string(generalMethod) + "` only; `" + std::string(integrator->name) +
                 "` runs in its place",
             warnings);
         settings.integrator = integrator;

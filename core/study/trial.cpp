@@ -9,9 +9,9 @@
 namespace carom {
 
 std::string simulationOf(StudyColumn column, std::string_view further) {
-    static constexpr std::array<std::string_view, 3> settings = {"", "preset accurate", "method events"};
+    static constexpr std::array<std::string_view, 3> settings = {
+        "method contacts", "method contacts  preset accurate", "method events"};
     const std::string_view own = settings[static_cast<std::size_t>(column)];
-    if (own.empty() && further.empty()) return {};
     return std::string("simulation { ").append(own).append("  ").append(further).append(" }\n");
 }
 

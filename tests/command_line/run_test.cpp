@@ -28,7 +28,7 @@ const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase
                                  "islands_unfinished";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
-const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125 }\n"
+const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125  method contacts }\n"
                          "wall { normal 0, 1, 0  toOrig 100 }\n"
                          "sphere { radius 0.25  mass 2  centre 0, 0, 0  vel 1, 0, 0 }\n"
                          "sphere still { radius 0.25  mass 1  centre 0, 5, 0 }\n";

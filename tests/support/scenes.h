@@ -65,7 +65,8 @@ inline SimulationSettings byMethod(const char* name) {
     return options;
 }
 
-inline World worldOf(const Scene& scene, const SimulationSettings& options = {}) {
+/// What tests hold of scenes they hold of the general method, unless they name another.
+inline World worldOf(const Scene& scene, const SimulationSettings& options = byMethod("contacts")) {
     return World(std::make_shared<const Pipeline>(scene, options));
 }
 

@@ -35,7 +35,8 @@ SharedBuild built(const char* text) {
 }
 
 const char* const bouncing = "wall { normal 0, 1, 0 toOrig 0 }\n"
-                             "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n";
+                             "sphere { radius 0.1 mass 1 centre 0, 1, 0 vel 0.5, 0, 0 }\n"
+                             "simulation { method contacts }\n";
 const char* const swinging = "sphere bob { radius 0.1 mass 1 centre 0, 0.8, 0 }\n"
                              "spring { from world to bob fromAt 0.5, 2, 0 stiffness 100 length 1 }\n";
 

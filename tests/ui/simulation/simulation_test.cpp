@@ -226,7 +226,7 @@ class SimulationTest : public QObject {
     void aRunThatStoppedCanBeTakenBack() {
         Simulation simulation;
         Witness witness(simulation);
-        simulation.load(compiled("gravity { accel 0,-1e306,0 } simulation { step 1 }"
+        simulation.load(compiled("gravity { accel 0,-1e306,0 } simulation { step 1 method contacts }"
                                  "sphere { radius 1 mass 1 centre 0,0,0 }"));
         simulation.setSpeed(std::nullopt);
         simulation.play();

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/solvers/solver.h"
+
+#include <optional>
+#include <string>
+
+// What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
+// there are or where they are.
+//
+//     events     what moves are spheres without friction, and no impact loses energy: the exact method treats
+//                the scene, and there are no series of ever shorter bounces
+//     contacts   everything else
+
+namespace carom {
+
+struct MethodChoice {
+    const SolverRow* row = nullptr;
+    std::string reason;                    ///< a clause: why it is this one
+    std::optional<SourceRange> place = {}; ///< what in the text rules the exact method out
+};
+
+/// `simultaneous`: impacts at one moment act as one.
+MethodChoice chooseMethod(const Scene& scene, bool simultaneous);
+
+} // namespace carom
