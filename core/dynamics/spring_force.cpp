@@ -35,14 +35,15 @@ std::vector<SpringForce> springsOf(const Scene& scene) {
     return springs;
 }
 
+double springEnergy(const SpringForce& spring, const State& state) {
+    const Vec3 apart = pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
+    const double stretch = apart.norm() - spring.length;
+    return 0.5 * spring.stiffness * stretch * stretch;
+}
+
 double springEnergy(const std::vector<SpringForce>& springs, const State& state) {
     double energy = 0;
-    for (const SpringForce& spring : springs) {
-        const Vec3 apart =
-            pointNow(state, spring.to, spring.toAt) - pointNow(state, spring.from, spring.fromAt);
-        const double stretch = apart.norm() - spring.length;
-        energy += 0.5 * spring.stiffness * stretch * stretch;
-    }
+    for (const SpringForce& spring : springs) energy += springEnergy(spring, state);
     return energy;
 }
 

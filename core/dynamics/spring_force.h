@@ -33,6 +33,8 @@ struct SpringForce {
 /// not given are those at the start.
 std::vector<SpringForce> springsOf(const Scene& scene);
 
+/// [J]
+double springEnergy(const SpringForce& spring, const State& state);
 /// [J], of all springs.
 double springEnergy(const std::vector<SpringForce>& springs, const State& state);
 

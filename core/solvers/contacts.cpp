@@ -227,7 +227,7 @@ void Contacts::findMembers(const SolverInput& input) {
                             input.broadphase);
     followMembers(input);
     const bool isOver = input.part == 0 && m_stayed >= m_patience;
-    if (!m_base.isEmpty() && (isOver || !m_base.holds(stepped(input), input.substep))) {
+    if (!m_base.isEmpty() && (isOver || !m_base.holds(stepped(input), input.substep, m_neighbours))) {
         leave(input, m_base);
         m_found.carryWith(m_left);
     }

@@ -67,6 +67,12 @@ double IslandMotion::gentleClosing(const ContactPair& pair) const {
     return (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
 }
 
+// What parts faster than gravity alone can bring back within a substep is free until it has come back: a
+// force that held it while it moves away would do work on it [m/s].
+double IslandMotion::gentleOpening(const ContactPair& pair) const {
+    return std::max(gentleClosing(pair), 10 * m_tolerance);
+}
+
 // Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
 // left to firstImpact while locating.
 void IslandMotion::chooseRows(const MotionInput& input, double duration, bool locating) {
@@ -87,6 +93,12 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool lo
                 m_waits[i] = 1;
                 continue;
             }
+        }
+        if (open <= 0 && locating && relativeVelocity(m_problem, row).x() > gentleOpening(pair)) {
+            point.force.setZero();
+            point.rollingTorque.setZero();
+            m_waits[i] = 1;
+            continue;
         }
         row.bound = std::max(0.0, open) / duration;
         row.impulse = duration * point.force;

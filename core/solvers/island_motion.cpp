@@ -21,6 +21,10 @@ bool areStill(const State& state, std::span<const BodyIndex> bodies) {
     });
 }
 
+/// A time on a spring's way is found again so often at most, and until it changes by less than this part.
+constexpr int mostRelocations = 8;
+constexpr double relocationEnd = 1e-12;
+
 } // namespace
 
 bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
@@ -58,6 +62,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
                 duration = std::max(event, shortestPart * input.substep);
                 smooth(input, duration, locating);
                 ++events;
+                if (!m_springs.empty()) duration = relocated(input, duration);
             }
         }
         if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
@@ -80,6 +85,19 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostParting) break;
         part(input, island);
     }
+}
+
+// The way of a body on a spring depends on how long it is followed at once, so the time at which it meets
+// something is found again on the shorter way, until it is that of its end.
+double IslandMotion::relocated(const MotionInput& input, double duration) {
+    const double shortest = shortestPart * input.substep;
+    for (int round = 0; round < mostRelocations && !m_unsolved && remaining(input) > 0; ++round) {
+        const double event = firstImpact(input, duration);
+        if (duration == shortest || !(event < (1 - relocationEnd) * duration)) break;
+        duration = std::max(event, shortest);
+        smooth(input, duration, true);
+    }
+    return duration;
 }
 
 // So that islands of the usual size allocate nothing, whatever they begin to do.
@@ -230,6 +248,7 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
     const double spinBefore =
         input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
     const double tolerance = 1e-3 * narrowest;
+    const double stored = storedInSprings(input);
     const NewtonReport parting = m_newton.solve(m_parting, tolerance, std::max(0.0, remaining(input)));
     m_work += parting.work;
     report.work.factorisations += static_cast<std::uint64_t>(parting.factorisations);
@@ -241,7 +260,44 @@ void IslandMotion::part(const MotionInput& input, const Island& island) {
             pose.orientation = (fromRotationVector(displacement.tail<3>()) * pose.orientation).normalized();
     }
     if (input.ledger != nullptr) bookParting(input, island, spinBefore);
+    takeEnergy(input, island, storedInSprings(input) - stored);
     recollide(input);
+}
+
+// [J]
+double IslandMotion::storedInSprings(const MotionInput& input) const {
+    double energy = 0;
+    for (const std::uint32_t spring : m_springs)
+        energy += springEnergy(input.bodies.springs[spring], input.state);
+    return energy;
+}
+
+// What parting has added to springs is taken from the motion, as far as there is any: of bodies that touch or
+// hang on what is fixed all of it, of others that about their centre of mass.
+void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, double energy) {
+    if (!(energy > 0)) return;
+    const auto isFixed = [&](BodyIndex i) { return i == noBody || input.bodies.mobile[i] == 0; };
+    bool held = std::any_of(m_contacts.pairs.begin(), m_contacts.pairs.end(), [&](const ContactPair& pair) {
+        return pair.count > 0 && (isFixed(pair.a) || isFixed(pair.b));
+    });
+    for (const std::uint32_t index : m_springs) {
+        const SpringForce& spring = input.bodies.springs[index];
+        held = held || isFixed(spring.from) || isFixed(spring.to);
+    }
+    Vec3 drift = Vec3::Zero();
+    double mass = 0, kinetic = 0;
+    for (const BodyIndex i : island.bodies) {
+        drift += input.bodies.mass[i] * input.state.velocity[i];
+        mass += input.bodies.mass[i];
+    }
+    drift = held ? Vec3(Vec3::Zero()) : Vec3(drift / mass);
+    for (const BodyIndex i : island.bodies)
+        kinetic += 0.5 * input.bodies.mass[i] * (input.state.velocity[i] - drift).squaredNorm();
+    const double part = kinetic > energy ? std::sqrt(1 - energy / kinetic) : 0;
+    for (const BodyIndex i : island.bodies)
+        input.state.velocity[i] = drift + part * (input.state.velocity[i] - drift);
+    if (input.ledger != nullptr)
+        (*input.ledger)[LedgerAccount::Parting].energy -= (1 - part * part) * kinetic;
 }
 
 void IslandMotion::impacts(const MotionInput& input, double duration, bool locating) {

@@ -101,6 +101,8 @@ class IslandMotion {
     void loadBodies(const MotionInput& input, const Island& island);
     double relativeOverlap() const;
     void part(const MotionInput& input, const Island& island);
+    double storedInSprings(const MotionInput& input) const;
+    void takeEnergy(const MotionInput& input, const Island& island, double energy);
     void impacts(const MotionInput& input, double duration, bool locating);
     void smooth(const MotionInput& input, double duration, bool locating);
     void beginPart(const MotionInput& input, double duration);
@@ -126,6 +128,7 @@ class IslandMotion {
     void rememberVelocities();
     double changeOfVelocities();
     double firstImpact(const MotionInput& input, double duration);
+    double relocated(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
     double findStopTime(const MotionInput& input, const Braked& braked, double duration);
     Loss findLoss(const Island& island) const;
@@ -144,6 +147,7 @@ class IslandMotion {
     double speedOf(const Braked& braked) const;
     void markHeld();
     double gentleClosing(const ContactPair& pair) const;
+    double gentleOpening(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
     double nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
                        double duration) const;

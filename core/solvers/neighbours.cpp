@@ -33,8 +33,9 @@ bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, dou
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
-    : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
-      m_skin(bodies.count(), -1.0), m_origin(bodies.count()), m_first(bodies.count() + 1, 0) {
+    : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_pull(bodies.count(), 0.0),
+      m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_origin(bodies.count()),
+      m_first(bodies.count() + 1, 0) {
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
 }
 
@@ -64,13 +65,48 @@ double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose
     return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
 }
 
+// A spring moves its ends by no more than s (ωh)²/2, with s how far it is stretched now or will be if they go
+// on as they do, and by no more than twice the amplitude. A damper moves them by no more than they move
+// anyway.
+void Neighbours::notePulls(const Bodies& bodies, const State& state, double duration) {
+    if (bodies.springs.empty()) return;
+    std::fill(m_pull.begin(), m_pull.end(), 0.0);
+    for (const SpringForce& spring : bodies.springs) {
+        const auto placeOf = [&](BodyIndex i, const Vec3& at) {
+            return i == noBody ? at : state.pose[i].toWorld(at);
+        };
+        const auto velocityOf = [&](BodyIndex i, const Vec3& at) -> Vec3 {
+            if (i == noBody) return Vec3::Zero();
+            return state.velocity[i] + state.angularVelocity[i].cross(state.pose[i].directionToWorld(at));
+        };
+        const double length = (placeOf(spring.to, spring.toAt) - placeOf(spring.from, spring.fromAt)).norm();
+        const double way =
+            (velocityOf(spring.to, spring.toAt) - velocityOf(spring.from, spring.fromAt)).norm() * duration;
+        const double stretch = std::abs(length - spring.length) + way;
+        const auto pull = [&](BodyIndex i, double arm) {
+            if (i == noBody || bodies.mobile[i] == 0) return;
+            const double compliance = bodies.inverseMass[i] + arm * std::max(arm, bodies.boundingRadius[i]) *
+                                                                  bodies.inverseInertia[i].maxCoeff();
+            const double phase = duration * std::sqrt(spring.stiffness * compliance);
+            const double amplitude = phase > 1 ? stretch - way + way / phase : stretch;
+            const double more = std::min(0.5 * phase * phase * stretch, 2 * amplitude) +
+                                way * std::min(1.0, duration * spring.damping * compliance);
+            m_pull[i] += std::isfinite(more) ? more : 0; // the step is lost anyway
+        };
+        pull(spring.from, spring.fromAt.norm());
+        pull(spring.to, spring.toAt.norm());
+    }
+}
+
 bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration) {
     const double fall = 0.5 * gravity.norm() * duration * duration;
+    m_duration = duration;
+    notePulls(bodies, state, duration);
     bool serves = true;
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
-        m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall;
+        m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall + m_pull[i];
         m_moved[i] = displacement(bodies, i, m_origin[i], state.pose[i]);
         serves = serves && m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i];
     }

@@ -74,6 +74,11 @@ class Neighbours {
 
     /// How far a body's surface can come in the duration noted last [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
+    /// How far springs take it at most [m] in the duration noted last, or in a longer `time` [s].
+    double pull(BodyIndex body, double time) const {
+        const double times = std::max(1.0, time / m_duration);
+        return m_pull[body] * times * times;
+    }
 
     /// All pairs, walls among them, a < b, ascending.
     std::span<const BodyPair> pairs() const { return m_pairs; }
@@ -90,15 +95,18 @@ class Neighbours {
 
   private:
     double skinOf(const Bodies& bodies, BodyIndex body) const;
+    void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies, const State& state);
     void listAround(std::size_t count);
 
     std::vector<std::uint8_t> m_mobile; // of bodies.bounded
     std::vector<Aabb> m_boxes;          // of bodies.bounded
     std::vector<double> m_path;         // by body: how far it comes if nothing hits it [m]
+    std::vector<double> m_pull;         // by body: how much further springs take it [m]
     std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
     std::vector<double> m_skin;         // by body [m]
     std::vector<Pose> m_origin;         // by body: where the list found it
+    double m_duration = 1;              // noted last [s]
     double m_typical = 0;               // root mean square of what bodies need [m]
     std::uint64_t m_searches = 0;
     std::vector<BodyPair> m_wallPairs, m_pairs;

@@ -112,6 +112,53 @@ class SpringsTest : public QObject {
         }
     }
 
+    // A spring pulls a ball onto a fixed one from behind it. Its force in contact is up to 1e5 times what
+    // stops an impact in a substep, and ωh up to 13.
+    void aSpringThatPressesABallOnAFixedOneGivesNoEnergy() {
+        for (const double stiffness : {1e2, 1e4, 1e6, 1e7})
+            for (const double elastic : {0.0, 0.5, 1.0}) {
+                Scene scene = sceneOf({sphere(0.1, 1, Vec3(0, 0.7, 0)), sphere(0.5, 0, Vec3::Zero())});
+                scene.bodies[1].fixed = true;
+                for (Body& body : scene.bodies) body.elastic = elastic;
+                scene.springs = {springTo(0, stiffness, 1.5)};
+                scene.springs[0].fromAt = {0, -1, 0};
+                World world = worldOf(scene, contacts("default"));
+                const double start = energyOf(world);
+                double most = start;
+                for (int i = 0; i < 300; ++i) {
+                    world.step();
+                    most = std::max(most, energyOf(world));
+                }
+                const QString where =
+                    QStringLiteral("k %1, e %2: %3 J of %4").arg(stiffness).arg(elastic).arg(most).arg(start);
+                QVERIFY2(most <= start * (1 + 1e-6), qPrintable(where));
+                if (elastic == 1) QVERIFY2(energyOf(world) > 0.999 * start, qPrintable(where));
+            }
+    }
+
+    // The bodies come together by the spring alone, faster than gravity could bring them: the pair must be
+    // found before they meet. Momentum is kept, whatever is taken from the motion.
+    void ballsThatASpringPullsTogetherMeet() {
+        for (const double elastic : {0.5, 1.0}) {
+            Scene scene = sceneOf({sphere(0.1, 1, Vec3(0, 0, 0)), sphere(0.1, 1, Vec3(0.01, 0.25, 0)),
+                                   sphere(0.1, 2, Vec3(0.01, 0.48, 0.02))});
+            for (Body& body : scene.bodies) body.elastic = elastic;
+            Spring first = springTo(1, 1e4, 0.1), second = springTo(2, 1e4, 0.1);
+            first.from = 0;
+            second.from = 1;
+            scene.springs = {first, second};
+            World world = worldOf(scene, contacts("default"));
+            const double start = energyOf(world);
+            for (int i = 0; i < 300; ++i) {
+                world.step();
+                QVERIFY2(energyOf(world) <= start * (1 + 1e-4), qPrintable(QString::number(i)));
+            }
+            const State& state = world.state();
+            const Vec3 momentum = state.velocity[0] + state.velocity[1] + 2 * state.velocity[2];
+            QVERIFY2(momentum.norm() < 1e-9, qPrintable(QString::number(momentum.norm())));
+        }
+    }
+
     // Hard case 45: the rule keeps energy; what is left is rounding.
     void aSpringPendulumKeepsItsEnergy() {
         Scene scene = sceneOf({sphere(0.1, 1, Vec3(1, 0, 0))}, downwards());

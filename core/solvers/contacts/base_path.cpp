@@ -56,7 +56,7 @@ std::size_t BasePath::islands() const {
     return sum;
 }
 
-bool BasePath::holds(const SteppedInput& input, double substep) const {
+bool BasePath::holds(const SteppedInput& input, double substep, const Neighbours& neighbours) const {
     if (m_isBroken || std::any_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
             return !block.isEmpty() && !block.isUnchanged(input.state);
         }))
@@ -65,7 +65,8 @@ bool BasePath::holds(const SteppedInput& input, double substep) const {
     for (const SteppedMotion& block : m_blocks)
         for (const BodyIndex i : block.bodies()) {
             const double moved = Neighbours::displacement(input.bodies, i, m_origin[i], input.state.pose[i]);
-            const double path = Neighbours::surfaceSpeed(input.bodies, input.state, i) * substep + fall;
+            const double path = Neighbours::surfaceSpeed(input.bodies, input.state, i) * substep + fall +
+                                neighbours.pull(i, substep);
             if (moved + Neighbours::reachFactor * path > m_reach[i]) return false;
         }
     return true;
@@ -79,7 +80,8 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     for (const BodyIndex i : list) {
         m_block[i] = entering;
         m_origin[i] = input.state.pose[i];
-        const double path = Neighbours::surfaceSpeed(bodies, input.state, i) * time + fall;
+        const double path =
+            Neighbours::surfaceSpeed(bodies, input.state, i) * time + fall + neighbours.pull(i, time);
         m_reach[i] = path + skin * bodies.boundingRadius[i];
         covered = neighbours.covers(i, m_reach[i]) && covered;
     }

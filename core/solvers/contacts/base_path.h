@@ -51,7 +51,7 @@ class BasePath {
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
     /// Whether the pairs serve for another `substep` [s].
-    bool holds(const SteppedInput& input, double substep) const;
+    bool holds(const SteppedInput& input, double substep, const Neighbours& neighbours) const;
 
     /// Notes how far bodies that are to enter, ascending, may come within `time` [s], and by `skin` times
     /// their size further. False if the neighbours must search and this be asked again.

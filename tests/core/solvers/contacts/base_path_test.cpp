@@ -58,7 +58,8 @@ class Entered {
             carried.begin(), carried.end(),
             [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
     }
-    bool holds() { return path.holds(input(), test::substep); }
+    const Neighbours& neighbours() const { return m_neighbours; }
+    bool holds() { return path.holds(input(), test::substep, m_neighbours); }
     void advance() { path.advance(input(), manifolds); }
     /// A substep; all enter anew if the pairs do not serve for it.
     void step() {
@@ -341,7 +342,7 @@ class BasePathTest : public QObject {
                 .bodies = scene.bodies, .gravity = scene.input().gravity, .state = state};
             for (int n = 0; n < 5; ++n) {
                 const bool holds = scene.holds();
-                QCOMPARE(path.holds(input, test::substep), holds);
+                QCOMPARE(path.holds(input, test::substep, scene.neighbours()), holds);
                 if (!holds) break;
                 scene.advance();
                 path.advance(input, manifolds);
