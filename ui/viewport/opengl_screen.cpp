@@ -19,7 +19,12 @@ OpenGLScreen::OpenGLScreen(Painter overPicture, QWidget* parent)
     setFocusPolicy(Qt::NoFocus);
 }
 
-OpenGLScreen::~OpenGLScreen() { dropRenderer(); }
+OpenGLScreen::~OpenGLScreen() {
+    // The context ends with the base class, when this is no OpenGLScreen any more.
+    if (context() != nullptr)
+        disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OpenGLScreen::dropRenderer);
+    dropRenderer();
+}
 
 /// What is on the graphics card goes while its context is there.
 void OpenGLScreen::dropRenderer() {
