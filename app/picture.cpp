@@ -15,8 +15,8 @@
 namespace carom {
 namespace {
 
-constexpr int settleTime = 700; // [ms] until the viewport has drawn the smooth picture of a scene at rest
-constexpr int mostLooks = 90;   // at whether it has: a minute
+constexpr int lookInterval = 20; // [ms] between two looks at whether OpenGL is there
+constexpr int mostLooks = 3000;  // a minute
 
 } // namespace
 
@@ -26,7 +26,6 @@ int savePicture(const std::string& scene, const PictureRequest& request) {
     for (std::int64_t frame = 0; frame < request.frame; ++frame) world.step();
 
     Viewport viewport;
-    viewport.setAttribute(Qt::WA_DontShowOnScreen);
     viewport.resize(request.width, request.height);
     viewport.showPipeline(built.pipeline);
     viewport.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
@@ -36,12 +35,11 @@ int savePicture(const std::string& scene, const PictureRequest& request) {
             printError("carom: the picture cannot be drawn: " + problem.toStdString() + "\n");
             QCoreApplication::exit(exitcode::fileError);
         },
-        Qt::QueuedConnection); // show() may fail before the event loop runs
-    viewport.show();
+        Qt::QueuedConnection); // OpenGL may fail before the event loop runs
     QTimer look;
     int looks = 0;
     QObject::connect(&look, &QTimer::timeout, &viewport, [&] {
-        const QImage picture = viewport.shownPicture();
+        const QImage picture = viewport.picture({request.width, request.height});
         if (picture.isNull() && ++looks < mostLooks) return; // a slow machine
         if (picture.isNull()) {
             printError("carom: the picture cannot be drawn: OpenGL has drawn nothing\n");
@@ -52,7 +50,7 @@ int savePicture(const std::string& scene, const PictureRequest& request) {
         if (!problem.isEmpty()) printError("carom: " + problem.toStdString() + "\n");
         QCoreApplication::exit(problem.isEmpty() ? exitcode::done : exitcode::fileError);
     });
-    look.start(settleTime);
+    look.start(lookInterval);
     return QCoreApplication::exec();
 }
 
