@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/player/simulation_thread.h"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -42,6 +44,7 @@ void SimulationThread::post(SimulationCommand command) {
 }
 
 void SimulationThread::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "simulation"); // for debuggers, profilers and /proc
     while (!stop.stop_requested()) {
         try {
             act(stop);

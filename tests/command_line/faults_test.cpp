@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/failing_files.h"
 #include "tests/support/failing_memory.h"
+#include "tests/support/process_figures.h"
 #include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
@@ -272,7 +273,8 @@ class FaultsTest : public QObject {
         process.start(CAROM_PROGRAM,
                       {"run", path("slow.sdl"), "--substeps=1000000", "--json", "--stats", path("slow.csv")});
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("slow.csv")), patience);
-        QTest::qWait(500); // into the frame
+        constexpr int intoTheFrame = 100; // [ms] of processor time
+        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(process.processId(), "carom") > intoTheFrame, patience);
         ::kill(static_cast<pid_t>(process.processId()), signal);
         const Ended ended = finish(process);
         QCOMPARE(ended.exitCode, 130);
