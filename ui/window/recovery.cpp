@@ -51,7 +51,7 @@ bool isInItsFile(const LostText& lost) {
 
 } // namespace
 
-Recovery::Recovery(const Document& document, const QString& folder, QObject* parent)
+Recovery::Recovery(const Document& document, const QString& folder, int interval, QObject* parent)
     : QObject(parent), m_document(document) {
     QDir().mkpath(folder);
     QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);

@@ -32,16 +32,17 @@ struct LostTexts {
     QStringList unreadable;      ///< swap files that are there and cannot be read; they stay
 };
 
-/// Keeps a copy of unsaved text in a swap file, at most two seconds behind, until it is saved or given up. A
+/// Keeps a copy of unsaved text in a swap file, at most an interval behind, until it is saved or given up. A
 /// thread of its own writes it: typing does not wait for the disk.
 /// A swap file is held by a lock; one whose lock nobody holds was left by a crash. Only its owner may read
 /// it.
 class Recovery : public QObject {
     Q_OBJECT
   public:
-    static constexpr int interval = 2000; ///< [ms]
+    static constexpr int usualInterval = 2000; ///< [ms]
 
-    Recovery(const Document& document, const QString& folder, QObject* parent = nullptr);
+    Recovery(const Document& document, const QString& folder, int interval = usualInterval,
+             QObject* parent = nullptr);
     ~Recovery() override;
 
     /// Where swap files of this user lie.

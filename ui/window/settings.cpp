@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/settings.h"
 
+#include "ui/window/recovery.h"
+
 #include <QFileInfo>
 #include <QSettings>
 #include <QVariantList>
+
+#include <algorithm>
 
 namespace carom {
 namespace {
@@ -25,6 +29,7 @@ const QString navigationKey = QStringLiteral("viewport/navigation");
 const QString drawingPlaceKey = QStringLiteral("viewport/drawing");
 const QString memoryKey = QStringLiteral("simulation/memory");
 const QString threadsKey = QStringLiteral("simulation/threads");
+const QString recoveryKey = QStringLiteral("recovery/interval");
 const QString welcomeKey = QStringLiteral("window/welcome");
 const QString keysKey = QStringLiteral("keys/%1");
 
@@ -89,6 +94,10 @@ int Settings::memoryBudget() const { return QSettings().value(memoryKey, usualMe
 void Settings::setMemoryBudget(int mebibytes) { QSettings().setValue(memoryKey, mebibytes); }
 int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt(); }
 void Settings::setThreads(int count) { QSettings().setValue(threadsKey, count); }
+int Settings::recoveryInterval() const {
+    constexpr int shortest = 100; // [ms]: a disk is written that often while one types
+    return std::max(shortest, QSettings().value(recoveryKey, Recovery::usualInterval).toInt());
+}
 bool Settings::welcomeAtStart() const { return QSettings().value(welcomeKey, true).toBool(); }
 void Settings::setWelcomeAtStart(bool shown) { QSettings().setValue(welcomeKey, shown); }
 

@@ -59,6 +59,8 @@ class Settings {
     void setMemoryBudget(int mebibytes);
     int threads() const; ///< for simulating; 0: as many as the machine has
     void setThreads(int count);
+    /// How far the copy of unsaved text may be behind [ms]; only in the file, no dialog asks for it.
+    int recoveryInterval() const;
     bool welcomeAtStart() const;
     void setWelcomeAtStart(bool shown);
     /// Keys the user gave an action, by the action's name in the table; nothing where it has its own.

@@ -115,7 +115,8 @@ bool Workbench::offerRecovery() {
 }
 
 void Workbench::keepUnsavedText() {
-    m_recovery = std::make_unique<Recovery>(*m_document, Recovery::standardFolder());
+    m_recovery =
+        std::make_unique<Recovery>(*m_document, Recovery::standardFolder(), m_settings.recoveryInterval());
     connect(m_recovery.get(), &Recovery::keepingChanged, this, [this](const QString& problem) {
         m_window->warn(problem.isEmpty() ? QString() : tr("Unsaved text is not kept: %1").arg(problem));
         m_window->output().add(

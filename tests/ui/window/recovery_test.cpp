@@ -179,6 +179,7 @@ class RecoveryTest : public QObject {
 
     void aWindowSaysInItsStatusBarThatTextIsNotKept() {
         const QString swaps = Recovery::standardFolder();
+        QSettings().setValue(QStringLiteral("recovery/interval"), 100); // [ms]
         Workbench bench;
         bench.window().show();
         bench.keepUnsavedText();
@@ -192,6 +193,17 @@ class RecoveryTest : public QObject {
         }
         QTRY_VERIFY_WITH_TIMEOUT(!warning->isVisible(), patience);
         bench.window().editor().markSaved();
+    }
+
+    void itIsTwoSecondsBehindUnlessTheSettingsSayOtherwise() {
+        QSettings().clear();
+        QCOMPARE(Settings().recoveryInterval(), 2000);
+        const QString key = QStringLiteral("recovery/interval");
+        for (const auto& [written, taken] : {std::pair{300, 300}, {100, 100}, {0, 100}, {-5, 100}}) {
+            QSettings().setValue(key, written);
+            QCOMPARE(Settings().recoveryInterval(), taken);
+        }
+        QSettings().clear();
     }
 
     void aRecoveredTextIsUnsavedAndBelongsToItsFile() {
