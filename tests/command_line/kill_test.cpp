@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t seed = 20261122;
 constexpr int mostTurns = 1000; // until one is killed in time
 
-int kills() { return roundsOf("CAROM_KILLS", 12); }
+int kills() { return roundsOf("CAROM_KILLS", 4); }
 
 std::size_t cellsIn(const QString& row) {
     const std::string text = row.toStdString();

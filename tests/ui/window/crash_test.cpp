@@ -23,11 +23,12 @@ using namespace carom::test;
 
 namespace {
 
-constexpr quint32 seed = 4711;             // of the moments of the kills
-constexpr int behind = Recovery::interval; // [ms] the swap file may be
+constexpr quint32 seed = 4711;    // of the moments of the kills
+constexpr int behind = 500;       // [ms] the swap file may be, by the settings of these sessions
+constexpr int intoTheFrame = 300; // [ms] of processor time
 const QByteArray original = "// a scene\n";
 
-int kills() { return roundsOf("CAROM_KILLS", 6); }
+int kills() { return roundsOf("CAROM_KILLS", 3); }
 
 QByteArray xdotool(const QStringList& arguments) {
     QProcess process;
@@ -56,7 +57,7 @@ class Session {
         QElapsedTimer clock;
         clock.start();
         while (clock.elapsed() < patience && m_process.state() != QProcess::NotRunning) {
-            m_process.waitForFinished(100); // lets time pass, and sees an early end
+            m_process.waitForFinished(20); // lets time pass, and sees an early end
             const QByteArray id = xdotool({QStringLiteral("search"), QStringLiteral("--onlyvisible"),
                                            QStringLiteral("--name"), title})
                                       .split('\n')
@@ -72,6 +73,7 @@ class Session {
                  QString::fromLatin1(text)});
     }
     void press(const char* key) { xdotool({QStringLiteral("key"), QString::fromLatin1(key)}); }
+    qint64 number() const { return m_process.processId(); }
     bool hasEnded() { return m_process.state() == QProcess::NotRunning || m_process.waitForFinished(100); }
     int exitCode() const {
         return m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
@@ -91,7 +93,13 @@ struct Desk {
     QString scene = home.filePath(QStringLiteral("scene.sdl"));
     QString swaps = home.filePath(QStringLiteral("carom/carom/recovery"));
 
-    Desk() { writeFile(scene, original); }
+    Desk() {
+        writeFile(scene, original);
+        const QString settings = home.filePath(QStringLiteral("carom"));
+        if (!QDir().mkpath(settings)) qFatal("cannot make %s", qPrintable(settings));
+        writeFile(settings + QStringLiteral("/carom.conf"),
+                  "[recovery]\ninterval=" + QByteArray::number(behind) + "\n");
+    }
     /// The content of the one swap file; nothing where there is none.
     QByteArray swapFile() const {
         const QStringList files = QDir(swaps).entryList({QStringLiteral("*.swap")});
@@ -182,7 +190,7 @@ class CrashTest : public QObject {
         writeFile(desk.scene, text + "simulation { substeps 1000000 }\n");
         Session session(desk.home.path(), desk.scene, {QStringLiteral("--play")});
         QVERIFY(session.focus(QStringLiteral("scene.sdl")));
-        QTest::qWait(4000); // into the frame
+        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(session.number(), "simulation") > intoTheFrame, patience);
         session.press("ctrl+q");
         QTRY_VERIFY_WITH_TIMEOUT(session.hasEnded(), patience);
         QCOMPARE(session.exitCode(), 0);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int warmUp = 10;          // rounds, in which fonts, pictures and lists come to their size
 constexpr std::int64_t played = 60; // frames a round
-constexpr double speed = 10;        // of real time: the frame that a pause meets differs by a few
+constexpr double speed = 40;        // of real time: the frame that a pause meets differs by some tens
 
 /// [KiB] that the program has asked for and not given back: what is in memory besides depends on the order in
 /// which the allocator got it.
@@ -54,6 +54,7 @@ class WindowSoakTest : public QObject {
         const QByteArray text = ide.editor.bytes();
         const qsizetype at = text.indexOf("0,3,0") >= 0 ? text.indexOf("0,3,0") : text.indexOf("0,4,0");
         ide.editor.replaceRange({static_cast<std::uint32_t>(at), 5}, round % 2 == 0 ? "0,4,0" : "0,3,0");
+        ide.bench.builds().hurry(); // nobody types on
         QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
         ide.simulation.setSpeed(speed);
         ide.trigger(ActionId::Play);
