@@ -2,7 +2,6 @@
 #include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
-#include <QDir>
 #include <QImage>
 #include <QTest>
 
@@ -119,19 +118,6 @@ class ProgramTest : public QObject {
                        {}, environment);
         QCOMPARE(ended.exitCode, 0);
         QCOMPARE(ended.err, QString());
-    }
-
-    void everyShippedSceneOpensAndRuns_data() {
-        QTest::addColumn<QString>("path");
-        QDir folder(scenes);
-        for (const QString& name : folder.entryList({QStringLiteral("*.sdl")}, QDir::Files))
-            QTest::newRow(qPrintable(name)) << folder.filePath(name);
-    }
-
-    void everyShippedSceneOpensAndRuns() {
-        QFETCH(QString, path);
-        const Ended ended = runCommand(program, {path, QStringLiteral("-n"), QStringLiteral("5")});
-        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
     }
 };
 
