@@ -41,9 +41,16 @@ FilmPlan planOf(const Ide& ide, const QString& path) {
             .path = path};
 }
 
+/// The same where nobody looks at the pictures: smooth edges and shadows take most of a short film's time.
+FilmPlan plainPlanOf(const Ide& ide, const QString& path) {
+    FilmPlan plan = planOf(ide, path);
+    plan.look.options.smooth = plan.look.options.shadows = false;
+    return plan;
+}
+
 /// A film of 20,001 pictures that is cancelled when some are made; what it says of it.
 QString cancelledAfter(int pictures, const Ide& ide, const QString& path) {
-    FilmPlan plan = planOf(ide, path);
+    FilmPlan plan = plainPlanOf(ide, path);
     plan.to = 1000;
     Film film(plan);
     QSignalSpy ends(&film, &Film::finished), progress(&film, &Film::progressed);
@@ -111,7 +118,7 @@ class PicturesTest : public QObject {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        ide.bench.pictures().film(planOf(ide, ide.folder.filePath(QStringLiteral("run.png"))));
+        ide.bench.pictures().film(plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.png"))));
         QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
         const QStringList written = QDir(ide.folder.path()).entryList({QStringLiteral("run-*.png")});
         QCOMPARE(written.size(), 5);
@@ -122,7 +129,7 @@ class PicturesTest : public QObject {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QByteArray path = qgetenv("PATH");
-        const FilmPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.mp4")));
+        const FilmPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4")));
         qputenv("PATH", ide.folder.path().toLocal8Bit());
         QVERIFY(objectionTo(plan).contains(QStringLiteral("ffmpeg")));
 
@@ -162,7 +169,7 @@ class PicturesTest : public QObject {
         const QByteArray path = qgetenv("PATH");
         qputenv("PATH", tools.toLocal8Bit() + ":" + path);
         for (const char* ending : {".mp4", ".gif", ".png"}) {
-            Film film(planOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
+            Film film(plainPlanOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
             QSignalSpy ends(&film, &Film::finished);
             film.start();
             QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
@@ -211,7 +218,8 @@ class PicturesTest : public QObject {
                               QFile::ReadOwner | QFile::ExeOwner);
         qputenv("PATH", ide.folder.path().toLocal8Bit() + ":" + before);
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
-        std::optional<Film> film(std::in_place, planOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
+        std::optional<Film> film(std::in_place,
+                                 plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
         QSignalSpy ends(&*film, &Film::finished), encoding(&*film, &Film::encoding);
         film->start();
         QTRY_COMPARE_WITH_TIMEOUT(encoding.count(), 1, patience);
@@ -228,7 +236,7 @@ class PicturesTest : public QObject {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        FilmPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
+        FilmPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         plan.to = 1000;
         ide.bench.pictures().film(plan);
         const QProgressDialog* dialog =

@@ -61,8 +61,17 @@ QString saveChart(const QString& path) {
     return writeChart(chart, path);
 }
 
+/// As the viewport shows it, without smooth edges and shadows: what they take to compile is most of a short
+/// film's time.
+FilmPlan planOf(const Ide& ide, double duration, const QString& path) {
+    FilmPlan plan{
+        .look = ide.viewport.view({64, 48}), .to = duration, .rate = 20, .size = {64, 48}, .path = path};
+    plan.look.options.smooth = plan.look.options.shadows = false;
+    return plan;
+}
+
 QString film(const Ide& ide, const QString& path) {
-    Film film({.look = ide.viewport.view({64, 48}), .to = 0.1, .rate = 20, .size = {64, 48}, .path = path});
+    Film film(planOf(ide, 0.1, path));
     QSignalSpy ends(&film, &Film::finished);
     film.start();
     return QTest::qWaitFor([&] { return ends.count() == 1; }, patience)
@@ -192,8 +201,7 @@ void WritersTest::aSaveOnAFullDiskKeepsFileAndTextAndTheWindowStays() {
 void WritersTest::aFullDiskIsNoticedWhenAFilmIsWritten() {
     // Not at its end, hours later.
     const QString path = m_folder->filePath(QStringLiteral("long.gif"));
-    Film film(
-        {.look = m_ide->viewport.view({64, 48}), .to = 1000, .rate = 20, .size = {64, 48}, .path = path});
+    Film film(planOf(*m_ide, 1000, path));
     QSignalSpy ends(&film, &Film::finished);
     const FailingFiles full("write", 8, ENOSPC, qPrintable(m_folder->path()));
     film.start();
