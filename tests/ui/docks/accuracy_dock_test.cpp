@@ -99,11 +99,12 @@ class AccuracyDockTest : public QObject {
 
     void aClickOnAPointChoosesItRunsItAndPutsItIntoTheText() {
         m_dock->setScene(built(bouncing), QStringLiteral("ball"));
+        tryOnly(aFew);
         study();
         QVERIFY(!m_run->isEnabled());
         QSignalSpy runs(m_dock.get(), &AccuracyDock::runWanted);
         QSignalSpy settings(m_dock.get(), &AccuracyDock::settingWanted);
-        Q_EMIT m_plot->pointClicked(0, 1);
+        Q_EMIT m_plot->pointClicked(0, 0);
         QVERIFY(m_run->isEnabled() && m_use->isEnabled());
         const QString told = child<QLabel>("accuracyPoint")->text();
         QVERIFY2(told.contains(QStringLiteral("ms per simulated second")), qPrintable(told));
@@ -125,7 +126,7 @@ class AccuracyDockTest : public QObject {
 
     void aStudyThatIsStoppedGoesOnWhereItWas() {
         m_dock->setScene(built(swinging), QStringLiteral("swing"));
-        m_duration->setValue(20);
+        m_duration->setValue(8);
         m_start->click();
         QTRY_VERIFY_WITH_TIMEOUT(m_dock->result() && m_dock->result()->points.front().finished(), patience);
         m_start->click();
@@ -133,9 +134,9 @@ class AccuracyDockTest : public QObject {
         QVERIFY(!m_dock->result()->complete);
         QCOMPARE(m_start->text(), QStringLiteral("Go on"));
         const AccuracyPoint before = m_dock->result()->points.front();
-        m_duration->setValue(19);
+        m_duration->setValue(7);
         QCOMPARE(m_start->text(), QStringLiteral("Study")); // another study
-        m_duration->setValue(20);
+        m_duration->setValue(8);
         QCOMPARE(m_start->text(), QStringLiteral("Go on"));
         m_start->click();
         QTRY_VERIFY_WITH_TIMEOUT(child<QProgressBar>("accuracyProgress")->value() > 0, patience);

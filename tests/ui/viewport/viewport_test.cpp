@@ -18,6 +18,7 @@
 #include <atomic>
 #include <cmath>
 #include <set>
+#include <vector>
 
 // What is on the screen against the geometry it shows, pixel by pixel.
 
@@ -44,14 +45,17 @@ class ViewportTest : public QObject {
     /// Wherever the three by three pixels around show one body, the middle has its colour; returns how many.
     int pixelsInTheirBodysColour(const Scene& scene) {
         const QImage image = picked();
+        std::vector<BodyIndex> hit; // pixel by pixel
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) hit.push_back(m_viewport->hitAt(centreOf(x, y)).body);
+        const auto bodyAt = [&hit](int x, int y) { return hit[static_cast<std::size_t>(y * side + x)]; };
         int seen = 0;
         for (int y = 1; y + 1 < side; ++y) {
             for (int x = 1; x + 1 < side; ++x) {
-                const BodyIndex body = m_viewport->hitAt(centreOf(x, y)).body;
+                const BodyIndex body = bodyAt(x, y);
                 if (body == noBody || isWall(scene.bodies[body].shape)) continue;
                 bool alone = true;
-                for (int i = 0; i < 9; ++i)
-                    alone = alone && m_viewport->hitAt(centreOf(x + i % 3 - 1, y + i / 3 - 1)).body == body;
+                for (int i = 0; i < 9; ++i) alone = alone && bodyAt(x + i % 3 - 1, y + i / 3 - 1) == body;
                 if (!alone) continue;
                 if (!leads(image.pixel(x, y), scene.bodies[body].colour)) {
                     qWarning("pixel %d, %d is #%06x and should show body %u", x, y,
