@@ -13,6 +13,7 @@
 #include <QTest>
 #include <QThread>
 
+#include <functional>
 #include <memory>
 
 using namespace carom;
@@ -54,19 +55,14 @@ class Session {
 
     /// Waits for a window with that title and gives it the keyboard.
     bool focus(const QString& title) {
-        QElapsedTimer clock;
-        clock.start();
-        while (clock.elapsed() < patience && m_process.state() != QProcess::NotRunning) {
-            m_process.waitForFinished(20); // lets time pass, and sees an early end
-            const QByteArray id = xdotool({QStringLiteral("search"), QStringLiteral("--onlyvisible"),
-                                           QStringLiteral("--name"), title})
-                                      .split('\n')
-                                      .value(0);
-            if (id.isEmpty()) continue;
-            xdotool({QStringLiteral("windowfocus"), QStringLiteral("--sync"), QString::fromLatin1(id)});
-            return true;
-        }
-        return false;
+        QByteArray id;
+        if (!becomes([&] { return !(id = windowOf(title)).isEmpty(); })) return false;
+        xdotool({QStringLiteral("windowfocus"), QStringLiteral("--sync"), QString::fromLatin1(id)});
+        return true;
+    }
+    /// Waits until no window has that title.
+    bool loses(const QString& title) {
+        return becomes([&] { return windowOf(title).isEmpty(); });
     }
     void type(const QByteArray& text) {
         xdotool({QStringLiteral("type"), QStringLiteral("--delay"), QStringLiteral("8"),
@@ -85,6 +81,22 @@ class Session {
     }
 
   private:
+    static QByteArray windowOf(const QString& title) {
+        return xdotool({QStringLiteral("search"), QStringLiteral("--onlyvisible"), QStringLiteral("--name"),
+                        title})
+            .split('\n')
+            .value(0);
+    }
+    bool becomes(const std::function<bool()>& holds) {
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < patience && m_process.state() != QProcess::NotRunning) {
+            m_process.waitForFinished(20); // lets time pass, and sees an early end
+            if (holds()) return true;
+        }
+        return false;
+    }
+
     QProcess m_process;
 };
 
@@ -133,6 +145,7 @@ class CrashTest : public QObject {
         Session next(desk.home.path(), desk.scene);
         QVERIFY(next.focus(QStringLiteral("Unsaved text found")));
         next.press("Return"); // takes it up
+        QVERIFY(next.loses(QStringLiteral("Unsaved text found")));
         QTRY_VERIFY_WITH_TIMEOUT(!desk.swapFile().isEmpty(), patience);
         QVERIFY(next.focus(QStringLiteral("scene.sdl")));
         next.press("ctrl+s");
