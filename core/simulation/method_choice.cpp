@@ -4,28 +4,28 @@
 #include "core/effects/scene_facts.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace carom {
 namespace {
 
 // Without gravity nothing is drawn back to what it has bounced off, so what cannot move may take energy. A
 // pair has the smaller coefficient of its two.
-std::optional<SolverObjection> loss(const Scene& scene) {
+std::optional<std::string> loss(const Scene& scene) {
     if (!anyCanMeet(scene)) return std::nullopt;
     const bool falls = scene.gravity.acceleration != Vec3::Zero();
     const auto lossy = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
         return body.mobile() ? body.elastic != 1 : falls && body.elastic < 1;
     });
     if (lossy == scene.bodies.end()) return std::nullopt;
-    return SolverObjection{"impacts on " + scene.nameOf(indexOf(scene, *lossy)) + " lose energy",
-                           placeOf(scene, lossy->source, "elastic").value_or(SourceRange{})};
+    return "impacts on " + scene.nameOf(indexOf(scene, *lossy)) + " lose energy";
 }
 
-std::optional<SolverObjection> objectionToEvents(const Scene& scene, const SolverRow& events,
-                                                 bool simultaneous) {
-    if (firstMobile(scene) == nullptr) return SolverObjection{"no body can move", {}};
-    if (simultaneous) return SolverObjection{"impacts at one moment are to act as one", {}};
-    if (const std::optional<SolverObjection> objection = events.objection(scene)) return objection;
+std::optional<std::string> objectionToEvents(const Scene& scene, const SolverRow& events, bool simultaneous) {
+    if (firstMobile(scene) == nullptr) return "no body can move";
+    if (simultaneous) return "impacts at one moment are to act as one";
+    if (const std::optional<SolverObjection> objection = events.objection(scene)) return objection->reason;
     return loss(scene);
 }
 
@@ -33,11 +33,8 @@ std::optional<SolverObjection> objectionToEvents(const Scene& scene, const Solve
 
 MethodChoice chooseMethod(const Scene& scene, bool simultaneous) {
     const SolverRow* events = findSolver("events");
-    if (const auto objection = objectionToEvents(scene, *events, simultaneous)) {
-        MethodChoice choice{findSolver("contacts"), objection->reason};
-        if (objection->place.length > 0) choice.place = objection->place;
-        return choice;
-    }
+    if (std::optional<std::string> objection = objectionToEvents(scene, *events, simultaneous))
+        return {findSolver("contacts"), *std::move(objection)};
     return {events, "what moves are smooth spheres, and no impact loses energy"};
 }
 

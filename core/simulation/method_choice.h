@@ -4,7 +4,6 @@
 #include "core/scene/scene.h"
 #include "core/solvers/solver.h"
 
-#include <optional>
 #include <string>
 
 // What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
@@ -18,8 +17,7 @@ namespace carom {
 
 struct MethodChoice {
     const SolverRow* row = nullptr;
-    std::string reason;                    ///< a clause: why it is this one
-    std::optional<SourceRange> place = {}; ///< what in the text rules the exact method out
+    std::string reason; ///< a clause: why it is this one
 };
 
 /// `simultaneous`: impacts at one moment act as one.

@@ -85,7 +85,6 @@ void settleMethod(const Scene& scene, const SimulationSettings& options, const S
         MethodChoice choice = chooseMethod(scene, wanted.impacts == "simultaneous");
         settings.method = choice.row;
         settings.methodReason = std::move(choice.reason);
-        settings.methodPlace = choice.place;
         return;
     }
     settings.method = rowFor(wanted.method, solvers(), fallback, asked, warnings);

@@ -23,8 +23,7 @@ struct RunSettings {
     double step = 1.0 / 60; ///< one frame [s]
     int substeps = 1;
     const SolverRow* method = nullptr;
-    std::string methodReason;                    ///< why `auto` chose it; empty where it was asked for
-    std::optional<SourceRange> methodPlace = {}; ///< what in the text decided that
+    std::string methodReason; ///< why `auto` chose it; empty where it was asked for
     const IntegratorRow* integrator = nullptr;
     const BroadphaseRow* broadphase = nullptr;
     std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for

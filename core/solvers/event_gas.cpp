@@ -28,7 +28,7 @@ constexpr double touching = 1e-9;
 } // namespace
 
 Loss EventGas::advanceTo(double time) {
-    if (!(time - m_secondsPast - m_now <= farthest * m_typicalTime)) return fastest();
+    if (!m_isComputable || !(time - m_secondsPast - m_now <= farthest * m_typicalTime)) return fastest();
     const std::uint64_t window = 1000 + 10 * m_stamps.size();
     std::uint64_t windowEnd = m_handled + window;
     double windowStart = -never;

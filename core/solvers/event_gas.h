@@ -68,8 +68,9 @@ class EventGas {
     EventGas(const Bodies& bodies, const State& state, const Vec3& gravity);
 
     /// Lives through everything up to `time` [s] after the start; times must not decrease. Breaks off with
-    /// the ball concerned if time ceases to pass between the events (inelastic collapse), or if the fastest
-    /// would fly 1e12 radii: there would be no end to the borders that it passes.
+    /// the ball concerned if time ceases to pass between the events (inelastic collapse), if the fastest
+    /// would fly 1e12 radii: there would be no end to the borders that it passes; or if squares of velocities
+    /// or of gravity are no numbers.
     Loss advanceTo(double time);
 
     /// How long it goes by one clock [s]; setting it back rounds times anew.
@@ -115,6 +116,7 @@ class EventGas {
     };
 
     // Setting up, in event_gas_setup.cpp.
+    bool areSquaresFinite() const;
     void takeBodies(const Bodies& bodies, const State& state);
     void sortByPlace();
     Aabb regionOfCentres() const;
@@ -213,6 +215,7 @@ class EventGas {
     ImpulseTally m_tally;
     Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
     double m_slice = 1;                   ///< of time, see above [s]
+    bool m_isComputable = true;           ///< false: velocities or gravity are too large for any event
     double m_sliceEnd = 0;                ///< borders up to then are passed, or in the queue
     std::size_t m_queuedBorders = 0;      ///< in this slice
     std::uint64_t m_handled = 0;          ///< events of the queue

@@ -28,10 +28,19 @@ constexpr double firstSlice = 0.4;
 EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity)
     : m_gravity(gravity), m_weightless(gravity.isZero(0)) {
     takeBodies(bodies, state);
+    m_isComputable = areSquaresFinite();
+    if (!m_isComputable) return; // the times of borders would be 0, and there is no end to them
     sortByPlace();
     layCells();
     planAll();
     fillQueue(pendingRate(0));
+}
+
+// Times are roots of equations with squares of velocities and of gravity in them.
+bool EventGas::areSquaresFinite() const {
+    return std::isfinite(m_gravity.squaredNorm()) &&
+           std::all_of(m_stamps.begin(), m_stamps.end(),
+                       [](const Stamp& stamp) { return std::isfinite(stamp.velocity.squaredNorm()); });
 }
 
 void EventGas::takeBodies(const Bodies& bodies, const State& state) {

@@ -86,9 +86,8 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
                              .state = input.state,
                              .ledger = ledger,
                              .budget = m_work[work].budget};
-    const double before = hand.motion.report.work.operations;
     outcome.isStill = hand.motion.advance(motion, island, task.found);
-    outcome.spent = hand.motion.report.work.operations - before;
+    outcome.spent = hand.motion.work();
     outcome.loss = hand.motion.report.loss;
     hand.motion.report.loss = {};
     outcome.left = hand.motion.left();

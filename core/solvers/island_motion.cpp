@@ -284,20 +284,22 @@ void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, do
         const SpringForce& spring = input.bodies.springs[index];
         held = held || isFixed(spring.from) || isFixed(spring.to);
     }
-    Vec3 drift = Vec3::Zero();
+    Vec3 momentum = Vec3::Zero();
     double mass = 0, kinetic = 0;
     for (const BodyIndex i : island.bodies) {
-        drift += input.bodies.mass[i] * input.state.velocity[i];
+        momentum += input.bodies.mass[i] * input.state.velocity[i];
         mass += input.bodies.mass[i];
     }
-    drift = held ? Vec3(Vec3::Zero()) : Vec3(drift / mass);
+    const Vec3 drift = held ? Vec3(Vec3::Zero()) : Vec3(momentum / mass);
     for (const BodyIndex i : island.bodies)
         kinetic += 0.5 * input.bodies.mass[i] * (input.state.velocity[i] - drift).squaredNorm();
     const double part = kinetic > energy ? std::sqrt(1 - energy / kinetic) : 0;
     for (const BodyIndex i : island.bodies)
         input.state.velocity[i] = drift + part * (input.state.velocity[i] - drift);
-    if (input.ledger != nullptr)
-        (*input.ledger)[LedgerAccount::Parting].energy -= (1 - part * part) * kinetic;
+    if (input.ledger == nullptr) return;
+    LedgerEntry& parting = (*input.ledger)[LedgerAccount::Parting];
+    parting.energy -= (1 - part * part) * kinetic;
+    parting.momentum -= (1 - part) * (momentum - mass * drift);
 }
 
 void IslandMotion::impacts(const MotionInput& input, double duration, bool locating) {

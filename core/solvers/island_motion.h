@@ -62,6 +62,8 @@ class IslandMotion {
     /// What of the substep is left because the budget ended or the forces were not found [s]: the bodies are
     /// where they were so long before its end.
     double left() const { return m_left; }
+    /// What it took [operations].
+    double work() const { return m_work; }
     /// Those at the end, with their forces: pair by pair those of the island; a pair may have lost its
     /// points.
     const ContactSet& contacts() const { return m_contacts; }

@@ -13,14 +13,13 @@
 // Who takes the base path, and for how long: bodies enter with all pairs that can touch for a while, so that
 // the substeps search for nothing.
 //
-//     reach    how far a body's surface comes within a frame, and some times as far in its last substep;
-//     bodies
-//              within reach of each other share the larger one, since one may strike the other
+//     reach    how far a body's surface comes within a frame, and some times as far in its last
+//              substep; bodies within reach of each other share the larger one, since one may strike the
+//              other
 //     pairs    those of the neighbours' lists within the reach of both
 //     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
-//     body
-//              that turns comes down with another part of it, and a chain of bodies passes an impact on by a
-//              few of them a pass. So there is a block of bodies for every division of the substep.
+//              body that turns comes down with another part of it, and a chain of bodies passes an impact
+//              on by a few of them a pass. So there is a block of bodies for every division of the substep.
 //     holds    while no body outruns its reach and nobody else has moved it. Bodies at rest stay for many
 //              frames. If it does not hold, or if others join two blocks, all leave, and the solver begins
 //              anew.

@@ -232,6 +232,19 @@ class EventGasTest : public QObject {
         QCOMPARE(gas.tally().walls[0], 0.0);
         QCOMPARE(gas.tally().walls[1], 12.0);
     }
+
+    // The times of borders would be 0 for ever: nothing is planned, and the run is lost at once.
+    void whatHasNoSquareIsLostBeforeABorderIsPassed() {
+        for (const bool falls : {true, false}) {
+            Scene scene;
+            scene.bodies.push_back(test::sphere(1, 1, Vec3::Zero()));
+            if (!falls) scene.bodies[0].velocity = {1e200, 0, 0};
+            const Bodies bodies = bodiesOf(scene);
+            EventGas gas(bodies, initialStateOf(scene), Vec3(0, falls ? -1e308 : 0, 0));
+            QVERIFY(gas.advanceTo(1));
+            QCOMPARE(gas.counts().crossings, std::uint64_t{0});
+        }
+    }
 };
 
 } // namespace carom
