@@ -30,6 +30,10 @@ constexpr double impulseRounding = 4e-16;
 /// The line search is exact enough when the slope along the step has fallen to this part.
 constexpr double slopeFall = 0.1;
 constexpr int mostSlopes = 40;
+/// Multipliers drift steadily if their drift changes by at most this part of it in a round.
+constexpr double steadyPart = 0.05;
+/// A contact whose friction force is nearer to the edge of its cone than this part of it slips.
+constexpr double coneEdge = 1e-9;
 
 template<class Row>
 BlockEdge edgeOf(const Row& row) {
@@ -97,6 +101,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         return report;
     }
     m_kappa = kappaWarm;
+    double whole = std::numeric_limits<double>::infinity();
     bool first = true;
     for (int round = 0; round < mostRounds; ++round) {
         if (m_work >= mostWork) {
@@ -106,7 +111,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         }
         int steps = 0;
         const double inner = std::max(innerPart * tolerance, 0.01 * residual);
-        const bool minimised = minimise(problem, inner, mostWork, steps);
+        const bool minimised = minimise(problem, inner, mostWork, first ? fewSteps + 1 : mostSteps, steps);
         report.factorisations += steps;
         if (first && (!minimised || steps > fewSteps)) {
             m_kappa = 1; // the multipliers are still the warm ones
@@ -124,9 +129,14 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
             takeImpulses(problem);
             velocitiesFromImpulses(problem);
             report.residual = residualOf(problem);
-            if (report.residual <= tolerance) break;
+            if (report.residual <= tolerance || report.residual >= whole) break; // or it is rounding
+            whole = report.residual;
         }
-        if (change > 0.1 * residual || m_kappa < kappaWarm)
+        const bool isFollowed = m_isSteady && change > tolerance && followDrift(problem);
+        if (change <=
+            tolerance) // what is left is to solve the inner problem, which rounding hinders least here
+            m_kappa = std::min(m_kappa, kappaWarm);
+        else if (!isFollowed && (change > 0.1 * residual || m_kappa < kappaWarm))
             m_kappa = std::min(kappaMost, m_kappa * kappaGrowth);
         residual = change;
     }
@@ -166,6 +176,8 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
         m_rows[i].rollL = problem.rows[i].rollingImpulse;
         m_rows[i].roll.setZero();
         m_rows[i].droll.setZero();
+        m_rows[i].drift.setZero();
+        m_rows[i].rollDrift.setZero();
     }
     m_springEdge.clear();
     for (const SoftRow& row : problem.springs) m_springEdge.push_back(numberOf(row));
@@ -179,10 +191,11 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
 
 // Solves the inner problem for the velocities. Where contacts slip, H alone may converge slowly or go in
 // circles; then the whole derivative of G is tried, and its step taken if it halves the error.
-bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, int& steps) {
+bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, int most,
+                            int& steps) {
     double before = std::numeric_limits<double>::infinity();
     int stalled = 0;
-    for (steps = 0; steps < mostSteps && m_work < mostWork;) {
+    for (steps = 0; steps < most && m_work < mostWork;) {
         const double error = errorAt(problem);
         if (error <= tolerance) return true;
         if (!std::isfinite(error)) return false;
@@ -425,18 +438,60 @@ double NewtonSolver::lineSearch(const ContactProblem& problem) {
 
 // l := p(v); the largest change, as a speed [m/s].
 double NewtonSolver::updateMultipliers(const ContactProblem& problem) {
-    double largest = 0;
+    double largest = 0, bend = 0;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];
         RowState& state = m_rows[i];
-        largest = std::max(largest, (state.p.impulse - state.l).norm() / (m_kappa * row.effectiveMass));
-        if (row.rolling > 0)
-            largest = std::max(largest, (state.p.rolling - state.rollL).norm() * row.rolling /
-                                            (m_kappa * row.effectiveInertia));
+        const Vec3 drift = (state.p.impulse - state.l) / (m_kappa * row.effectiveMass);
+        largest = std::max(largest, drift.norm());
+        bend = std::max(bend, (drift - state.drift).norm());
+        state.drift = drift;
         state.l = state.p.impulse;
+        if (!(row.rolling > 0)) continue;
+        const Vec2 turning =
+            (state.p.rolling - state.rollL) * (row.rolling / (m_kappa * row.effectiveInertia));
+        largest = std::max(largest, turning.norm());
+        bend = std::max(bend, (turning - state.rollDrift).norm());
+        state.rollDrift = turning;
         state.rollL = state.p.rolling;
     }
+    m_isSteady = bend <= steadyPart * largest;
     return largest;
+}
+
+// How far l may go along a change per unit until the contact opens, or slips if it does not yet.
+double NewtonSolver::roomOf(const ContactRow& row, const Vec3& l, const Vec3& change) {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (!(l.x() > 0)) return unbounded;
+    const double opens = change.x() < 0 ? l.x() / -change.x() : unbounded;
+    const Vec2 t = l.tail<2>(), dt = change.tail<2>();
+    const double radius = row.friction * l.x(), growth = row.friction * change.x();
+    const double inside = radius * radius - t.squaredNorm();
+    if (!(inside > coneEdge * radius * radius)) return opens;
+    // |t + s dt| = radius + s growth:  a s² + 2 b s = inside
+    const double a = dt.squaredNorm() - growth * growth, b = t.dot(dt) - radius * growth;
+    const double root = std::sqrt(std::max(0.0, b * b + a * inside));
+    return b + root > 0 ? std::min(opens, inside / (b + root)) : opens;
+}
+
+// Where bounds contradict each other by a little (the corners of a face, three of which decide) multipliers
+// drift for ever along impulses that cancel, by the contradiction a round, until a contact opens or slips.
+// They go there at once. False if none would, or no later than in the next round.
+bool NewtonSolver::followDrift(const ContactProblem& problem) {
+    double room = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        room = std::min(
+            room, roomOf(problem.rows[i], m_rows[i].l, problem.rows[i].effectiveMass * m_rows[i].drift));
+    if (!std::isfinite(room) || room <= m_kappa) return false;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const ContactRow& row = problem.rows[i];
+        RowState& state = m_rows[i];
+        state.l += (room * row.effectiveMass) * state.drift;
+        if (row.rolling > 0) state.rollL += (room * row.effectiveInertia / row.rolling) * state.rollDrift;
+        state.drift.setZero();
+        state.rollDrift.setZero();
+    }
+    return true;
 }
 
 // The multipliers come from inner problems that were solved, so they are of use even if there are none

@@ -31,6 +31,10 @@
 // of two both: the same problem in other units gives the same bits. (Roots of masses would differ for every
 // other power of two, and kg against kg m² would decide on pivots.)
 //
+// Bounds may contradict each other by a little, as those of four corners do whose gaps are rounded. Then l
+// drifts by ρ times the contradiction a round, along impulses that cancel, until a contact opens or slips: a
+// drift that is steady is followed to there at once.
+//
 // The problem's impulses are the start. If they already solve it to the tolerance nothing is computed: that
 // is what makes rest exactly still and cheap.
 
@@ -59,6 +63,8 @@ class NewtonSolver {
         Vec2 roll = Vec2::Zero(), droll = Vec2::Zero();
         Vec3 l = Vec3::Zero();
         Vec2 rollL = Vec2::Zero();
+        Vec3 drift = Vec3::Zero(); // of l in the last round, as a speed
+        Vec2 rollDrift = Vec2::Zero();
         Vec3 z = Vec3::Zero();
         Vec2 rollZ = Vec2::Zero();
         Projected p;
@@ -70,7 +76,7 @@ class NewtonSolver {
     };
 
     bool prepare(const ContactProblem& problem, double mostWork);
-    bool minimise(ContactProblem& problem, double tolerance, double mostWork, int& steps);
+    bool minimise(ContactProblem& problem, double tolerance, double mostWork, int most, int& steps);
     void evaluateRows(const ContactProblem& problem);
     void project(const ContactProblem& problem, double along);
     double gradient(const ContactProblem& problem);
@@ -86,12 +92,15 @@ class NewtonSolver {
     double slope(const ContactProblem& problem, double along, double quadratic, double linear);
     double lineSearch(const ContactProblem& problem);
     double updateMultipliers(const ContactProblem& problem);
+    static double roomOf(const ContactRow& row, const Vec3& l, const Vec3& change);
+    bool followDrift(const ContactProblem& problem);
     void takeImpulses(ContactProblem& problem);
     void takeBest(ContactProblem& problem, NewtonReport& report);
 
     double m_kappa = 1;
-    double m_work = 0;    // of this solve, operations
-    double m_rowWork = 0; // of looking at all rows and bodies once
+    bool m_isSteady = false; // multipliers drift as in the round before
+    double m_work = 0;       // of this solve, operations
+    double m_rowWork = 0;    // of looking at all rows and bodies once
     std::vector<RowState> m_rows;
     std::vector<int> m_springEdge;
     std::vector<Vec3> m_springU, m_springDu;

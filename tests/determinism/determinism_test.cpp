@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_scene.h"
+#include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
 #include "tests/support/text.h"
+#include "tests/support/worlds.h"
 
 #include "core/dynamics/parallel.h"
 #include "core/generators/generator.h"

@@ -2,7 +2,9 @@
 #include "core/language/analysis.h"
 
 #include "tests/support/random_scene.h"
+#include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include <QTest>
 

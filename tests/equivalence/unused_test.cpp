@@ -2,6 +2,7 @@
 #include "tests/support/program.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include "core/simulation/build.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/contact_scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include <QTest>
 

@@ -7,20 +7,13 @@
 
 #include <QTest>
 
-// What the tests of method `contacts` share: options, bodies with friction, and slopes.
+// What the tests of method `contacts` share: bodies with friction, and slopes.
 
 namespace carom::test {
 
 /// Standard gravity of the hard cases [m/s²].
 constexpr double gravity = 9.81;
 inline Vec3 downwards() { return {0, -gravity, 0}; }
-
-inline SimulationSettings contacts(const char* preset) {
-    SimulationSettings options;
-    options.method = "contacts";
-    options.preset = preset;
-    return options;
-}
 
 inline Body rough(Body body, double friction, double elastic = 0, double rolling = 0) {
     body.friction = friction;

@@ -5,8 +5,6 @@
 
 #include "core/solvers/contacts/velocity_solve.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -4,8 +4,6 @@
 #include "core/math/random.h"
 #include "core/solvers/contacts/contact_rows.h"
 
-#include <Eigen/Dense>
-
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 #include "tests/support/text.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include "core/generators/generator.h"
 #include "core/math/random.h"
@@ -79,7 +80,7 @@ class AllocationTest : public QObject {
         SimulationSettings options;
         options.broadphase = broadphase.toStdString();
         World world = test::worldOf(scene, options);
-        test::run(world, 1100); // the largest crowds have been
+        test::run(world, 1500); // the largest crowds have been
 
         const long before = allocations;
         std::uint64_t contacts = 0;

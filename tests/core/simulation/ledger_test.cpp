@@ -4,7 +4,9 @@
 
 #include "tests/support/contact_scenes.h"
 #include "tests/support/random_scene.h"
+#include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include <QTest>
 

@@ -3,6 +3,7 @@
 
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include <QTest>
 

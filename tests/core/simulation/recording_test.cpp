@@ -5,8 +5,10 @@
 #include "core/simulation/build.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
+#include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
 #include "tests/support/text.h"
+#include "tests/support/worlds.h"
 
 #include <QTest>
 

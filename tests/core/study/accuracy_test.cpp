@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include "core/integrators/integrator.h"
 #include "core/math/rotation.h"

@@ -4,6 +4,7 @@
 
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 
 #include "core/math/random.h"
 

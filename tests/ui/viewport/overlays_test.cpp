@@ -3,6 +3,7 @@
 #include "core/simulation/world.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/worlds.h"
 #include "ui/viewport/overlays.h"
 
 #include <QTest>
