@@ -49,3 +49,5 @@ bool Application::notify(QObject* receiver, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_failures.cpp"

@@ -29,3 +29,5 @@ void StudyRunner::end(const Finish& finish, const QString& problem) {
 }
 
 } // namespace carom
+
+#include "moc_study_runner.cpp"

@@ -313,3 +313,5 @@ void AccuracyDock::askForExport(const QString& ending) {
 }
 
 } // namespace carom
+
+#include "moc_accuracy_dock.cpp"

@@ -174,3 +174,5 @@ QString BreakpointsDock::wordsOf(const Entry& entry) const {
 }
 
 } // namespace carom
+
+#include "moc_breakpoints_dock.cpp"

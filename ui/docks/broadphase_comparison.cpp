@@ -259,3 +259,5 @@ void BroadphaseComparison::askForExport(const QString& ending,
 }
 
 } // namespace carom
+
+#include "moc_broadphase_comparison.cpp"

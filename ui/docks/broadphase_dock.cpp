@@ -187,3 +187,5 @@ void BroadphaseDock::refresh() {
 }
 
 } // namespace carom
+
+#include "moc_broadphase_dock.cpp"

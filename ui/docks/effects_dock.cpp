@@ -133,3 +133,5 @@ void EffectsDock::fill() {
 }
 
 } // namespace carom
+
+#include "moc_effects_dock.cpp"

@@ -188,3 +188,5 @@ void InspectorDock::refresh() {
 }
 
 } // namespace carom
+
+#include "moc_inspector_dock.cpp"

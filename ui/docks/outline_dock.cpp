@@ -108,3 +108,5 @@ bool OutlineDock::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_outline_dock.cpp"

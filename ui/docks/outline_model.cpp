@@ -132,3 +132,5 @@ QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int 
 }
 
 } // namespace carom
+
+#include "moc_outline_model.cpp"

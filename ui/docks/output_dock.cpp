@@ -29,3 +29,5 @@ void OutputDock::add(const QString& line) {
 }
 
 } // namespace carom
+
+#include "moc_output_dock.cpp"

@@ -202,3 +202,5 @@ void PlotsDock::askForExport(const QString& ending) {
 }
 
 } // namespace carom
+
+#include "moc_plots_dock.cpp"

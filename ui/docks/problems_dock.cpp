@@ -47,3 +47,5 @@ void ProblemsDock::show(const SharedBuild& result) {
 void ProblemsDock::setTheme(const Theme& theme) { m_model->setTheme(theme); }
 
 } // namespace carom
+
+#include "moc_problems_dock.cpp"

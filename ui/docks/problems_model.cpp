@@ -109,3 +109,5 @@ QIcon ProblemsModel::iconOf(Severity severity) const {
 }
 
 } // namespace carom
+
+#include "moc_problems_model.cpp"

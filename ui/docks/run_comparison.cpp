@@ -170,3 +170,5 @@ QString RunComparison::exportTo(const QString& path) const {
 }
 
 } // namespace carom
+
+#include "moc_run_comparison.cpp"

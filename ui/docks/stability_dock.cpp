@@ -219,3 +219,5 @@ void StabilityDock::askForExport() {
 }
 
 } // namespace carom
+
+#include "moc_stability_dock.cpp"

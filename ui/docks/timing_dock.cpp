@@ -246,3 +246,5 @@ void TimingDock::askForExport(const QString& ending) {
 }
 
 } // namespace carom
+
+#include "moc_timing_dock.cpp"

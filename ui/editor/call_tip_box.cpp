@@ -83,3 +83,5 @@ bool CallTipBox::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_call_tip_box.cpp"

@@ -103,3 +103,5 @@ void Completer::explain(const QByteArray& name) {
 }
 
 } // namespace carom
+
+#include "moc_completer.cpp"

@@ -204,3 +204,5 @@ const std::vector<Diagnostic>& DiagnosticMarks::diagnostics() const {
 }
 
 } // namespace carom
+
+#include "moc_diagnostic_marks.cpp"

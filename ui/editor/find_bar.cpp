@@ -281,3 +281,5 @@ void FindBar::say(const QString& message, bool isProblem) {
 }
 
 } // namespace carom
+
+#include "moc_find_bar.cpp"

@@ -157,3 +157,5 @@ void LiveBuild::deliver(SharedBuild result) {
 }
 
 } // namespace carom
+
+#include "moc_live_build.cpp"

@@ -147,3 +147,5 @@ bool NumberScrubber::wheel(const QWheelEvent& event) {
 }
 
 } // namespace carom
+
+#include "moc_number_scrubber.cpp"

@@ -45,3 +45,5 @@ bool RectangleDrag::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_rectangle_drag.cpp"

@@ -102,3 +102,5 @@ void RenameBox::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_rename_box.cpp"

@@ -316,3 +316,5 @@ void SceneEditor::dropEvent(QDropEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_scene_editor.cpp"

@@ -190,3 +190,5 @@ const char* SceneLexer::wordCharacters() const {
 }
 
 } // namespace carom
+
+#include "moc_scene_lexer.cpp"

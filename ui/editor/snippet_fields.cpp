@@ -158,3 +158,5 @@ bool SnippetFields::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_snippet_fields.cpp"

@@ -27,3 +27,5 @@ void FrameLog::passOn() {
 }
 
 } // namespace carom
+
+#include "moc_frame_log.cpp"

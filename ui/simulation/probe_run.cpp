@@ -96,3 +96,5 @@ void ProbeRun::deliver(const std::shared_ptr<Job>& job, const std::vector<ProbeR
 }
 
 } // namespace carom
+
+#include "moc_probe_run.cpp"

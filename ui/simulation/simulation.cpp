@@ -148,3 +148,5 @@ void Simulation::show(const PublishedSnapshot& published) {
 }
 
 } // namespace carom
+
+#include "moc_simulation.cpp"

@@ -136,3 +136,5 @@ void DrawingThread::wait(Work&& work) {
 }
 
 } // namespace carom
+
+#include "moc_drawing_thread.cpp"

@@ -252,3 +252,5 @@ void Film::close() {
 void Film::end(const QString& problem) { Q_EMIT finished(problem); }
 
 } // namespace carom
+
+#include "moc_film.cpp"

@@ -66,3 +66,5 @@ void OpenGLScreen::paintGL() {
 }
 
 } // namespace carom
+
+#include "moc_opengl_screen.cpp"

@@ -485,3 +485,5 @@ void Viewport::placeBadge() {
 }
 
 } // namespace carom
+
+#include "moc_viewport.cpp"

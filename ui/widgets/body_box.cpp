@@ -89,3 +89,5 @@ void BodyBox::choose(BodyIndex body) {
 BodyIndex BodyBox::bodyAt(int row) const { return m_list->bodyAt(row); }
 
 } // namespace carom
+
+#include "moc_body_box.cpp"

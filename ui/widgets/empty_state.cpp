@@ -21,3 +21,5 @@ void EmptyState::setEmpty(bool empty) { setCurrentIndex(empty ? 1 : 0); }
 void EmptyState::setHint(const QString& hint) { m_hint->setText(hint); }
 
 } // namespace carom
+
+#include "moc_empty_state.cpp"

@@ -48,3 +48,5 @@ QString exportSentence(const QString& path, const QString& problem) {
 }
 
 } // namespace carom
+
+#include "moc_export_menu.cpp"

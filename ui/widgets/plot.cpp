@@ -438,3 +438,5 @@ void PlotWidget::changeEvent(QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_plot.cpp"

@@ -45,3 +45,5 @@ void ProgressStrip::showProgress(double done, double secondsLeft) {
 }
 
 } // namespace carom
+
+#include "moc_progress_strip.cpp"

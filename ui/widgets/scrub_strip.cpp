@@ -23,3 +23,5 @@ bool ScrubStrip::event(QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_scrub_strip.cpp"

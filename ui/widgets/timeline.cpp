@@ -191,3 +191,5 @@ void Timeline::paintEvent(QPaintEvent*) {
 }
 
 } // namespace carom
+
+#include "moc_timeline.cpp"

@@ -245,3 +245,5 @@ QString TimingStrip::tellOf(double x) const {
 }
 
 } // namespace carom
+
+#include "moc_timing_strip.cpp"

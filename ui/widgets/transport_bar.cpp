@@ -132,3 +132,5 @@ void TransportBar::reportSpeed() {
 }
 
 } // namespace carom
+
+#include "moc_transport_bar.cpp"

@@ -105,3 +105,5 @@ void ValueTable::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_value_table.cpp"

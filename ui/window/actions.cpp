@@ -123,3 +123,5 @@ void Actions::setTheme(const Theme& theme) {
 }
 
 } // namespace carom
+
+#include "moc_actions.cpp"

@@ -91,3 +91,5 @@ void BodyDrag::end() {
 }
 
 } // namespace carom
+
+#include "moc_body_drag.cpp"

@@ -178,3 +178,5 @@ bool CommandFinder::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_command_finder.cpp"

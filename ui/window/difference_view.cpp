@@ -80,3 +80,5 @@ void DifferenceView::show(const QByteArray& before, const QByteArray& after) {
 }
 
 } // namespace carom
+
+#include "moc_difference_view.cpp"

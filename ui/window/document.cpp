@@ -180,3 +180,5 @@ void Document::look() {
 }
 
 } // namespace carom
+
+#include "moc_document.cpp"

@@ -110,3 +110,5 @@ void EditCommands::askForLine() {
 }
 
 } // namespace carom
+
+#include "moc_edit_commands.cpp"

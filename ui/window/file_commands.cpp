@@ -230,3 +230,5 @@ bool FileCommands::finish(const std::optional<QString>& problem, const QString& 
 }
 
 } // namespace carom
+
+#include "moc_file_commands.cpp"

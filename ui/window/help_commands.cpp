@@ -75,3 +75,5 @@ void HelpCommands::about() {
 }
 
 } // namespace carom
+
+#include "moc_help_commands.cpp"

@@ -106,3 +106,5 @@ void LanguageCommands::format() {
 void LanguageCommands::say(const QString& sentence) { m_window.tell(sentence, messageTime); }
 
 } // namespace carom
+
+#include "moc_language_commands.cpp"

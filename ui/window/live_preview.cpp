@@ -92,3 +92,5 @@ void LivePreview::land() {
 }
 
 } // namespace carom
+
+#include "moc_live_preview.cpp"

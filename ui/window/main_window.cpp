@@ -267,3 +267,5 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_main_window.cpp"

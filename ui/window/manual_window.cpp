@@ -285,3 +285,5 @@ void ManualWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace carom
+
+#include "moc_manual_window.cpp"

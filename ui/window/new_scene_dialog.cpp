@@ -238,3 +238,5 @@ void NewSceneDialog::take(int turn, const Made& made) {
 }
 
 } // namespace carom
+
+#include "moc_new_scene_dialog.cpp"

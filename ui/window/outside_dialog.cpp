@@ -57,3 +57,5 @@ OutsideDialog::OutsideDialog(const Texts& texts, bool saving, const Theme& theme
 }
 
 } // namespace carom
+
+#include "moc_outside_dialog.cpp"

@@ -177,3 +177,5 @@ void PictureCommands::copyCamera() {
 }
 
 } // namespace carom
+
+#include "moc_picture_commands.cpp"

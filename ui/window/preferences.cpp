@@ -270,3 +270,5 @@ QWidget* Preferences::simulationPage() {
 }
 
 } // namespace carom
+
+#include "moc_preferences.cpp"

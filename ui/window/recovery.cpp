@@ -147,3 +147,5 @@ LostTexts Recovery::lostTexts(const QString& folder) {
 void Recovery::discard(const LostText& lost) { QFile::remove(lost.swapFile); }
 
 } // namespace carom
+
+#include "moc_recovery.cpp"

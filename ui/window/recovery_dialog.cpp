@@ -80,3 +80,5 @@ const LostText& RecoveryDialog::chosen() const {
 void RecoveryDialog::showChosen() { m_difference->show(onDisk(chosen().path), chosen().text); }
 
 } // namespace carom
+
+#include "moc_recovery_dialog.cpp"

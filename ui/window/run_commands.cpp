@@ -205,3 +205,5 @@ QString RunCommands::whyItStopped(const RunStatus& status) const {
 }
 
 } // namespace carom
+
+#include "moc_run_commands.cpp"

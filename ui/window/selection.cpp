@@ -61,3 +61,5 @@ void Selection::select(BodyIndex body, SourceRange declaration) {
 }
 
 } // namespace carom
+
+#include "moc_selection.cpp"

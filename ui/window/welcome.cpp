@@ -143,3 +143,5 @@ QListWidget* Welcome::gallery() {
 }
 
 } // namespace carom
+
+#include "moc_welcome.cpp"

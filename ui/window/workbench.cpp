@@ -277,3 +277,5 @@ void Workbench::setDark(bool dark) {
 }
 
 } // namespace carom
+
+#include "moc_workbench.cpp"

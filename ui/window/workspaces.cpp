@@ -111,3 +111,5 @@ void Workspaces::arrange(WorkspaceId id) {
 QAction& Workspaces::actionOf(WorkspaceId id) const { return m_actions[rowOf(id).action]; }
 
 } // namespace carom
+
+#include "moc_workspaces.cpp"

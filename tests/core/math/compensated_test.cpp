@@ -12,7 +12,7 @@
 namespace carom::testing {
 namespace {
 
-constexpr std::uint64_t seed = 20261121;
+constexpr std::uint64_t compensatedSeed = 20261121;
 constexpr int trials = 20'000;
 // Of a sum in twice 53 bits.
 constexpr long double twiceTheDigits = 1e-27L;
@@ -28,7 +28,7 @@ class CompensatedTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void aSumAndAProductAreTheirNumberAndItsRest() {
-        Random random(seed);
+        Random random(compensatedSeed);
         for (int i = 0; i < trials; ++i) {
             const double a = anyNumber(random), b = anyNumber(random);
             const WithRest<double> product = exactProduct(a, b);
@@ -57,7 +57,7 @@ class CompensatedTest : public QObject {
     }
 
     void aGapAboveASlopeIsThatOfLongNumbers() {
-        Random random(seed);
+        Random random(compensatedSeed);
         for (int i = 0; i < trials; ++i) {
             const Vec3 normal = Vec3(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
             const double radius = random.uniform(0.1, 1), offset = random.uniform(-10, 10);

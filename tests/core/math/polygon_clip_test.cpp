@@ -12,7 +12,7 @@
 namespace carom::testing {
 namespace {
 
-constexpr std::uint64_t seed = 20261128;
+constexpr std::uint64_t polygonClipSeed = 20261128;
 constexpr double tolerance = 1e-12; // of a unit square
 constexpr double slack = 1e-10;
 
@@ -41,7 +41,7 @@ class PolygonClipTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void theTwoPartsOfACutSquareHaveItsArea() {
-        Random random(seed);
+        Random random(polygonClipSeed);
         for (int i = 0; i < 2000; ++i) {
             const double angle = random.uniform(0, 7);
             const Vec2 inward(std::cos(angle), std::sin(angle));

@@ -17,7 +17,7 @@ namespace {
 
 using carom::Random;
 
-constexpr std::uint64_t seed = 7;
+constexpr std::uint64_t randomSeed = 7;
 constexpr int draws = 200'000;
 
 class RandomTest : public QObject {
@@ -43,7 +43,7 @@ class RandomTest : public QObject {
     }
 
     void uniformNumbersFillTheUnitIntervalEvenly() {
-        Random random(seed);
+        Random random(randomSeed);
         std::array<int, 20> counts{};
         for (int i = 0; i < draws; ++i) {
             const double u = random.uniform();
@@ -58,7 +58,7 @@ class RandomTest : public QObject {
     }
 
     void uniformNumbersStayBetweenTheirBounds() {
-        Random random(seed);
+        Random random(randomSeed);
         for (int i = 0; i < 1000; ++i) {
             const double u = random.uniform(-3, 5);
             QVERIFY(u >= -3 && u < 5);
@@ -66,7 +66,7 @@ class RandomTest : public QObject {
     }
 
     void gaussianNumbersHaveTheMomentsOfTheNormalDistribution() {
-        Random random(seed);
+        Random random(randomSeed);
         double first = 0, second = 0, third = 0, fourth = 0;
         for (int i = 0; i < draws; ++i) {
             const double x = random.gaussian();
@@ -84,13 +84,13 @@ class RandomTest : public QObject {
     }
 
     void gaussianNumbersTakeAMeanAndADeviation() {
-        Random plain(seed);
-        Random scaled(seed);
+        Random plain(randomSeed);
+        Random scaled(randomSeed);
         QCOMPARE(scaled.gaussian(10, 2), 10 + 2 * plain.gaussian());
     }
 
     void countsBelowABoundAreUnbiased() {
-        Random random(seed);
+        Random random(randomSeed);
         std::array<int, 7> counts{};
         for (int i = 0; i < 70'000; ++i) ++counts[random.below(7)];
         for (const int count : counts) QVERIFY(std::abs(count - 10'000) < 400); // four deviations of 93

@@ -10,7 +10,7 @@
 namespace carom::testing {
 namespace {
 
-constexpr std::uint64_t seed = 20261127;
+constexpr std::uint64_t segmentSeed = 20261127;
 // Points of segments a few metres long.
 constexpr double tolerance = 1e-12;
 
@@ -30,7 +30,7 @@ class SegmentTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void noOtherPointsOfTwoSegmentsAreNearer() {
-        Random random(seed);
+        Random random(segmentSeed);
         for (int i = 0; i < 2000; ++i) {
             const Segment a = {randomPoint(random), randomPoint(random)};
             Segment b = {randomPoint(random), randomPoint(random)};
@@ -41,7 +41,7 @@ class SegmentTest : public QObject {
             QVERIFY((b.at(found.partB) - found.onB).norm() <= tolerance);
             for (int part = 0; part <= 50; ++part)
                 QVERIFY2(distance <= distanceToPoint(b, a.at(part / 50.0)) + tolerance,
-                         qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(i)));
+                         qPrintable(QStringLiteral("seed %1 trial %2").arg(segmentSeed).arg(i)));
         }
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/narrowphase/fcl_oracle.h"
 #include "tests/support/test_class.h"
 
 #include "core/narrowphase/point_distance.h"
@@ -6,10 +7,6 @@
 #include "core/study/cases/support_oracle.h"
 
 #include <QtTest/QTest>
-
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/collision_object.h>
-#include <fcl/narrowphase/distance.h>
 
 #include <memory>
 #include <optional>
@@ -35,49 +32,6 @@ constexpr double fclTolerance = 2e-5;
 int trials(int usual) {
     const int asked = qEnvironmentVariableIntValue("CAROM_TRIALS");
     return asked > 0 ? asked : usual;
-}
-
-std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const Shape& shape) {
-    if (const Sphere* sphere = std::get_if<Sphere>(&shape))
-        return std::make_shared<fcl::Sphered>(sphere->radius);
-    if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape))
-        return std::make_shared<fcl::Cylinderd>(cylinder->radius, 2 * cylinder->halfHeight);
-    const Vec3 sides = 2 * std::get_if<Cuboid>(&shape)->halfSize;
-    return std::make_shared<fcl::Boxd>(sides.x(), sides.y(), sides.z());
-}
-
-fcl::CollisionObjectd placed(const Shape& shape, const Pose& pose) {
-    Quat turn = pose.orientation; // FCL's cylinders stand along z
-    if (std::holds_alternative<Cylinder>(shape))
-        turn = turn * fromRotationVector(Vec3(-std::numbers::pi / 2, 0, 0));
-    return {geometryOf(shape), turn.toRotationMatrix(), pose.position};
-}
-
-double distanceByFcl(const ShapePair& pair) {
-    const fcl::CollisionObjectd a = placed(pair.shapeA, pair.poseA);
-    const fcl::CollisionObjectd b = placed(pair.shapeB, pair.poseB);
-    fcl::DistanceRequestd request;
-    request.enable_nearest_points = true;
-    request.gjk_solver_type = fcl::GST_LIBCCD;
-    request.distance_tolerance = 1e-9;
-    fcl::DistanceResultd result;
-    fcl::distance(&a, &b, request, result);
-    return result.min_distance;
-}
-
-// The depth FCL reports, the greatest of its contacts; its own signed distance is not asked for, because
-// libfcl 0.7 aborts in an assertion on the first overlapping pair.
-std::optional<double> depthByFcl(const ShapePair& pair) {
-    const fcl::CollisionObjectd a = placed(pair.shapeA, pair.poseA);
-    const fcl::CollisionObjectd b = placed(pair.shapeB, pair.poseB);
-    fcl::CollisionRequestd request(8, true);
-    request.gjk_solver_type = fcl::GST_LIBCCD;
-    fcl::CollisionResultd result;
-    if (fcl::collide(&a, &b, request, result) == 0) return std::nullopt;
-    double deepest = 0;
-    for (std::size_t i = 0; i < result.numContacts(); ++i)
-        deepest = std::max(deepest, result.getContact(i).penetration_depth);
-    return deepest;
 }
 
 double distanceFromShape(const PlacedShape& placedShape, const Vec3& point) {
