@@ -52,7 +52,7 @@ int runContacts(const Arguments& arguments) {
     if (interrupted()) return exitcode::interrupted;
     if (!world.health().finite) {
         printError(describeLoss("carom contacts", world));
-        return exitcode::notFinite;
+        return exitcode::unphysical;
     }
     std::string text = "a,b,depth,nx,ny,nz,ax,ay,az,bx,by,bz\n";
     for (const TouchingPair& touching : touchingPairs(built.pipeline->bodies(), world.state()))

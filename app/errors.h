@@ -15,7 +15,7 @@ inline constexpr int done = 0;
 inline constexpr int sceneHasErrors = 1;
 inline constexpr int wrongUsage = 2;
 inline constexpr int fileError = 3;
-inline constexpr int notFinite = 4;
+inline constexpr int unphysical = 4; ///< the state is not finite, or has energy from nowhere
 inline constexpr int stabilityFailed = 5;
 inline constexpr int interrupted = 130;
 } // namespace exitcode

@@ -14,7 +14,8 @@ constexpr std::string_view purpose = "simulate scenes of rigid bodies, or open t
 constexpr std::string_view exitCodes =
     "0 done; 1 the scene has errors; 2 wrong usage; 3 a file cannot be read or written, or memory has run "
     "out; "
-    "4 the simulation lost a finite state; 5 a stability case fails; 130 interrupted.";
+    "4 the simulation lost a finite state, or gained energy from nowhere; 5 a stability case fails; 130 "
+    "interrupted.";
 
 std::string indented(std::string_view text) {
     std::string result;

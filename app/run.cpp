@@ -7,6 +7,7 @@
 #include "app/recorders.h"
 #include "app/run_summary.h"
 #include "app/scene_options.h"
+#include "core/simulation/energy_guard.h"
 
 #include <exception>
 #include <limits>
@@ -83,6 +84,8 @@ int runScene(const Arguments& arguments) {
     };
     catchInterrupts();
     recorders.record(world);
+    EnergyGuard guard(*built.pipeline, world.statistics());
+    std::optional<EnergyRise> rise;
     std::exception_ptr problem;
     {
         InterruptibleWork work(writeWhatThereIs);
@@ -94,6 +97,8 @@ int runScene(const Arguments& arguments) {
                 summary.add(world.statistics());
                 recorders.record(world);
                 progress.update(frame + 1);
+                if (!rise) rise = guard.look(world.statistics());
+                if (rise && !arguments.has("keep-going")) break;
             }
             summary.finish(world);
         } catch (const FileError& error) { // no room for a file: what was computed counts
@@ -108,7 +113,15 @@ int runScene(const Arguments& arguments) {
     if (problem) std::rethrow_exception(problem);
     if (!world.health().finite) {
         printError(describeLoss("carom run", world));
-        return exitcode::notFinite;
+        return exitcode::unphysical;
+    }
+    if (rise) {
+        const bool goesOn = arguments.has("keep-going");
+        printError("carom run: the scene " + describe(*rise) +
+                   (goesOn ? "; what follows is not to be believed\n"
+                           : "; the run stops there (a smaller step or more substeps may help; "
+                             "`--keep-going` goes on)\n"));
+        if (!goesOn) return exitcode::unphysical;
     }
     return interrupted() ? exitcode::interrupted : exitcode::done;
 }
@@ -123,6 +136,8 @@ CommandRow runCommand() {
         {"stats", 0, "FILE", "write time, pairs, energy and momentum of every frame as CSV"},
         {"json", 0, "", "print the summary as one JSON object"},
         {"strict", 0, "", "do not run a scene that has errors; end with 1"},
+        {"keep-going", 0, "",
+         "go on where the energy of the scene rises by more than a tenth of what it has to spend"},
     };
     const std::vector<OptionRow> shared = simulationOptions();
     options.insert(options.end(), shared.begin(), shared.end());
@@ -141,7 +156,9 @@ CommandRow runCommand() {
                        "given apart; the "
                        "total is that of all. Ctrl-C ends the run: what was computed is written, and the "
                        "exit code is 130. "
-                       "It is 4 if the state of a body ceases to be finite.",
+                       "It is 4 if the state of a body ceases to be finite, or if the energy of the scene "
+                       "rises: nothing "
+                       "in a scene gives energy, so its motion is wrong from there on.",
             .leastOperands = 1,
             .mostOperands = 1,
             .run = runScene};

@@ -47,7 +47,7 @@ TimedSession::TimedSession(const Workbench& workbench, std::int64_t frames,
     });
     // A run that ends by itself renders no more frames: what there is counts.
     connect(&workbench.simulation(), &Simulation::stateChanged, this, [this](const RunStatus& status) {
-        if (status.state == RunState::Stopped) leave(exitcode::notFinite);
+        if (status.state == RunState::Stopped) leave(exitcode::unphysical);
         if (status.state == RunState::Paused) leave(exitcode::done);
     });
 }

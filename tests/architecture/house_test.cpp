@@ -84,6 +84,8 @@ QString complaintAbout(const QString& file, const Include& include) {
     if (inCore && qt.match(include.path).hasMatch()) return "core includes Qt: " + include.path;
     if (include.path == QLatin1String("QtWidgets")) return "a whole module instead of single headers";
     if (!include.quoted || include.path.endsWith(QLatin1String(".moc"))) return {};
+    if (include.path == QStringLiteral("moc_") + file.section('/', -1))
+        return {}; // what moc makes of its header
     const Room to = roomOf(include.path);
     if (to.floor < 0) return "a path that does not start at a floor: " + include.path;
     if (!QFile::exists(QDir(QStringLiteral(CAROM_SOURCE_DIR)).filePath(include.path)))

@@ -53,6 +53,7 @@ class RunTest : public QObject {
     void threadsAndBroadphasesChangeNoBit();
     void faultyDeclarationsAreLeftOutUnlessStrict();
     void aLostStateEndsWithFourAndSaysWhere();
+    void energyFromNowhereEndsWithFour();
     void whatCannotBeWrittenEndsWithThree();
     void tracesGoToStandardOutputAndTheSummaryAside();
     void anInterruptedRunWritesWhatItComputed();
@@ -272,6 +273,27 @@ void RunTest::aLostStateEndsWithFourAndSaysWhere() {
     const QString trace = test::readFile(file);
     QCOMPARE(test::linesOf(trace).size(), 1 + 1 + frames);
     QVERIFY(!trace.contains("inf") && !trace.contains("nan"));
+}
+
+void RunTest::energyFromNowhereEndsWithFour() {
+    const QByteArray swings = "simulation { method contacts  integrator euler }\ngravity { accel 0, 0, 0 }\n"
+                              "sphere bob { radius 0.1  mass 1  centre 1.1, 0, 0 }\n"
+                              "spring { from world  to bob  stiffness 1000  length 1 }\n";
+    const QString file = path("rising.csv");
+    const test::Ended ended = test::carom({"run", "-", "-n", "60", "--json", "--stats", file}, swings);
+    QCOMPARE(ended.exitCode, 4);
+    const QRegularExpression says("carom run: the scene gained [0-9.e+]+ J by frame (\\d+), where it had "
+                                  "[0-9.]+ J to spend; most of it by spring");
+    QVERIFY2(ended.err.contains(says), qPrintable(ended.err));
+    // The frame that shows it is the last one written.
+    const int frame = says.match(ended.err).captured(1).toInt();
+    QCOMPARE(QJsonDocument::fromJson(ended.out.toUtf8()).object()["frames"].toInt(-1), frame);
+    QCOMPARE(test::linesOf(test::readFile(file)).size(), 1 + frame);
+
+    const test::Ended whole = test::carom({"run", "-", "-n", "60", "--json", "--keep-going"}, swings);
+    QCOMPARE(whole.exitCode, 0);
+    QVERIFY2(whole.err.contains(says) && whole.err.contains("not to be believed"), qPrintable(whole.err));
+    QCOMPARE(QJsonDocument::fromJson(whole.out.toUtf8()).object()["frames"].toInt(-1), 60);
 }
 
 void RunTest::whatCannotBeWrittenEndsWithThree() {

@@ -62,7 +62,7 @@ class SoakTest : public QObject {
         QProcess process;
         process.setStandardErrorFile(QProcess::nullDevice());
         process.start(QStringLiteral(CAROM_PROGRAM),
-                      {"run", scene, "--method", method, "-n", "2000000000", "--stats", "-"});
+                      {"run", scene, "--method", method, "-n", "2000000000", "--keep-going", "--stats", "-"});
         Holdings early, late;
         for (qint64 rows = 0; rows < qint64{rounds} * thousand;) {
             QVERIFY(process.waitForReadyRead(patience));

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/statistics.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+// Nothing in a scene gives energy: its sum of kinetic and potential energy may fall, and must not rise. It
+// does where a step is too long for what it has to follow, and then it often rises without an end, to numbers
+// that are finite and mean nothing. The guard looks at every frame and says when a run is not to be believed
+// any more:
+//
+//     E − E₀ − P > part · S        E₀ the energy at the start
+//                                  P  what parting of bodies gave that overlapped (the ledger has it)
+//     S = K₀ + U₀ + (V₀ − V)ₘₐₓ + Σ m |g| r
+//                                  K₀, U₀ kinetic energy and that of springs at the start; (V₀ − V)ₘₐₓ what
+//                                  potential energy was released so far; Σ m |g| r what bodies of radius r
+//                                  would gain by a fall of their own size
+//
+// S is what the scene has to spend, so the measure does not depend on where heights are measured from.
+
+namespace carom {
+
+class Pipeline;
+
+/// The part of what a scene has to spend that its energy may rise by.
+inline constexpr double mostEnergyRise = 0.1;
+
+struct EnergyRise {
+    std::int64_t frame = 0;
+    double energy = 0; ///< above the start [J]
+    double scale = 0;  ///< S [J]
+    /// The account that gave the most so far; nothing where the world keeps no ledger, or where none gave.
+    std::optional<LedgerAccount> account;
+};
+
+class EnergyGuard {
+  public:
+    EnergyGuard(const Pipeline& pipeline, const FrameStatistics& start);
+
+    /// To be called with every frame, in order. What has risen too far, the first time.
+    std::optional<EnergyRise> look(const FrameStatistics& frame);
+
+  private:
+    double m_start = 0;     // energy [J]
+    double m_potential = 0; // at the start [J]
+    double m_least = 0;     // potential energy so far [J]
+    double m_scale = 0;     // S without what was released [J]
+    Ledger m_given;         // of all frames
+    bool m_hasRisen = false;
+};
+
+/// "gained 12 J by frame 7, where it had 3 J to spend; most of it by spring": what a scene did.
+std::string describe(const EnergyRise& rise);
+
+} // namespace carom
