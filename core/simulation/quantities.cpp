@@ -123,6 +123,11 @@ double residualOf(const Moment& moment, BodyIndex) { return moment.statistics.re
 double contactsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.contacts); }
 double pairsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.broad.pairs); }
 
+template<std::uint64_t WorkCounters::*counter>
+double workOf(const Moment& moment, BodyIndex) {
+    return static_cast<double>(moment.statistics.work.*counter);
+}
+
 template<LedgerAccount account>
 double bookedOf(const Moment& moment, BodyIndex) {
     return moment.statistics.ledger[account].energy;
@@ -144,6 +149,13 @@ constexpr std::array wholeRows = {
     QuantityRow{"contact residual", "m/s", residualOf},
     QuantityRow{"contacts", "", contactsOf},
     QuantityRow{"overlapping pairs", "", pairsOf},
+    QuantityRow{"pairs collided", "", workOf<&WorkCounters::pairsCollided>},
+    QuantityRow{"rows swept", "", workOf<&WorkCounters::rowsSwept>},
+    QuantityRow{"factorisations", "", workOf<&WorkCounters::factorisations>},
+    QuantityRow{"impacts", "", workOf<&WorkCounters::impacts>},
+    QuantityRow{"searches", "", workOf<&WorkCounters::searches>},
+    QuantityRow{"islands", "", workOf<&WorkCounters::islands>},
+    QuantityRow{"islands unfinished", "", workOf<&WorkCounters::unfinished>},
     QuantityRow{"energy by gravity", "J", bookedOf<LedgerAccount::Gravity>, true},
     QuantityRow{"energy by restitution", "J", bookedOf<LedgerAccount::Restitution>, true},
     QuantityRow{"energy by contact", "J", bookedOf<LedgerAccount::Contact>, true},

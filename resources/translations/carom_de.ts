@@ -1460,6 +1460,62 @@ Die Simulation oben geht dabei weiter.</translation>
         <source>Chosen: %1</source>
         <translation>Gewählt: %1</translation>
     </message>
+    <message>
+        <source>Pairs collided</source>
+        <translation>Kollidierte Paare</translation>
+    </message>
+    <message>
+        <source>Pairs whose shapes the method of contacts compared</source>
+        <translation>Paare, deren Formen die Kontaktmethode verglichen hat</translation>
+    </message>
+    <message>
+        <source>Rows swept</source>
+        <translation>Durchlaufene Zeilen</translation>
+    </message>
+    <message>
+        <source>Contact points times passes of its velocity solve</source>
+        <translation>Kontaktpunkte mal Durchläufe ihrer Geschwindigkeitslösung</translation>
+    </message>
+    <message>
+        <source>Factorisations</source>
+        <translation>Faktorisierungen</translation>
+    </message>
+    <message>
+        <source>Of matrices of contacts, for exact forces</source>
+        <translation>Von Kontaktmatrizen, für genaue Kräfte</translation>
+    </message>
+    <message>
+        <source>Impacts</source>
+        <translation>Stöße</translation>
+    </message>
+    <message>
+        <source>Impacts solved</source>
+        <translation>Gelöste Stöße</translation>
+    </message>
+    <message>
+        <source>Searches</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>How often the broad-phase searched for the method of contacts</source>
+        <translation>Wie oft die Breitphase für die Kontaktmethode gesucht hat</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Inseln</translation>
+    </message>
+    <message>
+        <source>Groups of bodies that touch, summed over the substeps</source>
+        <translation>Gruppen sich berührender Körper, über die Teilschritte summiert</translation>
+    </message>
+    <message>
+        <source>Islands unfinished</source>
+        <translation>Unfertige Inseln</translation>
+    </message>
+    <message>
+        <source>Islands whose forces are not exact, because the budget of the frame did not allow it</source>
+        <translation>Inseln, deren Kräfte nicht genau sind, weil das Budget des Bildes es nicht erlaubt hat</translation>
+    </message>
 </context>
 <context>
     <name>carom::CommandFinder</name>

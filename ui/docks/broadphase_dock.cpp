@@ -84,6 +84,32 @@ constexpr std::array figures = {
     FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Time"),
               QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Wall time of the broad-phase in the frame"),
               [](const FrameStatistics& s) { return QStringLiteral("%1 ms").arg(s.broadphase, 0, 'f', 3); }},
+    FigureRow{
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs collided"),
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Pairs whose shapes the method of contacts compared"),
+        [](const FrameStatistics& s) { return count(s.work.pairsCollided); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Rows swept"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Contact points times passes of its velocity solve"),
+              [](const FrameStatistics& s) { return count(s.work.rowsSwept); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Factorisations"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Of matrices of contacts, for exact forces"),
+              [](const FrameStatistics& s) { return count(s.work.factorisations); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Impacts"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Impacts solved"),
+              [](const FrameStatistics& s) { return count(s.work.impacts); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Searches"),
+              QT_TRANSLATE_NOOP("carom::BroadphaseDock",
+                                "How often the broad-phase searched for the method of contacts"),
+              [](const FrameStatistics& s) { return count(s.work.searches); }},
+    FigureRow{
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Islands"),
+        QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Groups of bodies that touch, summed over the substeps"),
+        [](const FrameStatistics& s) { return count(s.work.islands); }},
+    FigureRow{QT_TRANSLATE_NOOP("carom::BroadphaseDock", "Islands unfinished"),
+              QT_TRANSLATE_NOOP(
+                  "carom::BroadphaseDock",
+                  "Islands whose forces are not exact, because the budget of the frame did not allow it"),
+              [](const FrameStatistics& s) { return count(s.work.unfinished); }},
 };
 
 } // namespace
@@ -104,12 +130,12 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     m_reason->setWordWrap(true);
     m_reason->setProperty("role", QStringLiteral("muted"));
 
-    // Two rows of figures side by side, and what compares the algorithms beside them: the dock is wide and
+    // Columns of figures side by side, and what compares the algorithms beside them: the dock is wide and
     // low where it usually stands.
     QGridLayout* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(6);
-    constexpr int half = static_cast<int>((figures.size() + 1) / 2);
+    constexpr int columns = 3, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
     for (std::size_t i = 0; i < figures.size(); ++i) {
         QLabel* title = new QLabel(tr(figures[i].title));
         title->setProperty("role", QStringLiteral("muted"));
@@ -120,14 +146,15 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
         value->setToolTip(tr(figures[i].help));
         value->setAccessibleDescription(tr(figures[i].title));
         m_values.push_back(value);
-        const int row = static_cast<int>(i) % half, side = static_cast<int>(i) / half;
+        const int row = static_cast<int>(i) % rows, side = static_cast<int>(i) / rows;
         grid->addWidget(title, row, side * 3);
         grid->addWidget(value, row, side * 3 + 1);
     }
-    grid->setColumnMinimumWidth(1, 90);
-    grid->setColumnMinimumWidth(2, 32);
-    grid->setColumnMinimumWidth(4, 90);
-    grid->setColumnStretch(5, 1);
+    for (int side = 0; side < columns; ++side) {
+        grid->setColumnMinimumWidth(side * 3 + 1, 90);
+        if (side > 0) grid->setColumnMinimumWidth(side * 3 - 1, 24);
+    }
+    grid->setColumnStretch(columns * 3, 1);
     QVBoxLayout* live = new QVBoxLayout;
     live->setSpacing(8);
     live->addWidget(m_algorithm);

@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -51,6 +53,26 @@ class QuantitiesTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void workIsThatOfTheFrame() {
+        World world = test::worldOf(test::sceneOf(
+            {test::wall(Vec3::UnitY(), 0), test::cuboid(Vec3::Ones(), 1, Vec3(0, 1, 0))}, Vec3(0, -9.81, 0)));
+        test::run(world, 60); // it has met the wall
+        Random random(seed);
+        FrameStatistics frame = world.statistics();
+        const std::array figures{&frame.work.pairsCollided, &frame.work.rowsSwept, &frame.work.factorisations,
+                                 &frame.work.impacts,       &frame.work.searches,  &frame.work.islands,
+                                 &frame.work.unfinished};
+        QVERIFY(std::any_of(figures.begin(), figures.end(), [](const std::uint64_t* f) { return *f > 0; }));
+        for (std::uint64_t* figure : figures) *figure = random.below(1000);
+        const Moment moment = momentOf(world.pipeline(), world.state(), frame);
+        std::size_t k = 0;
+        for (const char* name : {"pairs collided", "rows swept", "factorisations", "impacts", "searches",
+                                 "islands", "islands unfinished"}) {
+            QCOMPARE(wholeQuantity(name).measure(moment, noBody), static_cast<double>(*figures[k]));
+            ++k;
+        }
+    }
+
     void whatEveryBodyHasAddsUpToWhatTheWholeHas() {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
