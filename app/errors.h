@@ -17,6 +17,7 @@ inline constexpr int wrongUsage = 2;
 inline constexpr int fileError = 3;
 inline constexpr int unphysical = 4; ///< the state is not finite, or has energy from nowhere
 inline constexpr int stabilityFailed = 5;
+inline constexpr int expectationFailed = 5;
 inline constexpr int interrupted = 130;
 } // namespace exitcode
 

@@ -21,7 +21,7 @@ bool BodyLabels::claim(SourceRange label) {
             diagnostic->message = "`world` is reserved for the world itself; choose another label";
         return false;
     }
-    const auto [entry, isNew] = m_entries.try_emplace(spelling(label), Entry{label});
+    const auto [entry, isNew] = m_entries.try_emplace(spelling(label), Entry{.label = label});
     if (isNew) return true;
     if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::DuplicateLabel, label)) {
         diagnostic->message = "the label " + quoted(spelling(label)) + " is taken; choose another";
@@ -30,10 +30,18 @@ bool BodyLabels::claim(SourceRange label) {
     return false;
 }
 
-void BodyLabels::remember(SourceRange label) { m_entries.try_emplace(spelling(label), Entry{label}); }
+bool BodyLabels::claimForOther(SourceRange label, std::string_view kind) {
+    if (!claim(label)) return false;
+    m_entries[spelling(label)].kind = kind;
+    return true;
+}
+
+void BodyLabels::remember(SourceRange label) {
+    m_entries.try_emplace(spelling(label), Entry{.label = label});
+}
 
 void BodyLabels::setBody(SourceRange label, BodyIndex body) {
-    m_entries[spelling(label)] = {label, body};
+    m_entries[spelling(label)] = {.label = label, .body = body};
     m_names.push_back(spelling(label));
 }
 
@@ -45,6 +53,14 @@ std::optional<BodyIndex> BodyLabels::find(SourceRange label) {
         return std::nullopt;
     }
     if (found->second.body != noBody) return found->second.body;
+    if (!found->second.kind.empty()) {
+        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label)) {
+            diagnostic->message = quoted(spelling(label)) + " labels " + std::string(found->second.kind) +
+                                  ", not a body; name a body";
+            diagnostic->notes.push_back({found->second.label, "declared here"});
+        }
+        return std::nullopt;
+    }
     if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label)) {
         diagnostic->message = "the declaration of " + quoted(spelling(label)) +
                               " is left out because of a mistake in it; mend that first";

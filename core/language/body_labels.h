@@ -22,6 +22,8 @@ class BodyLabels {
     bool claim(SourceRange label);
     /// The same for a declaration that will never be built, so that springs to it can be told why.
     void remember(SourceRange label);
+    /// The same for one that is no body, so that no spring can be on it.
+    bool claimForOther(SourceRange label, std::string_view kind);
     /// The declaration that claimed the label was built as `body`.
     void setBody(SourceRange label, BodyIndex body);
 
@@ -32,7 +34,8 @@ class BodyLabels {
   private:
     struct Entry {
         SourceRange label;
-        BodyIndex body = noBody; ///< noBody: its declaration was left out
+        BodyIndex body = noBody;    ///< noBody: its declaration was left out
+        std::string_view kind = {}; ///< what carries it where that is no body
     };
 
     std::string_view spelling(SourceRange range) const { return textOf(m_text, range); }

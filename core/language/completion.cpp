@@ -163,7 +163,8 @@ std::optional<HoverText> hoverAt(const Analysis& analysis, std::uint32_t offset)
                          std::string(row->help)};
     if (declaration->label.length > 0 && holds(declaration->label))
         return HoverText{declaration->label, std::string(textOf(analysis.text, declaration->label)),
-                         "label of a " + std::string(row->name), std::string(row->help)};
+                         (row->isBody ? "label of a " : "label of this ") + std::string(row->name),
+                         std::string(row->help)};
     const ParameterSyntax* parameter = parameterAt(analysis, *declaration, offset);
     if (parameter == nullptr) return std::nullopt;
     const ParameterRow* known = row->find(textOf(analysis.text, parameter->name));

@@ -44,7 +44,7 @@ std::string summaryOf(const ParameterRow& row) {
 
 std::string signatureOf(const DeclarationRow& row) {
     std::string signature(row.name);
-    signature += row.isBody ? " [label] {" : " {";
+    signature += row.takesLabel() ? " [label] {" : " {";
     for (const ParameterRow& parameter : row.parameters) {
         const std::string name(parameter.name);
         signature += " " + (parameter.required ? name : "[" + name + "]");
@@ -56,7 +56,7 @@ std::string snippetOf(const DeclarationRow& row) {
     std::string snippet = std::string(row.name) + " {\n";
     bool any = false;
     for (const ParameterRow& parameter : row.parameters) {
-        if (!parameter.required) continue;
+        if (!parameter.required && !parameter.inSnippet) continue;
         snippet += "    " + std::string(parameter.name) + " " + std::string(parameter.example) + "\n";
         any = true;
     }

@@ -31,7 +31,7 @@ points up.
 * A **vector** is three numbers separated by commas: `-1, 2, 3` is (-1, 2, 3).
 * A **name** is a letter, then letters, digits and `_`. Upper and lower case differ.
 * A **comment** begins with `//` or `#` and ends with the line.
-* A **label** names a body so that springs can refer to it. Labels are unique; `world` is reserved.
+* A **label** names a body so that springs and expectations can refer to it, or an expectation. Labels are unique; `world` is reserved.
 
 A mistake costs only the declaration it is in: that one is reported and left out, and everything else is built.
 
@@ -86,7 +86,7 @@ std::string section(const DeclarationRow& row) {
     std::string text = "\n### " + std::string(row.name);
     if (row.layer == Layer::Carom) text += " (*Carom*)";
     text += "\n\n" + std::string(row.help);
-    if (row.isBody) text += " It may carry a label.";
+    if (row.takesLabel()) text += " It may carry a label.";
     if (row.once) text += " A scene has at most one.";
     text += "\n\n";
     std::string example(row.example);

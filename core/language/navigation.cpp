@@ -87,6 +87,7 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
     const Scene& scene = analysis.scene;
     std::size_t body = 0;
     std::size_t spring = 0;
+    std::size_t expectation = 0;
     const auto isSource = [](const std::optional<DeclarationSource>& source, SourceRange range) {
         return source && source->declaration == range;
     };
@@ -103,6 +104,10 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
             entry.built = true;
         } else if (spring < scene.springs.size() && scene.springs[spring].source.declaration == range) {
             ++spring;
+            entry.built = true;
+        } else if (expectation < scene.expectations.size() &&
+                   scene.expectations[expectation].source.declaration == range) {
+            ++expectation;
             entry.built = true;
         } else {
             entry.built = isSource(scene.gravity.source, range) || isSource(scene.simulation.source, range) ||

@@ -5,11 +5,13 @@
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
 #include "core/language/body_labels.h"
+#include "core/language/expectation_check.h"
 #include "core/language/value_check.h"
 #include "core/language/wording.h"
 #include "core/scene/limits.h"
 #include "core/scene/schema.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
@@ -48,6 +50,10 @@ class Validator {
                 declare(syntax, *row);
         }
         done = all - naming.size();
+        m_scene.expectations.reserve(
+            static_cast<std::size_t>(std::ranges::count_if(naming, [this](const DeclarationSyntax* syntax) {
+                return findDeclaration(spelling(syntax->type))->titled;
+            })));
         for (const DeclarationSyntax* syntax : naming) {
             stage.reach(done, done, all);
             ++done;
@@ -102,6 +108,8 @@ class Validator {
         sound = takeParameters(syntax, row, declared) && sound;
         if (Spring* spring = std::get_if<Spring>(&declared); spring != nullptr && sound)
             sound = hasTwoEnds(syntax, *spring);
+        if (const Expectation* asked = std::get_if<Expectation>(&declared); asked != nullptr && sound)
+            sound = checkExpectation(m_values, syntax, m_scene, *asked);
         if (Body* body = std::get_if<Body>(&declared); body != nullptr && sound)
             sound = computable(syntax, *body, firstSource);
         if (!sound) {
@@ -126,6 +134,11 @@ class Validator {
         spring.source = source;
         m_scene.springs.push_back(spring);
     }
+    void add(Expectation& expectation, const DeclarationSource& source) {
+        expectation.label = spelling(source.label);
+        expectation.source = source;
+        m_scene.expectations.push_back(std::move(expectation));
+    }
     void add(Gravity& gravity, const DeclarationSource& source) {
         gravity.source = source;
         m_scene.gravity = gravity;
@@ -142,9 +155,10 @@ class Validator {
     bool claimLabel(const DeclarationSyntax& syntax, const DeclarationRow& row) {
         if (syntax.label.length == 0) return true;
         if (row.isBody) return m_labels.claim(syntax.label);
+        if (row.titled) return m_labels.claimForOther(syntax.label, "an expectation");
         if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnexpectedLabel, syntax.label)) {
             diagnostic->message = std::string(row.name) + " takes no label, found " +
-                                  quoted(spelling(syntax.label)) + "; only bodies are labelled";
+                                  quoted(spelling(syntax.label)) + "; bodies and expectations are labelled";
             diagnostic->fixIt = removal(m_text, syntax.label, "remove the label");
         }
         return false;
@@ -257,9 +271,9 @@ class Validator {
         std::vector<std::string_view> names;
         std::string mend;
         for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-            if (!missing[i]) continue;
             const ParameterRow& parameter = row.parameters[i];
-            names.push_back(parameter.name);
+            if (!missing[i] && !(syntax.parameterCount == 0 && parameter.inSnippet)) continue;
+            if (missing[i]) names.push_back(parameter.name);
             mend += (mend.empty() ? "" : "  ") + std::string(parameter.name) + " " +
                     std::string(parameter.example);
         }

@@ -85,6 +85,24 @@ struct SimulationSettings {
 /// `over` wins wherever it says something.
 SimulationSettings overridden(const SimulationSettings& base, const SimulationSettings& over);
 
+/// What must come out of a run: an `expect` declaration. It watches and never changes the motion.
+struct Expectation {
+    std::string label;                 ///< empty where there is none
+    std::string_view quantity;         ///< a word of quantityWords(); empty where only rest is asked for
+    BodyIndex of = noBody;             ///< noBody: the whole scene, or each of its mobile bodies
+    BodyIndex to = noBody;             ///< of `distance`: the other body
+    std::optional<double> at;          ///< one moment [s]
+    std::optional<double> from, until; ///< a span [s]; absent: from the start, to the end of the run
+    std::optional<double> value;       ///< in the quantity's unit
+    std::optional<double> within;      ///< by how much it may be off `value`, in the quantity's unit
+    std::optional<double> relative;    ///< the same, of `value`
+    std::optional<double> least, most; ///< `min`, `max`, in the quantity's unit
+    std::optional<double> drift;       ///< relative change since the beginning of its time
+    bool rest = false;                 ///< nothing moves
+    std::string_view preset;           ///< judged in runs with this preset only; empty: in all
+    DeclarationSource source;
+};
+
 struct CameraSettings {
     std::optional<Vec3> position;      ///< [m]
     std::optional<Vec3> target;        ///< [m]
@@ -98,6 +116,7 @@ struct Scene {
     Gravity gravity;
     SimulationSettings simulation;
     CameraSettings camera;
+    std::vector<Expectation> expectations;
     std::vector<ParameterSource> parameterSources;
 
     /// Where a declaration gave a parameter; nothing if it did not.

@@ -9,9 +9,10 @@
 namespace carom {
 
 std::span<const DeclarationRow> schema() {
-    static const std::array<DeclarationRow, 8> rows = {
-        sphereDeclaration(),  cylinderDeclaration(), wallDeclaration(),       cuboidDeclaration(),
-        gravityDeclaration(), springDeclaration(),   simulationDeclaration(), cameraDeclaration()};
+    static const std::array<DeclarationRow, 9> rows = {
+        sphereDeclaration(),     cylinderDeclaration(), wallDeclaration(),
+        cuboidDeclaration(),     gravityDeclaration(),  springDeclaration(),
+        simulationDeclaration(), cameraDeclaration(),   expectDeclaration()};
     return rows;
 }
 

@@ -48,7 +48,7 @@ struct CheckedValue {
 };
 
 /// What one declaration builds, while its parameters are stored into it.
-using Declared = std::variant<Body, Spring, Gravity, SimulationSettings, CameraSettings>;
+using Declared = std::variant<Body, Spring, Gravity, SimulationSettings, CameraSettings, Expectation>;
 
 enum class Layer : std::uint8_t { Reference, Carom };
 
@@ -60,6 +60,7 @@ struct ParameterRow {
     std::string_view requiredUnless = {}; ///< not required where the parameter of this name is `yes`
     std::string_view defaultText = {};    ///< as one would write it, or a phrase; "" where required
     std::string_view example = {};        ///< a value one might write; what a fix-it or a snippet puts in
+    bool inSnippet = false;               ///< a snippet gives it although it is not required
     Constraint constraint = Constraint::None;
     std::span<const std::string_view> words = {}; ///< for ValueKind::Word
     std::string_view help = {};                   ///< one line
@@ -71,13 +72,15 @@ struct DeclarationRow {
     std::string_view name = {};
     std::string_view help = {}; ///< one line
     Layer layer = Layer::Reference;
-    bool isBody = false; ///< may carry a label
+    bool isBody = false; ///< may carry a label that others name it by
+    bool titled = false; ///< no body, and may carry a label all the same
     bool once = false;   ///< a scene has at most one
     std::vector<ParameterRow> parameters = {};
     Declared (*begin)() = nullptr; ///< an empty one, defaults in place
     std::string_view example = {}; ///< a snippet that validates by itself (with the bodies it names)
 
     const ParameterRow* find(std::string_view parameter) const;
+    bool takesLabel() const { return isBody || titled; }
     /// Whether it names bodies, and so can be built only when all bodies are known.
     bool takesLabels() const;
 };
@@ -93,6 +96,8 @@ struct NamedColour {
 };
 std::span<const NamedColour> namedColours();
 
+std::span<const std::string_view> yesOrNoWords();
+
 /// Words of `simulation`; the one place where the language and the catalogues of methods must agree (a test
 /// holds them to it).
 std::span<const std::string_view> methodWords();
@@ -101,5 +106,9 @@ std::span<const std::string_view> broadphaseWords();
 std::span<const std::string_view> boxesWords();
 std::span<const std::string_view> impactsWords();
 std::span<const std::string_view> presetWords();
+/// Words of `expect`'s `quantity`; those that only the whole scene has, and those of two bodies.
+std::span<const std::string_view> quantityWords();
+bool isOfWholeOnly(std::string_view quantity);
+bool isOfTwoBodies(std::string_view quantity);
 
 } // namespace carom

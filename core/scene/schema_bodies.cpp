@@ -16,7 +16,6 @@ namespace carom {
 namespace {
 
 constexpr double radiansPerDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 2> yesOrNo = {"yes", "no"};
 
 Body& body(Declared& declared) { return std::get<Body>(declared); }
 
@@ -117,7 +116,7 @@ ParameterRow fixedRow() {
         .kind = ValueKind::Word,
         .defaultText = "no",
         .example = "yes",
-        .words = yesOrNo,
+        .words = yesOrNoWords(),
         .help = "Whether the body stays where it is, whatever hits it.",
         .layer = Layer::Carom,
         .store = [](Declared& into, const CheckedValue& value) { body(into).fixed = value.word == "yes"; }};

@@ -16,5 +16,6 @@ DeclarationRow gravityDeclaration();
 DeclarationRow springDeclaration();
 DeclarationRow simulationDeclaration();
 DeclarationRow cameraDeclaration();
+DeclarationRow expectDeclaration();
 
 } // namespace carom

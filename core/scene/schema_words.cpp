@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/schema.h"
 
+#include <algorithm>
 #include <array>
 
 // The words of the scene language and the phrases by which messages and the manual name its rules.
@@ -15,6 +16,65 @@ constexpr std::array<std::string_view, 6> broadphaseNames = {
     "auto", "all_pairs", "sweep_and_sort", "single_axis_sweep", "uniform_grid", "bounding_tree"};
 constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};
 constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
+// Of a body, or of each; then of the whole scene only; then what is found by other means.
+constexpr std::array quantities = std::to_array<std::string_view>({"x",
+                                                                   "y",
+                                                                   "z",
+                                                                   "displacement",
+                                                                   "speed",
+                                                                   "velocity_x",
+                                                                   "velocity_y",
+                                                                   "velocity_z",
+                                                                   "turn",
+                                                                   "tilt",
+                                                                   "angular_speed",
+                                                                   "angular_velocity_x",
+                                                                   "angular_velocity_y",
+                                                                   "angular_velocity_z",
+                                                                   "energy",
+                                                                   "kinetic_energy",
+                                                                   "potential_energy",
+                                                                   "momentum",
+                                                                   "momentum_x",
+                                                                   "momentum_y",
+                                                                   "momentum_z",
+                                                                   "angular_momentum",
+                                                                   "angular_momentum_x",
+                                                                   "angular_momentum_y",
+                                                                   "angular_momentum_z",
+                                                                   "penetration",
+                                                                   "contact_force",
+                                                                   "contact_force_x",
+                                                                   "contact_force_y",
+                                                                   "contact_force_z",
+                                                                   "impacts",
+                                                                   "distance",
+                                                                   "centre_of_mass_x",
+                                                                   "centre_of_mass_y",
+                                                                   "centre_of_mass_z",
+                                                                   "contact_residual",
+                                                                   "contacts",
+                                                                   "overlapping_pairs",
+                                                                   "pairs_collided",
+                                                                   "rows_swept",
+                                                                   "factorisations",
+                                                                   "impacts_treated",
+                                                                   "searches",
+                                                                   "islands",
+                                                                   "islands_unfinished",
+                                                                   "energy_by_gravity",
+                                                                   "energy_by_restitution",
+                                                                   "energy_by_contact",
+                                                                   "energy_by_friction",
+                                                                   "energy_by_rolling",
+                                                                   "energy_by_spring",
+                                                                   "energy_by_rotation",
+                                                                   "energy_by_parting",
+                                                                   "energy_by_rest",
+                                                                   "energy_unexplained"});
+constexpr std::string_view firstOfWhole = "centre_of_mass_x";
+
+constexpr std::array<std::string_view, 2> yesOrNo = {"yes", "no"};
 constexpr std::array<std::string_view, 3> presets = {"fast", "default", "accurate"};
 
 } // namespace
@@ -24,7 +84,14 @@ std::span<const std::string_view> integratorWords() { return integratorNames; }
 std::span<const std::string_view> broadphaseWords() { return broadphaseNames; }
 std::span<const std::string_view> boxesWords() { return boxesNames; }
 std::span<const std::string_view> impactsWords() { return impactsNames; }
+std::span<const std::string_view> yesOrNoWords() { return yesOrNo; }
 std::span<const std::string_view> presetWords() { return presets; }
+std::span<const std::string_view> quantityWords() { return quantities; }
+bool isOfWholeOnly(std::string_view quantity) {
+    const auto* const first = std::ranges::find(quantities, firstOfWhole);
+    return std::find(first, quantities.end(), quantity) != quantities.end();
+}
+bool isOfTwoBodies(std::string_view quantity) { return quantity == "distance"; }
 
 std::span<const NamedColour> namedColours() {
     // CSS Color Module Level 3 (W3C, 2011), section 4.1: components are 0, 128, 192 or 255 of 255.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/quantities.h"
 
+#include "core/math/rotation.h"
 #include "core/narrowphase/narrowphase.h"
 
 #include <algorithm>
@@ -75,30 +76,68 @@ double penetrationOf(const Moment& moment, BodyIndex i) {
     return deepest;
 }
 
+/// From where the body was at the start [m].
+double displacementOf(const Moment& moment, BodyIndex i) {
+    return (positionOf(moment, i) - moment.pipeline.initialState().pose[i].position).norm();
+}
+/// The angle about one axis that turns it from the start to here [rad].
+double turnOf(const Moment& moment, BodyIndex i) {
+    const Quat start = moment.pipeline.initialState().pose[i].orientation;
+    return toRotationVector(moment.pose[i].orientation * start.conjugate()).norm();
+}
+/// Between the body's own y axis, which is a cylinder's, and the vertical [rad].
+double tiltOf(const Moment& moment, BodyIndex i) {
+    const Vec3 axis = moment.pose[i].directionToWorld(Vec3::UnitY());
+    return std::atan2(std::hypot(axis.x(), axis.z()), axis.y());
+}
+
+// What changes are compared with where the quantity itself may vanish.
+double sizeOf(const Moment& moment, BodyIndex i) { return bodiesOf(moment).boundingRadius[i]; }
+double oneRadian(const Moment&, BodyIndex) { return 1; }
+double largestOf(const Moment& moment, BodyIndex) {
+    double largest = 0;
+    for (const BodyIndex i : bodiesOf(moment).mobileBodies)
+        largest = std::max(largest, bodiesOf(moment).boundingRadius[i]);
+    return largest;
+}
+
 constexpr std::array bodyRows = {
-    QuantityRow{"position x", "m", component<positionOf, 0>},
-    QuantityRow{"position y", "m", component<positionOf, 1>},
-    QuantityRow{"position z", "m", component<positionOf, 2>},
-    QuantityRow{"speed", "m/s", length<velocityOf>},
-    QuantityRow{"velocity x", "m/s", component<velocityOf, 0>},
-    QuantityRow{"velocity y", "m/s", component<velocityOf, 1>},
-    QuantityRow{"velocity z", "m/s", component<velocityOf, 2>},
-    QuantityRow{"angular speed", "rad/s", length<spinOf>},
-    QuantityRow{"angular velocity x", "rad/s", component<spinOf, 0>},
-    QuantityRow{"angular velocity y", "rad/s", component<spinOf, 1>},
-    QuantityRow{"angular velocity z", "rad/s", component<spinOf, 2>},
-    QuantityRow{"kinetic energy", "J", kineticOf},
-    QuantityRow{"potential energy", "J", potentialOf},
-    QuantityRow{"energy", "J", energyOf},
-    QuantityRow{"momentum x", "kg m/s", component<momentumOf, 0>},
-    QuantityRow{"momentum y", "kg m/s", component<momentumOf, 1>},
-    QuantityRow{"momentum z", "kg m/s", component<momentumOf, 2>},
-    QuantityRow{"angular momentum", "kg m²/s", length<angularMomentumOf>},
-    QuantityRow{"penetration", "m", penetrationOf},
-    QuantityRow{"contact force", "N", length<contactForceOf>},
-    QuantityRow{"contact force x", "N", component<contactForceOf, 0>},
-    QuantityRow{"contact force y", "N", component<contactForceOf, 1>},
-    QuantityRow{"contact force z", "N", component<contactForceOf, 2>},
+    QuantityRow{"position x", "x", "m", component<positionOf, 0>, sizeOf},
+    QuantityRow{"position y", "y", "m", component<positionOf, 1>, sizeOf},
+    QuantityRow{"position z", "z", "m", component<positionOf, 2>, sizeOf},
+    QuantityRow{"displacement", "displacement", "m", displacementOf, sizeOf},
+    QuantityRow{"speed", "speed", "m/s", length<velocityOf>},
+    QuantityRow{"velocity x", "velocity_x", "m/s", component<velocityOf, 0>, length<velocityOf>},
+    QuantityRow{"velocity y", "velocity_y", "m/s", component<velocityOf, 1>, length<velocityOf>},
+    QuantityRow{"velocity z", "velocity_z", "m/s", component<velocityOf, 2>, length<velocityOf>},
+    QuantityRow{"turn", "turn", "rad", turnOf, oneRadian},
+    QuantityRow{"tilt", "tilt", "rad", tiltOf, oneRadian},
+    QuantityRow{"angular speed", "angular_speed", "rad/s", length<spinOf>},
+    QuantityRow{"angular velocity x", "angular_velocity_x", "rad/s", component<spinOf, 0>, length<spinOf>},
+    QuantityRow{"angular velocity y", "angular_velocity_y", "rad/s", component<spinOf, 1>, length<spinOf>},
+    QuantityRow{"angular velocity z", "angular_velocity_z", "rad/s", component<spinOf, 2>, length<spinOf>},
+    QuantityRow{"kinetic energy", "kinetic_energy", "J", kineticOf, kineticOf},
+    QuantityRow{"potential energy", "potential_energy", "J", potentialOf, kineticOf},
+    QuantityRow{"energy", "energy", "J", energyOf, kineticOf},
+    QuantityRow{"momentum", "momentum", "kg m/s", length<momentumOf>},
+    QuantityRow{"momentum x", "momentum_x", "kg m/s", component<momentumOf, 0>, length<momentumOf>},
+    QuantityRow{"momentum y", "momentum_y", "kg m/s", component<momentumOf, 1>, length<momentumOf>},
+    QuantityRow{"momentum z", "momentum_z", "kg m/s", component<momentumOf, 2>, length<momentumOf>},
+    QuantityRow{"angular momentum", "angular_momentum", "kg m²/s", length<angularMomentumOf>},
+    QuantityRow{"angular momentum x", "angular_momentum_x", "kg m²/s", component<angularMomentumOf, 0>,
+                length<angularMomentumOf>},
+    QuantityRow{"angular momentum y", "angular_momentum_y", "kg m²/s", component<angularMomentumOf, 1>,
+                length<angularMomentumOf>},
+    QuantityRow{"angular momentum z", "angular_momentum_z", "kg m²/s", component<angularMomentumOf, 2>,
+                length<angularMomentumOf>},
+    QuantityRow{"penetration", "penetration", "m", penetrationOf, sizeOf},
+    QuantityRow{"contact force", "contact_force", "N", length<contactForceOf>},
+    QuantityRow{"contact force x", "contact_force_x", "N", component<contactForceOf, 0>,
+                length<contactForceOf>},
+    QuantityRow{"contact force y", "contact_force_y", "N", component<contactForceOf, 1>,
+                length<contactForceOf>},
+    QuantityRow{"contact force z", "contact_force_z", "N", component<contactForceOf, 2>,
+                length<contactForceOf>},
 };
 
 /// Of everything that moves [m]; undefined where nothing does.
@@ -118,6 +157,12 @@ double totalPotentialOf(const Moment& moment, BodyIndex) { return moment.statist
 double totalEnergyOf(const Moment& moment, BodyIndex) {
     return moment.statistics.kinetic + moment.statistics.potential;
 }
+/// Of all bodies if they had the same kinetic energy and moved as one [kg m/s].
+double momentumScaleOf(const Moment& moment, BodyIndex) {
+    double mass = 0;
+    for (const BodyIndex i : bodiesOf(moment).mobileBodies) mass += bodiesOf(moment).mass[i];
+    return std::sqrt(2 * moment.statistics.kinetic * mass);
+}
 double deepestOf(const Moment& moment, BodyIndex) { return moment.statistics.maxPenetration; }
 double residualOf(const Moment& moment, BodyIndex) { return moment.statistics.residual; }
 double contactsOf(const Moment& moment, BodyIndex) { return static_cast<double>(moment.statistics.contacts); }
@@ -135,37 +180,45 @@ double bookedOf(const Moment& moment, BodyIndex) {
 double unexplainedOf(const Moment& moment, BodyIndex) { return moment.statistics.unexplained.energy; }
 
 constexpr std::array wholeRows = {
-    QuantityRow{"energy", "J", totalEnergyOf},
-    QuantityRow{"kinetic energy", "J", totalKineticOf},
-    QuantityRow{"potential energy", "J", totalPotentialOf},
-    QuantityRow{"momentum", "kg m/s", length<totalMomentumOf>},
-    QuantityRow{"momentum x", "kg m/s", component<totalMomentumOf, 0>},
-    QuantityRow{"momentum y", "kg m/s", component<totalMomentumOf, 1>},
-    QuantityRow{"momentum z", "kg m/s", component<totalMomentumOf, 2>},
-    QuantityRow{"centre of mass x", "m", component<centreOfMassOf, 0>},
-    QuantityRow{"centre of mass y", "m", component<centreOfMassOf, 1>},
-    QuantityRow{"centre of mass z", "m", component<centreOfMassOf, 2>},
-    QuantityRow{"deepest penetration", "m", deepestOf},
-    QuantityRow{"contact residual", "m/s", residualOf},
-    QuantityRow{"contacts", "", contactsOf},
-    QuantityRow{"overlapping pairs", "", pairsOf},
-    QuantityRow{"pairs collided", "", workOf<&WorkCounters::pairsCollided>},
-    QuantityRow{"rows swept", "", workOf<&WorkCounters::rowsSwept>},
-    QuantityRow{"factorisations", "", workOf<&WorkCounters::factorisations>},
-    QuantityRow{"impacts", "", workOf<&WorkCounters::impacts>},
-    QuantityRow{"searches", "", workOf<&WorkCounters::searches>},
-    QuantityRow{"islands", "", workOf<&WorkCounters::islands>},
-    QuantityRow{"islands unfinished", "", workOf<&WorkCounters::unfinished>},
-    QuantityRow{"energy by gravity", "J", bookedOf<LedgerAccount::Gravity>, true},
-    QuantityRow{"energy by restitution", "J", bookedOf<LedgerAccount::Restitution>, true},
-    QuantityRow{"energy by contact", "J", bookedOf<LedgerAccount::Contact>, true},
-    QuantityRow{"energy by friction", "J", bookedOf<LedgerAccount::Friction>, true},
-    QuantityRow{"energy by rolling", "J", bookedOf<LedgerAccount::Rolling>, true},
-    QuantityRow{"energy by spring", "J", bookedOf<LedgerAccount::Spring>, true},
-    QuantityRow{"energy by rotation", "J", bookedOf<LedgerAccount::Rotation>, true},
-    QuantityRow{"energy by parting", "J", bookedOf<LedgerAccount::Parting>, true},
-    QuantityRow{"energy by rest", "J", bookedOf<LedgerAccount::Rest>, true},
-    QuantityRow{"energy unexplained", "J", unexplainedOf, true},
+    QuantityRow{"energy", "energy", "J", totalEnergyOf, totalKineticOf},
+    QuantityRow{"kinetic energy", "kinetic_energy", "J", totalKineticOf, totalKineticOf},
+    QuantityRow{"potential energy", "potential_energy", "J", totalPotentialOf, totalKineticOf},
+    QuantityRow{"momentum", "momentum", "kg m/s", length<totalMomentumOf>, momentumScaleOf},
+    QuantityRow{"momentum x", "momentum_x", "kg m/s", component<totalMomentumOf, 0>, momentumScaleOf},
+    QuantityRow{"momentum y", "momentum_y", "kg m/s", component<totalMomentumOf, 1>, momentumScaleOf},
+    QuantityRow{"momentum z", "momentum_z", "kg m/s", component<totalMomentumOf, 2>, momentumScaleOf},
+    QuantityRow{"centre of mass x", "centre_of_mass_x", "m", component<centreOfMassOf, 0>, largestOf},
+    QuantityRow{"centre of mass y", "centre_of_mass_y", "m", component<centreOfMassOf, 1>, largestOf},
+    QuantityRow{"centre of mass z", "centre_of_mass_z", "m", component<centreOfMassOf, 2>, largestOf},
+    QuantityRow{"deepest penetration", "penetration", "m", deepestOf, largestOf},
+    QuantityRow{"contact residual", "contact_residual", "m/s", residualOf},
+    QuantityRow{"contacts", "contacts", "", contactsOf},
+    QuantityRow{"overlapping pairs", "overlapping_pairs", "", pairsOf},
+    QuantityRow{"pairs collided", "pairs_collided", "", workOf<&WorkCounters::pairsCollided>},
+    QuantityRow{"rows swept", "rows_swept", "", workOf<&WorkCounters::rowsSwept>},
+    QuantityRow{"factorisations", "factorisations", "", workOf<&WorkCounters::factorisations>},
+    QuantityRow{"impacts", "impacts_treated", "", workOf<&WorkCounters::impacts>},
+    QuantityRow{"searches", "searches", "", workOf<&WorkCounters::searches>},
+    QuantityRow{"islands", "islands", "", workOf<&WorkCounters::islands>},
+    QuantityRow{"islands unfinished", "islands_unfinished", "", workOf<&WorkCounters::unfinished>},
+    QuantityRow{"energy by gravity", "energy_by_gravity", "J", bookedOf<LedgerAccount::Gravity>,
+                totalKineticOf, true},
+    QuantityRow{"energy by restitution", "energy_by_restitution", "J", bookedOf<LedgerAccount::Restitution>,
+                totalKineticOf, true},
+    QuantityRow{"energy by contact", "energy_by_contact", "J", bookedOf<LedgerAccount::Contact>,
+                totalKineticOf, true},
+    QuantityRow{"energy by friction", "energy_by_friction", "J", bookedOf<LedgerAccount::Friction>,
+                totalKineticOf, true},
+    QuantityRow{"energy by rolling", "energy_by_rolling", "J", bookedOf<LedgerAccount::Rolling>,
+                totalKineticOf, true},
+    QuantityRow{"energy by spring", "energy_by_spring", "J", bookedOf<LedgerAccount::Spring>, totalKineticOf,
+                true},
+    QuantityRow{"energy by rotation", "energy_by_rotation", "J", bookedOf<LedgerAccount::Rotation>,
+                totalKineticOf, true},
+    QuantityRow{"energy by parting", "energy_by_parting", "J", bookedOf<LedgerAccount::Parting>,
+                totalKineticOf, true},
+    QuantityRow{"energy by rest", "energy_by_rest", "J", bookedOf<LedgerAccount::Rest>, totalKineticOf, true},
+    QuantityRow{"energy unexplained", "energy_unexplained", "J", unexplainedOf, totalKineticOf, true},
 };
 
 } // namespace
@@ -188,6 +241,12 @@ Moment momentOf(const Pipeline& pipeline, const Snapshot& snapshot) {
 
 std::span<const QuantityRow> bodyQuantities() { return bodyRows; }
 std::span<const QuantityRow> wholeQuantities() { return wholeRows; }
+
+const QuantityRow* quantityNamed(std::string_view word, bool ofBody) {
+    const std::span<const QuantityRow> rows = ofBody ? bodyQuantities() : wholeQuantities();
+    const auto found = std::ranges::find(rows, word, &QuantityRow::word);
+    return found != rows.end() ? &*found : nullptr;
+}
 
 bool Probes::needLedger() const {
     return std::any_of(m_probes.begin(), m_probes.end(),

@@ -30,9 +30,13 @@ Moment momentOf(const Pipeline& pipeline, Snapshot&& snapshot) = delete;
 /// Something that can be measured at every frame.
 struct QuantityRow {
     std::string_view name; ///< "position x"
+    std::string_view word; ///< in a text: "x"
     std::string_view unit; ///< "m"; empty for a count
     /// Of a body, or of everything that moves where the row is of the whole; NaN where it is not defined.
     double (*measure)(const Moment& moment, BodyIndex body) = nullptr;
+    /// In the same unit and not negative: what a change of it is compared with besides itself, which may
+    /// vanish; null: nothing.
+    double (*scale)(const Moment& moment, BodyIndex body) = nullptr;
     /// Booked frame by frame in a world that keeps a ledger; Probes adds the frames up.
     bool booked = false;
 };
@@ -41,6 +45,8 @@ struct QuantityRow {
 std::span<const QuantityRow> bodyQuantities();
 /// What the whole scene has; `body` is ignored.
 std::span<const QuantityRow> wholeQuantities();
+/// By its word, of bodies or of the whole; null where there is none.
+const QuantityRow* quantityNamed(std::string_view word, bool ofBody);
 
 /// A quantity of one body or of the whole, to be followed through a run.
 struct Probe {

@@ -111,6 +111,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     if (preset == nullptr) preset = findByName(presets(), defaultPreset);
 
     RunSettings settings;
+    settings.preset = preset;
     if (wanted.step) settings.step = *wanted.step;
     settleMethod(scene, options, wanted, settings, warnings);
     const std::string method(settings.method->name);

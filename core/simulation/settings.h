@@ -18,6 +18,8 @@ namespace carom {
 struct BroadphaseRow;
 struct IntegratorRow;
 
+struct PresetRow;
+
 /// Every setting of a run, with nothing left open.
 struct RunSettings {
     double step = 1.0 / 60; ///< one frame [s]
@@ -34,6 +36,7 @@ struct RunSettings {
     bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]
+    const PresetRow* preset = nullptr;
 
     double substep() const { return step / substeps; } ///< [s]
     /// `resting`: whether anything in the scene can come to rest.

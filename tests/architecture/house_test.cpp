@@ -26,6 +26,7 @@ const std::vector<QStringList> floors = {
     {"core/dynamics"},
     {"core/effects", "core/integrators", "core/solvers"},
     {"core/simulation"},
+    {"core/expectations"},
     {"core/study", "core/player"},
     {"ui"},
     {"app"},

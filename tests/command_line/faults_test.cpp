@@ -135,7 +135,7 @@ class FaultsTest : public QObject {
         for (const char* words :
              {"run {} -n 3", "run {} -n 3 --json --stats -", "generate pyramid", "format {}", "effects {}",
               "contacts {}", "bench --scene=pyramid -n 10 --frames=3",
-              "study stability elastic_ball --column=exact", "study gas gas.sdl"})
+              "study stability elastic_ball --column=exact", "study gas gas.sdl", "test {}", "test --tap {}"})
             QTest::newRow(words) << QString::fromLatin1(words);
     }
     void aStandardOutputThatIsFullEndsWithThree() {

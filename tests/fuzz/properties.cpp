@@ -46,9 +46,12 @@ std::string brokenScene(const Analysis& analysis) {
     for (const Spring& spring : analysis.scene.springs)
         for (const BodyIndex end : {spring.from, spring.to})
             if (end != noBody && end >= analysis.scene.bodies.size()) return "a spring ends on no body";
+    for (const Expectation& expectation : analysis.scene.expectations)
+        for (const BodyIndex body : {expectation.of, expectation.to})
+            if (body != noBody && body >= analysis.scene.bodies.size()) return "an expectation is of no body";
     const bool silent = analysis.mistakes == 0;
     const std::size_t built = analysis.scene.bodies.size() + analysis.scene.springs.size() +
-                              (analysis.scene.gravity.source ? 1 : 0) +
+                              analysis.scene.expectations.size() + (analysis.scene.gravity.source ? 1 : 0) +
                               (analysis.scene.simulation.source ? 1 : 0) +
                               (analysis.scene.camera.source ? 1 : 0);
     const std::size_t declared = analysis.tree.declarations.size();

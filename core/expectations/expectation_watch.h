@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/impact_watch.h"
+#include "core/simulation/quantities.h"
+#include "core/simulation/world.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+// Watches a run frame by frame and judges what its scene expects of it. It reads what plots read and changes
+// nothing. A moment between two frames is read from the state in between: places on the cubic through the
+// places and velocities of both frames, which is exact where nothing but gravity acts, everything else on the
+// straight line.
+
+namespace carom {
+
+/// What is asked of a quantity.
+enum class Criterion : std::uint8_t { Value, Least, Most, Drift, Rest };
+std::string_view nameOf(Criterion criterion); ///< as in the text: "value", "min", "max", "drift", "rest"
+
+enum class ExpectationState : std::uint8_t {
+    Waiting, ///< its time has not come
+    Holds,   ///< so far
+    Fails,   ///< has failed; what follows cannot mend it
+};
+
+/// How one expectation fares.
+struct Judgement {
+    const Expectation* expectation = nullptr; ///< of the pipeline's scene
+    ExpectationState state = ExpectationState::Waiting;
+    bool measured = false; ///< what follows was measured: it is of the moment that was nearest to failing
+
+    Criterion criterion = Criterion::Value;
+    double figure = 0;  ///< the quantity, or its relative change; for Rest the speed [m/s]
+    double off = 0;     ///< by how much it is off what is asked for; not negative for Value, Drift and Rest
+    double allowed = 0; ///< how far `off` may go
+    double share = 0;   ///< of what is allowed: 1 is at the limit; infinite where nothing is allowed
+    BodyIndex body = noBody;
+    std::int64_t frame = 0;
+    double time = 0; ///< [s]
+
+    std::optional<std::int64_t> failedAt; ///< the first frame in which it did not hold
+};
+
+class ExpectationWatch {
+  public:
+    /// Follows the expectations of the pipeline's scene that are meant for its preset.
+    explicit ExpectationWatch(std::shared_ptr<const Pipeline> pipeline);
+
+    bool empty() const { return m_followed.empty(); }
+    /// Whether the world must keep a ledger.
+    bool needsLedger() const;
+    /// The world stands where its run begins.
+    void begin(const World& world);
+    /// After each step, in order.
+    void look(const World& world);
+    /// No frame follows: what has not been judged fails.
+    void finish();
+
+    /// In the order of the text.
+    const std::vector<Judgement>& judgements() const { return m_judgements; }
+    /// The last moment that one of them names [s]; 0 where none does.
+    double lastNamedTime() const;
+    /// Whether one of them asks for all that follows.
+    bool isOpenEnded() const;
+
+  private:
+    struct Followed {
+        const QuantityRow* row = nullptr; ///< null: impacts, a distance, or rest only
+        std::vector<BodyIndex> bodies;    ///< noBody: the whole
+        std::vector<double> sums;         ///< of what is booked frame by frame
+        bool started = false;             ///< its time has begun
+        std::vector<double> start, startScale;
+        std::vector<BodyIndex> resting; ///< those that rest is asked of
+        std::vector<Pose> startPose;    ///< theirs
+    };
+    struct Between;
+
+    double measure(const Followed& followed, const Expectation& asked, const Moment& moment, std::size_t k,
+                   double part, double time) const;
+    void judge(std::size_t i, const Moment& moment, double part, std::int64_t frame, double time);
+    void judgeRest(std::size_t i, const Moment& moment, std::int64_t frame, double time);
+    void judgeBody(std::size_t i, const Moment& moment, std::size_t k, double quantity, std::int64_t frame,
+                   double time);
+    void take(std::size_t i, const Judgement& seen);
+    void start(std::size_t i, const Moment& moment, double time);
+    void remember(const World& world);
+
+    std::shared_ptr<const Pipeline> m_pipeline;
+    std::vector<Followed> m_followed; ///< by judgement
+    std::vector<Judgement> m_judgements;
+    std::optional<ImpactWatch> m_impacts;
+    double m_allImpacts = 0; ///< of the whole scene
+    double m_allImpactsBefore = 0;
+    std::vector<Pose> m_pose; ///< in the frame before
+    std::vector<Vec3> m_velocity, m_angularVelocity;
+    FrameStatistics m_statistics;
+    double m_time = 0; ///< [s]
+};
+
+} // namespace carom

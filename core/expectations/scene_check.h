@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/expectations/expectation_watch.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace carom {
+
+/// A run that was judged.
+struct SceneCheck {
+    std::shared_ptr<const Pipeline> pipeline; ///< what the judgements point into
+    std::vector<Judgement> judgements;        ///< in the order of the text
+    Health health;
+    std::int64_t frames = 0;
+    double seconds = 0; ///< wall time
+
+    bool allHold() const;
+};
+
+/// How many frames it takes to judge a scene: those of its duration; without one, up to the last moment that
+/// an expectation names, and ten seconds where one asks for all that follows. `mostOpen` [s] cuts that down:
+/// what is asked of the whole run is then judged for so long.
+std::int64_t framesToJudge(const Pipeline& pipeline, const ExpectationWatch& watch,
+                           std::optional<double> mostOpen = {});
+
+/// Runs the scene and judges it; nothing where `goOn`, asked every frame, ended it.
+std::optional<SceneCheck> checkScene(std::shared_ptr<const Pipeline> pipeline,
+                                     const std::function<bool()>& goOn = {},
+                                     std::optional<double> mostOpen = {});
+
+} // namespace carom

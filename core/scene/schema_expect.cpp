@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/schema_rows.h"
+
+#include <string>
+#include <utility>
+
+// What must come out of a run.
+
+namespace carom {
+namespace {
+
+using D = Declared;
+using V = CheckedValue;
+
+Expectation& expectation(Declared& declared) { return std::get<Expectation>(declared); }
+
+ParameterRow expectedNumber(std::string_view name, std::string_view unit, std::string_view defaultText,
+                            std::string_view example, std::string_view help) {
+    return {.name = name,
+            .kind = ValueKind::Number,
+            .unit = unit,
+            .defaultText = defaultText,
+            .example = example,
+            .help = help};
+}
+
+ParameterRow stored(ParameterRow row, void (*store)(Declared&, const CheckedValue&),
+                    Constraint constraint = Constraint::None) {
+    row.store = store;
+    row.constraint = constraint;
+    return row;
+}
+
+std::vector<ParameterRow> whatAndWhen() {
+    return {
+        {.name = "quantity",
+         .kind = ValueKind::Word,
+         .required = true,
+         .requiredUnless = "rest",
+         .example = "energy",
+         .words = quantityWords(),
+         .help = "What is measured: the quantities of the plots, `impacts` so far, or the `distance` of two "
+                 "surfaces.",
+         .store = [](D& into, const V& value) { expectation(into).quantity = value.word; }},
+        {.name = "of",
+         .kind = ValueKind::Label,
+         .defaultText = "the whole scene",
+         .example = "world",
+         .help = "Label of the body; what only bodies have is asked of each that can move.",
+         .store = [](D& into, const V& value) { expectation(into).of = value.body; }},
+        {.name = "to",
+         .kind = ValueKind::Label,
+         .defaultText = "no body",
+         .example = "world",
+         .help = "Label of the other body of a `distance`.",
+         .store = [](D& into, const V& value) { expectation(into).to = value.body; }},
+        stored(
+            expectedNumber("at", "s", "the whole run", "1",
+                           "The one moment; between two frames the path through both is read."),
+            [](D& into, const V& value) { expectation(into).at = value.number; }, Constraint::NotNegative),
+        stored(
+            expectedNumber("from", "s", "the start", "1", "When it begins to hold."),
+            [](D& into, const V& value) { expectation(into).from = value.number; }, Constraint::NotNegative),
+        stored(
+            expectedNumber("until", "s", "the end of the run", "10", "Up to when it holds."),
+            [](D& into, const V& value) { expectation(into).until = value.number; }, Constraint::NotNegative),
+    };
+}
+
+std::vector<ParameterRow> whatMustHold() {
+    return {
+        stored(expectedNumber("value", "", "any", "0", "What it is, in the quantity's SI unit."),
+               [](D& into, const V& value) { expectation(into).value = value.number; }),
+        stored(
+            expectedNumber("within", "", "none", "1e-6", "By how much it may be off `value`."),
+            [](D& into, const V& value) { expectation(into).within = value.number; },
+            Constraint::NotNegative),
+        stored(
+            expectedNumber("relative", "", "none", "1e-6", "The same as a share of `value`."),
+            [](D& into, const V& value) { expectation(into).relative = value.number; },
+            Constraint::NotNegative),
+        stored(expectedNumber("min", "", "any", "0", "The least it may be."),
+               [](D& into, const V& value) { expectation(into).least = value.number; }),
+        stored(expectedNumber("max", "", "any", "1", "The most it may be."),
+               [](D& into, const V& value) { expectation(into).most = value.number; }),
+        stored(
+            expectedNumber("drift", "", "any", "1e-6",
+                           "How far it may be from what it was when its time began, relative to the larger "
+                           "of the two, and of what the quantity has to be compared with: the kinetic energy "
+                           "for energies, the body's size for places, the length for components."),
+            [](D& into, const V& value) { expectation(into).drift = value.number; }, Constraint::NotNegative),
+        {.name = "rest",
+         .kind = ValueKind::Word,
+         .defaultText = "no",
+         .example = "yes",
+         .words = yesOrNoWords(),
+         .help = "Nothing moves: no bit of a place changes, and velocities are 0.",
+         .store = [](D& into, const V& value) { expectation(into).rest = value.word == "yes"; }},
+        {.name = "preset",
+         .kind = ValueKind::Word,
+         .defaultText = "every preset",
+         .example = "accurate",
+         .words = presetWords(),
+         .help = "Judged only in runs with this preset.",
+         .store = [](D& into, const V& value) { expectation(into).preset = value.word; }},
+    };
+}
+
+} // namespace
+
+DeclarationRow expectDeclaration() {
+    std::vector<ParameterRow> rows = whatAndWhen();
+    for (ParameterRow& row : whatMustHold()) rows.push_back(std::move(row));
+    for (ParameterRow& row : rows) {
+        row.layer = Layer::Carom;
+        row.inSnippet = row.name == "drift";
+    }
+    return {.name = "expect",
+            .help = "What must come out of a run; `carom test` judges it, and it never changes the motion.",
+            .layer = Layer::Carom,
+            .titled = true,
+            .parameters = std::move(rows),
+            .begin = []() -> Declared { return Expectation{}; },
+            .example = "sphere ball { radius 0.1  mass 1  centre 0, 5, 0 }\n"
+                       "expect fall { quantity y  of ball  at 1  value 0.1  within 1e-9 }"};
+}
+
+} // namespace carom

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/impact_watch.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+/// A change of velocity by contact forces is below this many times gravity's in a frame: one time holds the
+/// weight, the other is for friction and slopes.
+constexpr double asGravity = 2;
+/// Rounding of velocities, relative to the fastest body at the start.
+constexpr double rounding = 1e-9;
+
+} // namespace
+
+ImpactWatch::ImpactWatch(const Bodies& bodies, const Vec3& gravity, double frame, const State& start)
+    : m_bodies(bodies), m_gravity(gravity), m_frame(frame), m_place(bodies.count()),
+      m_velocity(start.velocity), m_record(bodies.count()) {
+    double fastest = 0;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        m_place[i] = start.pose[i].position;
+        fastest = std::max(fastest, m_velocity[i].norm());
+    }
+    m_least = asGravity * gravity.norm() * frame + rounding * fastest;
+}
+
+std::size_t ImpactWatch::look(const State& state) {
+    std::size_t hit = 0;
+    const double begin = static_cast<double>(m_looks) * m_frame;
+    for (const BodyIndex i : m_bodies.mobileBodies) {
+        const Vec3& place = state.pose[i].position;
+        const Vec3& velocity = state.velocity[i];
+        const Vec3 change = velocity - m_velocity[i] - m_frame * m_gravity;
+        const double square = change.squaredNorm();
+        if (square > m_least * m_least) {
+            const Vec3 excess =
+                place - m_place[i] - m_frame * m_velocity[i] - (0.5 * m_frame * m_frame) * m_gravity;
+            const double before = m_frame - std::clamp(excess.dot(change) / square, 0.0, m_frame);
+            m_record[i].push_back({begin + before, change});
+            ++hit;
+        }
+        m_place[i] = place;
+        m_velocity[i] = velocity;
+    }
+    ++m_looks;
+    return hit;
+}
+
+} // namespace carom
