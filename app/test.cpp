@@ -180,8 +180,8 @@ CommandRow testCommand() {
     return {.name = "test",
             .summary = "Run scenes and judge their `expect` declarations",
             .operands = "SCENE...",
-            .example = "carom test scenes/*.sdl\n"
-                       "carom test --all-presets --junit report.xml scenes/tour.sdl",
+            .example = "carom test scenes/hard/*.sdl\n"
+                       "carom test --all-presets --junit report.xml scenes/hard/07_flat_cube.sdl",
             .options = {{"preset", 'p', "P", "run with this preset instead of the scene's"},
                         {"all-presets", 0, "", "run once with every preset that expectations ask for"},
                         {"junit", 0, "FILE", "write a report in JUnit's XML as well"},

@@ -14,6 +14,7 @@ std::string withSettings(const Analysis& analysis, const SimulationSettings& set
     if (settings.method) wanted.emplace_back("method", *settings.method);
     if (settings.integrator) wanted.emplace_back("integrator", *settings.integrator);
     if (settings.substeps) wanted.emplace_back("substeps", std::to_string(*settings.substeps));
+    if (settings.preset) wanted.emplace_back("preset", *settings.preset);
     if (settings.tolerance) wanted.emplace_back("tolerance", shortest(*settings.tolerance));
 
     const Scene& scene = analysis.scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/stability.h"
 
+#include "core/study/hard_scenes.h"
 #include "core/study/trial.h"
 
 #include "core/base/catalogue.h"
@@ -19,12 +20,18 @@ namespace carom {
 #undef CAROM_HARD_CASE
 
 std::span<const HardCase> hardCases() {
-    static const std::array rows = {
+    static const std::vector<HardCase> all = [] {
+        std::vector<HardCase> rows = {
 #define CAROM_HARD_CASE(row) row,
 #include "core/study/cases/cases.def"
 #undef CAROM_HARD_CASE
-    };
-    return rows;
+        };
+        const std::span<const HardCase> scenes = sceneCases();
+        rows.insert(rows.end(), scenes.begin(), scenes.end());
+        std::ranges::sort(rows, {}, &HardCase::number);
+        return rows;
+    }();
+    return all;
 }
 
 const HardCase* findHardCase(std::string_view nameOrNumber) {
@@ -46,6 +53,7 @@ std::string_view nameOf(Verdict verdict) {
 }
 
 std::string sceneOf(const HardCase& hardCase, StudyColumn column) {
+    if (!hardCase.scene.empty()) return sceneTextOf(hardCase, column);
     std::string text = "# Hard case " + std::to_string(hardCase.number) + ": ";
     text.append(hardCase.title).append(".\n# Right: ").append(hardCase.answer).append(".\n\n");
     text.append(hardCase.declarations()).append(simulationOf(column, hardCase.simulation));

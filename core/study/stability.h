@@ -14,8 +14,10 @@
 // must be kept. Each is run in up to three columns, measured, and judged by the limits of its column. Nothing
 // in the simulation knows of them. A case that does not hold stays in the list, failing, with its figure.
 //
-// A case is one file's function and a row of constants, listed in cases/cases.def; what it may use while it
-// runs is a Trial (trial.h).
+// What declarations can say is a scene: scenes/hard/NN_name.sdl, a text in the program (hard_scenes.h), whose
+// `expect` declarations are the figures. What they cannot (families of random members, statistics, oracles)
+// is one file's function and a row of constants, listed in cases/cases.def; what it may use while it runs is
+// a Trial (trial.h).
 
 namespace carom {
 
@@ -62,6 +64,7 @@ struct HardCase {
     std::string (*declarations)() = nullptr;
     void (*run)(Trial& trial) = nullptr;
     std::string_view simulation = ""; ///< further parameters of `simulation`: "step 0.01"
+    std::string_view scene = "";      ///< the text of a case that is a scene; then `declarations` is null
 
     bool has(StudyColumn column) const { return columns[static_cast<std::size_t>(column)]; }
 };

@@ -27,6 +27,7 @@ class Trial {
   public:
     Trial(const HardCase& hardCase, StudyColumn column, StudyLength length, std::function<bool()> goOn);
 
+    const HardCase& hardCase() const { return m_case; }
     StudyColumn column() const { return m_column; }
     bool byDefault() const { return m_column == StudyColumn::Default; }
     bool exact() const { return m_column == StudyColumn::Exact; }
@@ -53,6 +54,8 @@ class Trial {
     void expect(std::string name, double value, Limits limits, std::string_view unit = {});
     /// Something that must not happen, counted.
     void expectNone(std::string name, double count) { expect(std::move(name), count, {0, 0}); }
+
+    void add(Figure figure) { m_figures.push_back(std::move(figure)); }
 
     std::vector<Figure> takeFigures() { return std::move(m_figures); }
 

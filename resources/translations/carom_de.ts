@@ -2047,6 +2047,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <translation>In zehn Minuten zur gemessenen Antwort</translation>
     </message>
     <message>
+        <source>State what must happen</source>
+        <translation>Sagen, was geschehen muss</translation>
+    </message>
+    <message>
         <source>The scene language</source>
         <translation>Die Szenensprache</translation>
     </message>

@@ -45,6 +45,8 @@ class ScenesSmokeTest : public QObject {
             QTest::newRow(qPrintable(path.mid(root.size() + 1))) << path;
         }
     }
+    /// Hard cases ask for what the editor warns of.
+    static bool isHard(const QString& path) { return path.contains(QLatin1String("/scenes/hard/")); }
     static Build built(const QString& path) { return build(test::readFile(path).toStdString()); }
 };
 
@@ -52,7 +54,8 @@ void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
     QFETCH(QString, path);
     const Build scene = built(path);
     for (const Diagnostic& diagnostic : scene.diagnostics) {
-        const bool mayStand = diagnostic.code == DiagnosticCode::NotSimulatedYet;
+        const bool mayStand = diagnostic.code == DiagnosticCode::NotSimulatedYet ||
+                              (isHard(path) && diagnostic.severity() != Severity::Error);
         QVERIFY2(mayStand, formatDiagnostic(scene.analysis, diagnostic, path.toStdString()).c_str());
     }
     QVERIFY(scene.analysis.scene.camera.source);
@@ -61,8 +64,9 @@ void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
 }
 
 void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
-    constexpr double rounding = 1e-15; // bodies that stand on each other touch but for rounding [m]
     QFETCH(QString, path);
+    // Bodies that stand on each other touch but for rounding [m]; hard cases are up to 1 km large.
+    const double rounding = isHard(path) ? 1e-12 : 1e-15;
     const Build scene = built(path);
     for (const TouchingPair& pair : touchingPairs(scene.pipeline->bodies(), scene.pipeline->initialState()))
         QVERIFY2(pair.manifold.deepest().separation >= -rounding,

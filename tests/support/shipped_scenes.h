@@ -12,12 +12,14 @@
 
 namespace carom::test {
 
-/// The scenes that ship with the program, by path from the scenes folder, ascending.
+/// The scenes that ship with the program, by path from the scenes folder, ascending; without the hard cases,
+/// which last longer and have tests of their own (core/study/cases).
 inline QStringList shippedScenes() {
     const QDir folder(QStringLiteral(CAROM_SOURCE_DIR "/scenes"));
     QStringList paths;
     QDirIterator files(folder.path(), {QStringLiteral("*.sdl")}, QDir::Files, QDirIterator::Subdirectories);
     while (files.hasNext()) paths += folder.relativeFilePath(files.next());
+    paths.removeIf([](const QString& path) { return path.startsWith(QLatin1String("hard/")); });
     paths.sort();
     return paths;
 }

@@ -157,6 +157,7 @@ ManualWindow::ManualWindow(const Actions& actions, QWidget* parent)
         return QString::fromUtf8(resource(QStringLiteral("help/") + QString::fromLatin1(name)));
     };
     m_pages = {{QStringLiteral("tutorial"), tr("Ten minutes to a measured answer"), file("tutorial.md")},
+               {QStringLiteral("expectations"), tr("State what must happen"), file("expectations.md")},
                {QStringLiteral("language"), tr("The scene language"), file("language.md")},
                {QStringLiteral("diagrams"), tr("Reading a work–precision diagram"), file("diagrams.md")},
                {QStringLiteral("keys"), tr("Keys"), keysPage(actions)}};

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-// Bodies that pass each other many times over within a step, or graze by a hair: each trial has its own world
-// and lasts until they must have met.
+// Bodies that pass each other many times over within a step: each trial has its own world and lasts until
+// they must have met.
 
 namespace carom {
 namespace {
@@ -99,30 +99,9 @@ void runRodAndBall(Trial& trial) {
 
 std::string rodAndBallScene() { return rodAndBall(1, 0.4); }
 
-std::string grazing(double offset) {
-    return weightless() + text("sphere { radius 0.5  mass 1  centre ", Vec3(-2, offset, 0),
-                               "  vel 1, 0, 0 }\n", "sphere { radius 0.5  mass 1  centre 0, 0, 0 }\n");
-}
-
-// Inside by one part in 10^k they meet, outside by as much they do not: the second ball moves or stays.
-void runGrazing(Trial& trial) {
-    double wrong = 0;
-    const int most = trial.byDefault() ? 9 : 12;
-    for (int k = 1; k <= most; ++k)
-        for (const double side : {-1.0, 1.0}) {
-            World world = trial.world(grazing(1 + side * std::pow(10.0, -k)));
-            trial.run(world, 240);
-            const bool hit = world.state().velocity[1] != Vec3::Zero();
-            if (hit != (side < 0)) ++wrong;
-        }
-    trial.expectNone("wrong answers", wrong);
-}
-
-std::string grazingScene() { return grazing(1 - 1e-6); }
-
 } // namespace
 
-extern const HardCase ballAtWallCase, headOnCase, rodAndBallCase, grazingCase;
+extern const HardCase ballAtWallCase, headOnCase, rodAndBallCase;
 
 constinit const HardCase ballAtWallCase = {
     .number = 33,
@@ -161,19 +140,6 @@ constinit const HardCase rodAndBallCase = {
     .columns = steppingColumns,
     .declarations = rodAndBallScene,
     .run = runRodAndBall,
-};
-
-constinit const HardCase grazingCase = {
-    .number = 36,
-    .name = "grazing",
-    .title = "spheres that pass at (1 ± 10^-k) of the sum of their radii",
-    .answer = "they collide exactly where they overlap",
-    .byDefault = "k to 9",
-    .accurate = "k to 12",
-    .aim = "14",
-    .columns = everyColumn,
-    .declarations = grazingScene,
-    .run = runGrazing,
 };
 
 } // namespace carom

@@ -2,75 +2,18 @@
 #include "core/study/cases/scene_text.h"
 #include "core/study/trial.h"
 
-#include "core/simulation/build.h"
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-// Undamped springs: the amplitude stays, however many periods and however stiff, and the error of the path
-// shrinks with the square of the step.
+// An undamped spring pendulum: its energy stays, and the error of the path shrinks with the square of the
+// step.
 
 namespace carom {
 namespace {
 
-constexpr double rate = 10; ///< ω of case 43 [rad/s]
-
 std::string ballOnSpring(const Vec3& centre, double stiffness) {
     return text("sphere bob { radius 0.1  mass 1  centre ", centre,
                 " }\nspring { from world  to bob  stiffness ", stiffness, "  length 1 }\n");
-}
-
-std::string oscillator() { return weightless() + ballOnSpring(Vec3(1.1, 0, 0), rate * rate); }
-
-// The midpoint rule turns the phase by 2 atan(ω h/2) a substep. The body is read at whole frames, and its
-// phase there is that of place and velocity in the ellipse of the rule, which is the true one: it keeps
-// (ω x)² + v² exactly.
-void runOscillator(Trial& trial) {
-    World world = trial.world(oscillator());
-    const double h = world.pipeline().settings().substep();
-    const double discrete = 2 / h * std::atan(rate * h / 2);
-    const std::int64_t periods = trial.shortOrLong(100, 10'000);
-    const auto frames =
-        static_cast<std::int64_t>(static_cast<double>(periods) * 2 * std::numbers::pi / rate * 60);
-    const double start = energyOf(world);
-    double worst = 0;
-    trial.run(world, frames, [&] { worst = std::max(worst, std::abs(energyOf(world) / start - 1)); });
-    const double x = world.state().pose[0].position.x() - 1, v = world.state().velocity[0].x();
-    const double phase = std::atan2(-v, rate * x);
-    const double off = std::remainder(phase - discrete * world.state().time, 2 * std::numbers::pi);
-    trial.expect("amplitude error", worst / 2, {1e-9, 1e-9});
-    trial.expect("phase off its own rule's, of the whole phase",
-                 std::abs(off) / (discrete * world.state().time), {1e-6, 1e-6});
-}
-
-std::string stiff(double stiffness) { return falling() + ballOnSpring(Vec3(0, -1.01, 0), stiffness); }
-std::string stiffScene() { return stiff(1e6); }
-
-/// Whether the build warns of the spring before the run.
-bool isWarnedOf(const std::string& declarations, std::string_view simulation) {
-    const Build built = build(declarations + text("simulation { ", simulation, " }\n"));
-    return std::ranges::any_of(built.diagnostics, [](const Diagnostic& diagnostic) {
-        return diagnostic.code == DiagnosticCode::UnstableSpring;
-    });
-}
-
-void runStiff(Trial& trial) {
-    double furthest = 0, unwarned = 0;
-    const double most = trial.shortOrLong(1e3, 1e6);
-    for (double phase = 0.1; phase <= most * 1.01; phase *= 10) {
-        const double h = trial.world(stiff(1)).pipeline().settings().substep();
-        World world = trial.world(stiff(std::pow(phase / h, 2)));
-        trial.run(world, trial.shortOrLong(300, 6000),
-                  [&] { furthest = std::max(furthest, world.state().pose[0].position.norm()); });
-        for (const std::string_view integrator : {"euler", "symplectic", "verlet"}) {
-            const std::string explicitly =
-                text("method microcollisions  substeps 1  step ", h, "  integrator ", integrator);
-            if (phase > 2 && !isWarnedOf(stiff(std::pow(phase / h, 2)), explicitly)) ++unwarned;
-        }
-    }
-    trial.expect("furthest from the anchor", furthest, {5, 5}, "m");
-    trial.expectNone("explicit integrators not warned about", unwarned);
 }
 
 std::string pendulum() { return falling() + ballOnSpring(Vec3(1, 0, 0), 100); }
@@ -106,33 +49,7 @@ void runPendulum(Trial& trial) {
 
 } // namespace
 
-extern const HardCase oscillatorCase, stiffCase, pendulumCase;
-
-constinit const HardCase oscillatorCase = {
-    .number = 43,
-    .name = "spring",
-    .title = "an undamped spring, 10,000 periods",
-    .answer = "the amplitude stays, and the phase is that of the integration rule",
-    .byDefault = "amplitude 1e-9",
-    .accurate = "phase 1e-6",
-    .aim = "100,000 periods",
-    .columns = steppingColumns,
-    .declarations = oscillator,
-    .run = runOscillator,
-};
-
-constinit const HardCase stiffCase = {
-    .number = 44,
-    .name = "stiff_spring",
-    .title = "springs with ω h from .1 to 1000",
-    .answer = "the motion is bounded, and explicit integrators are warned about before the run",
-    .byDefault = "holds",
-    .accurate = "holds",
-    .aim = "1e6",
-    .columns = steppingColumns,
-    .declarations = stiffScene,
-    .run = runStiff,
-};
+extern const HardCase pendulumCase;
 
 constinit const HardCase pendulumCase = {
     .number = 45,

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-// What is stacked and leant by hand in the world: logs, cards, a heavy thing on a light one.
+// What is stacked and leant by hand in the world: logs, steps, cards.
 
 namespace carom {
 
@@ -41,28 +41,6 @@ void runLogTower(Trial& trial) {
     const Displacement moved = displacementOver(trial, world, trial.shortOrLong(180, 3600));
     trial.expect("drift", std::max(moved.aside, moved.down), {1e-2, 1e-4}, "m");
 }
-
-std::string heavyOnLight(double ratio) {
-    const auto cube = [](double height, double mass) {
-        return text("cuboid { size 1, 1, 1  mass ", mass, "  centre ", Vec3(0, height, 0),
-                    "  friction 0.5  elastic 0 }\n");
-    };
-    return falling() + levelFloor(0.5) + cube(0.5, 1) + cube(1.5, ratio);
-}
-
-void runHeavyOnLight(Trial& trial) {
-    double deepest = 0;
-    for (double ratio = 10; ratio <= (trial.byDefault() ? 1e3 : 1e4); ratio *= 10) {
-        World world = trial.world(heavyOnLight(ratio));
-        trial.run(world, trial.shortOrLong(180, 600),
-                  [&] { deepest = std::max(deepest, world.statistics().maxPenetration); });
-        const double sunk = 1.5 - world.state().pose[2].position.y();
-        deepest = std::max(deepest, sunk);
-    }
-    trial.expect("overlap", deepest, {1e-3, 1e-6}, "m");
-}
-
-std::string heavyOnLightScene() { return heavyOnLight(1000); }
 
 // How deep the steps are in each other and in the floor, looked at ten times a second: the spheres and the
 // heavy one throw them about, but must not press them into each other.
@@ -99,7 +77,7 @@ void runCardHouse(Trial& trial) {
 
 } // namespace
 
-extern const HardCase logPileCase, logTowerCase, heavyOnLightCase, pyramidCase, cardHouseCase;
+extern const HardCase logPileCase, logTowerCase, pyramidCase, cardHouseCase;
 
 constinit const HardCase logPileCase = {
     .number = 26,
@@ -125,19 +103,6 @@ constinit const HardCase logTowerCase = {
     .columns = steppingColumns,
     .declarations = logTower,
     .run = runLogTower,
-};
-
-constinit const HardCase heavyOnLightCase = {
-    .number = 28,
-    .name = "heavy_on_light",
-    .title = "a heavy cube on a light one, 1:10 to 1:10,000",
-    .answer = "they do not overlap",
-    .byDefault = "1e-3 at 1:1000",
-    .accurate = "1e-6 at 1:10000",
-    .aim = "1:1,000,000",
-    .columns = steppingColumns,
-    .declarations = heavyOnLightScene,
-    .run = runHeavyOnLight,
 };
 
 constinit const HardCase pyramidCase = {

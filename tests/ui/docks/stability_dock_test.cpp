@@ -47,7 +47,7 @@ class StabilityDockTest : public QObject {
         QVERIFY(m_dock->isRunning());
         QTRY_VERIFY_WITH_TIMEOUT(!m_dock->isRunning(), patience);
         for (int column = 2; column <= 4; ++column)
-            QVERIFY(m_table->topLevelItem(0)->text(column).startsWith(QStringLiteral("holds: energy error")));
+            QVERIFY(m_table->topLevelItem(0)->text(column).startsWith(QStringLiteral("holds: energy")));
         QCOMPARE(reported.size(), 1);
         QVERIFY(reported[0][0].toString().contains(
             QStringLiteral("default: 1 of 1 hold; accurate: 1 of 1 hold")));

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/hard_scenes.h"
+
+#include "core/base/assert.h"
+#include "core/base/text.h"
+#include "core/expectations/expectation_report.h"
+#include "core/expectations/scene_check.h"
+#include "core/language/simulation_edit.h"
+#include "core/simulation/build.h"
+#include "core/solvers/solver.h"
+#include "core/study/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace carom {
+namespace {
+
+/// What the whole run is asked for is judged for so long in the short form [s].
+constexpr double shortForm = 2;
+
+/// What follows `begin` in the first lines of a text, up to the full stop that ends its line.
+std::string_view lineBehind(std::string_view text, std::string_view begin) {
+    const std::size_t at = text.find(begin);
+    ASSERT(at != text.npos); // tests hold every scene to it
+    const std::size_t from = at + begin.size(), end = text.find(".\n", from);
+    return text.substr(from, end - from);
+}
+
+/// A scene's own method has its own column; else the general method's two, and that of exact events where
+/// they can treat the scene.
+StudyColumns columnsOf(const Scene& scene) {
+    if (scene.simulation.method) return exactColumn;
+    const SolverRow& events = *findSolver("events");
+    return events.objection == nullptr || !events.objection(scene) ? everyColumn : steppingColumns;
+}
+
+/// The limits of a column, for people.
+std::string limitsOf(const Scene& scene, std::string_view preset) {
+    constexpr std::size_t most = 3;
+    std::string text;
+    std::size_t count = 0;
+    for (const Expectation& asked : scene.expectations) {
+        if (!asked.preset.empty() && asked.preset != preset) continue;
+        if (++count <= most) text += (text.empty() ? "" : "; ") + wishOf(scene, asked);
+    }
+    if (count > most) text += "; and " + std::to_string(count - most) + " more";
+    return text;
+}
+
+SimulationSettings settingsOf(const HardCase& hardCase, StudyColumn column) {
+    static const SolverRow& general = *findSolver("contacts");
+    SimulationSettings settings;
+    settings.method = column == StudyColumn::Exact ? "events" : std::string(general.name);
+    settings.preset = column == StudyColumn::Default ? "default" : "accurate";
+    if (!hardCase.has(StudyColumn::Default)) settings.preset = "default"; // its own method, one column
+    return settings;
+}
+
+/// A judgement as a figure and its limit.
+Figure figureOf(const Scene& scene, const Judgement& judgement) {
+    const Expectation& asked = *judgement.expectation;
+    Figure figure{.name = titleOf(scene, asked), .value = judgement.off, .limit = judgement.allowed};
+    if (judgement.criterion == Criterion::Most) {
+        figure.value = judgement.figure;
+        figure.limit = *asked.most;
+    } else if (judgement.criterion == Criterion::Least) {
+        figure.name += ", short of the least";
+    }
+    const bool fails = judgement.state != ExpectationState::Holds;
+    if (!judgement.measured || (fails && figure.value <= figure.limit)) figure.value = NAN;
+    return figure;
+}
+
+void runScene(Trial& trial) {
+    const HardCase& hardCase = trial.hardCase();
+    const Build built = build(std::string(hardCase.scene), settingsOf(hardCase, trial.column()));
+    ASSERT(!built.hasErrors());
+    const std::optional<double> mostOpen = trial.isLong() ? std::nullopt : std::optional<double>(shortForm);
+    const std::optional<SceneCheck> check = checkScene(
+        built.pipeline, [&trial] { return trial.goesOn(); }, mostOpen);
+    if (!check) return;
+    for (const Judgement& judgement : check->judgements)
+        trial.add(figureOf(built.pipeline->scene(), judgement));
+}
+
+std::vector<HardCase> makeCases() {
+    static std::deque<std::string> limits; // what the rows point to
+    std::vector<HardCase> cases;
+    for (const HardScene& scene : hardScenes()) {
+        const Scene analysed = analyse(std::string(scene.text)).scene;
+        const StudyColumns columns = columnsOf(analysed);
+        const std::string& byDefault = limits.emplace_back(columns[0] ? limitsOf(analysed, "default") : "–");
+        const std::string& accurate = limits.emplace_back(limitsOf(analysed, "accurate"));
+        const std::size_t dash = scene.name.find('_');
+        cases.push_back({.number = static_cast<int>(*wholeNumberIn(scene.name.substr(0, dash))),
+                         .name = scene.name.substr(dash + 1),
+                         .title = lineBehind(scene.text.substr(scene.text.find(':')), ": "),
+                         .answer = lineBehind(scene.text, "// Right: "),
+                         .byDefault = byDefault,
+                         .accurate = accurate,
+                         .aim = accurate,
+                         .columns = columns,
+                         .run = runScene,
+                         .scene = scene.text});
+    }
+    return cases;
+}
+
+} // namespace
+
+std::span<const HardCase> sceneCases() {
+    static const std::vector<HardCase> cases = makeCases();
+    return cases;
+}
+
+std::string sceneTextOf(const HardCase& hardCase, StudyColumn column) {
+    if (!hardCase.has(StudyColumn::Default)) return std::string(hardCase.scene);
+    SimulationSettings settings = settingsOf(hardCase, column);
+    return withSettings(analyse(std::string(hardCase.scene)), settings);
+}
+
+} // namespace carom
