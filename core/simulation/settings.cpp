@@ -59,6 +59,9 @@ constexpr std::string_view automatic = "auto";
 constexpr std::string_view generalMethod = "contacts", alwaysStable = "midpoint";
 /// Sweeps a substep over the contacts of a big pile.
 constexpr int sweeps = 20;
+/// About a tenth of a second a frame where nothing else bounds the work. Every hard case holds; at 30 a
+/// tower, the pyramid and the card house do not.
+constexpr double mostEffort = 100;
 
 } // namespace
 
@@ -69,7 +72,7 @@ std::span<const PresetRow> presets() {
                   1},
         PresetRow{"accurate",
                   "Eight substeps a frame; with `contacts` forces to 1e-10, and stops are located.", 8, 8,
-                  1e-10, 1e5},
+                  1e-10, mostEffort},
     };
     return rows;
 }

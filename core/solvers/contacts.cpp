@@ -18,6 +18,7 @@
 #include "core/solvers/solver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -109,6 +110,7 @@ class Contacts final : public Solver {
         RefinementBudget budget;
         budget.floor *= m_settings.effort;
         budget.perItem *= m_settings.effort;
+        budget.start *= std::sqrt(std::sqrt(m_settings.effort)); // a hundredfold effort: a second
         return budget;
     }
     void take(const SteppedReport& stepped, SolverReport& report);
