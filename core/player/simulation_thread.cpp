@@ -25,6 +25,9 @@ constexpr std::chrono::nanoseconds publishSlack = 4ms;
 /// for as long once the load is gone.
 constexpr std::chrono::nanoseconds longestDebt = 100ms;
 
+/// A way to another frame that takes longer is said to be one, so that it can be ended.
+constexpr std::chrono::nanoseconds longSeek = 150ms;
+
 } // namespace
 
 SimulationThread::SimulationThread(Listener listener)
@@ -36,6 +39,7 @@ SimulationThread::~SimulationThread() {
 }
 
 void SimulationThread::post(SimulationCommand command) {
+    if (std::holds_alternative<StepCommand>(command)) ++m_stepsWaiting;
     {
         const std::lock_guard lock(m_mutex);
         m_queue.push_back(std::move(command));
@@ -72,6 +76,7 @@ void SimulationThread::act(const std::stop_token& stop) {
 void SimulationThread::giveUp(StopCause cause) {
     m_ghost.reset();
     m_torn = m_world != nullptr;
+    m_seeking = false;
     m_state = RunState::Stopped;
     Health health;
     if (m_world) health.frame = m_world->state().frame;
@@ -115,7 +120,9 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     m_shown = false;
     applyBroadphase();
     m_recording = Recording(m_budget);
+    shareBudget();
     m_recording.restart(*m_world);
+    m_sampled = m_world->state().frame;
     m_watch.begin(*m_world);
 }
 
@@ -127,12 +134,16 @@ void SimulationThread::execute(const RunCommand&) {
 }
 
 void SimulationThread::execute(const PauseCommand&) {
-    if (m_state != RunState::Running) return;
-    enter(RunState::Paused);
-    publish(true);
+    if (!m_world) return;
+    if (m_state == RunState::Running) enter(RunState::Paused);
+    publish(true); // also of an exchanged scene that is not where it was to go
 }
 
 void SimulationThread::execute(const StepCommand& command) {
+    struct Made {
+        std::atomic<int>& waiting;
+        ~Made() { --waiting; } // also where memory runs out on the way
+    } const made{m_stepsWaiting};
     if (!m_world || (m_state == RunState::Stopped && command.frames > 0)) return;
     if (m_state == RunState::Running) enter(RunState::Paused);
     seek(m_world->state().frame + command.frames, true);
@@ -146,10 +157,11 @@ void SimulationThread::execute(const ResetCommand& command) {
     if (!m_world) return;
     m_run = command.run;
     m_ghost.reset();
+    shareBudget();
     m_torn = false;
     m_world->reset();
     m_watch.begin(*m_world);
-    m_recording.restart(*m_world);
+    m_sampled = m_world->state().frame;
     m_state = RunState::Paused; // the GUI's side knows
     publish(true);
 }
@@ -172,14 +184,20 @@ void SimulationThread::execute(const StructureCommand& command) {
 
 void SimulationThread::execute(const BudgetCommand& command) {
     m_budget = command.bytes;
-    m_recording.setBudget(m_budget);
-    if (m_ghost) m_ghost->recording.setBudget(m_budget);
+    shareBudget();
+}
+
+/// Two runs have half of it each.
+void SimulationThread::shareBudget() {
+    m_recording.setBudget(m_ghost ? m_budget / 2 : m_budget);
+    if (m_ghost) m_ghost->recording.setBudget(m_budget / 2);
 }
 
 void SimulationThread::execute(const GhostCommand& command) {
     m_ghostWanted = command.wanted;
     if (m_ghostWanted || !m_ghost) return;
     m_ghost.reset();
+    shareBudget();
     publish(true);
 }
 
@@ -231,7 +249,8 @@ void SimulationThread::advance() {
         publish(true);
         return;
     }
-    if (m_recording.note(*m_world)) m_samples.push(m_run, m_world->statistics());
+    m_recording.note(*m_world);
+    sample();
     const double time = m_world->state().time;
     const bool reachedEnd =
         settings.duration && time >= *settings.duration && time - settings.step < *settings.duration;
@@ -242,19 +261,33 @@ void SimulationThread::advance() {
     schedule();
 }
 
+/// Each frame's statistics go up once, in their order.
+void SimulationThread::sample() {
+    const std::int64_t frame = m_world->state().frame;
+    if (frame <= m_sampled || !m_world->health().finite) return;
+    m_sampled = frame;
+    m_samples.push(m_run, m_world->statistics());
+}
+
 /// The frames on the way are shown if `showing`. A wish that came meanwhile ends the search: the next command
 /// is the one that counts.
 void SimulationThread::seek(std::int64_t frame, bool showing) {
     bool broken = false;
+    const Clock::time_point began = Clock::now();
     if (std::exchange(m_torn, false)) // back to a whole frame first
         m_recording.seek(*m_world, std::max(m_recording.first(), std::min(frame, m_world->state().frame - 1)),
                          [](bool) { return true; });
-    m_recording.seek(*m_world, std::max(frame, m_recording.first()), [&](bool isNew) {
-        if (isNew) m_samples.push(m_run, m_world->statistics());
+    m_recording.seek(*m_world, std::max(frame, m_recording.first()), [&](bool) {
+        sample();
         if (showing) publish(false);
+        if (!m_seeking && Clock::now() - began > longSeek) {
+            m_seeking = true;
+            tell();
+        }
         broken = superseded();
         return !broken;
     });
+    if (std::exchange(m_seeking, false)) tell();
     if (!m_world->health().finite)
         enter(RunState::Stopped);
     else if (m_state == RunState::Stopped)
@@ -270,7 +303,7 @@ bool SimulationThread::superseded() {
     const std::lock_guard lock(m_mutex);
     return std::any_of(m_queue.begin(), m_queue.end(), [](const SimulationCommand& command) {
         return std::holds_alternative<LoadCommand>(command) || std::holds_alternative<SeekCommand>(command) ||
-               std::holds_alternative<ResetCommand>(command);
+               std::holds_alternative<ResetCommand>(command) || std::holds_alternative<PauseCommand>(command);
     });
 }
 
@@ -285,8 +318,9 @@ void SimulationThread::publish(bool always) {
     if (!always && now + publishSlack < m_nextPublish) return;
     m_nextPublish = std::max(m_nextPublish + publishInterval, now);
     m_shown = true;
+    const std::size_t recorded = m_recording.bytes() + (m_ghost ? m_ghost->recording.bytes() : 0);
     m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()), ghost(),
-                         m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>()});
+                         m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>(), recorded});
     m_listener.published();
 }
 
@@ -308,7 +342,8 @@ void SimulationThread::enter(RunState state) {
 }
 
 void SimulationThread::tell() {
-    m_listener.stateChanged({m_state, m_world ? m_world->health() : Health{}, StopCause::Health, m_run});
+    m_listener.stateChanged(
+        {m_state, m_world ? m_world->health() : Health{}, StopCause::Health, m_run, m_seeking});
 }
 
 } // namespace carom

@@ -13,6 +13,7 @@
 #include "core/simulation/snapshot.h"
 #include "core/simulation/world.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -50,6 +51,7 @@ struct RunStatus {
     Health health; ///< not finite where the state is Stopped for its own sake
     StopCause cause = StopCause::Health;
     std::uint64_t run = 0; ///< of which this is said
+    bool seeking = false;  ///< on the way to another frame for so long that it is worth saying
 };
 
 struct LoadCommand {
@@ -60,6 +62,7 @@ struct LoadCommand {
     std::int64_t frame = 0;
 };
 struct RunCommand {};
+/// Also ends a way to another frame, where it has come to.
 struct PauseCommand {};
 /// One frame on, or back, and pause there.
 struct StepCommand {
@@ -69,7 +72,7 @@ struct StepCommand {
 struct SeekCommand {
     std::int64_t frame = 0;
 };
-/// What checkpoints may take [bytes].
+/// What checkpoints may take, those of a ghost among them [bytes].
 struct BudgetCommand {
     std::size_t bytes = 0;
 };
@@ -77,6 +80,7 @@ struct BudgetCommand {
 struct GhostCommand {
     bool wanted = true;
 };
+/// To frame 0, paused. What was simulated stays at hand; its statistics are sent again when it comes by.
 struct ResetCommand {
     std::uint64_t run = 0;
 };
@@ -110,6 +114,7 @@ struct PublishedSnapshot {
     std::shared_ptr<const Snapshot> snapshot;
     Ghost ghost;
     std::vector<Aabb> structure; ///< World::broadphaseStructure(), empty unless asked for
+    std::size_t recorded = 0;    ///< memory of the checkpoints [bytes]
 };
 
 class SimulationThread {
@@ -131,6 +136,8 @@ class SimulationThread {
     static constexpr std::size_t usualBudget = std::size_t{512} << 20;
 
     void post(SimulationCommand command);
+    /// Whether a step that was asked for has not been made yet.
+    bool stepWaits() const { return m_stepsWaiting > 0; }
     Latest<PublishedSnapshot>& snapshots() { return m_snapshots; }
     SampleQueue& samples() { return m_samples; }
 
@@ -158,6 +165,8 @@ class SimulationThread {
     std::optional<BreakHit> lastHitBefore(std::int64_t frame);
     void advance();
     void seek(std::int64_t frame, bool showing);
+    void sample();
+    void shareBudget();
     bool superseded();
     void schedule();
     void applyBroadphase();
@@ -174,6 +183,7 @@ class SimulationThread {
     std::mutex m_mutex; ///< of the queue only
     std::condition_variable_any m_wake;
     std::list<SimulationCommand> m_queue;
+    std::atomic<int> m_stepsWaiting = 0;
 
     // Everything below belongs to the thread.
     struct Past {
@@ -188,6 +198,8 @@ class SimulationThread {
     bool m_ghostWanted = true;
     bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored
     bool m_shown = false; ///< the world has been on screen: worth being a ghost
+    bool m_seeking = false;
+    std::int64_t m_sampled = 0; ///< the last frame whose statistics went up
     std::uint64_t m_run = 0;
     RunState m_state = RunState::Paused;
     std::optional<double> m_speed = 1.0;

@@ -56,6 +56,8 @@ class Player {
     std::vector<std::int64_t> frames; ///< of the run of the last batch
     std::uint64_t run = 0;
     RunState state = RunState::Paused;
+    bool seeking = false;
+    std::size_t recorded = 0; ///< [bytes]
     std::vector<BreakHit> hits;
 
     std::int64_t frame() const { return newest ? newest->frame : -1; }
@@ -72,6 +74,7 @@ class Player {
         if (published) {
             newest = published->snapshot;
             ghost = published->ghost;
+            recorded = published->recorded;
         }
         m_changed.notify_all();
     }
@@ -81,6 +84,7 @@ class Player {
     SimulationThread m_thread{{[this](RunStatus status) {
                                    const std::lock_guard lock(m_mutex);
                                    state = status.state;
+                                   seeking = status.seeking;
                                    m_changed.notify_all();
                                },
                                [this](std::optional<BreakHit> hit) {
@@ -151,6 +155,56 @@ class SimulationThreadTest : public QObject {
         QCOMPARE(player.ghost.snapshot->frame, std::int64_t{20});
         player.post(GhostCommand{false});
         QVERIFY(player.waitFor([&] { return player.ghost.snapshot == nullptr; }));
+    }
+
+    void afterAResetTheRunIsStillAtHandAndItsFramesComeAgain() {
+        const std::shared_ptr<const Pipeline> pipeline = threeBalls();
+        Player player;
+        player.post(LoadCommand{pipeline, 1, 0});
+        player.post(SeekCommand{300});
+        QVERIFY(player.waitFor([&] { return player.frame() == 300 && player.frames.size() == 300; }));
+        const std::size_t recorded = player.recorded;
+        player.post(ResetCommand{2});
+        QVERIFY(player.waitFor([&] { return player.frame() == 0; }));
+        QCOMPARE(player.recorded, recorded);
+        // A checkpoint is at most 32 frames away: what was simulated is not simulated from the beginning.
+        player.post(SeekCommand{300});
+        QVERIFY(player.waitFor([&] { return player.frame() == 300 && player.run == 2; }));
+        QVERIFY(player.frames.size() <= 32);
+        QCOMPARE(player.frames.back(), std::int64_t{300});
+        player.post(ResetCommand{3});
+        player.post(RunCommand{});
+        QVERIFY(player.waitFor([&] { return player.run == 3 && player.frames.size() > 100; }));
+        QCOMPARE(player.frames.front(), std::int64_t{1});
+    }
+
+    void aPauseEndsALongWayWhereItHasCome() {
+        Player player;
+        player.post(LoadCommand{threeBalls(), 1, 0});
+        player.post(SeekCommand{1'000'000'000}); // hours
+        QVERIFY(player.waitFor([&] { return player.seeking && player.frame() > 0; }));
+        player.post(PauseCommand{});
+        QVERIFY(player.waitFor([&] { return !player.seeking; }));
+        player.post(SeekCommand{7});
+        QVERIFY(player.waitFor([&] { return player.frame() == 7; }));
+        // On the way of an exchanged scene, too, which is shown there.
+        player.post(LoadCommand{threeBalls(), 2, 1'000'000'000});
+        QVERIFY(player.waitFor([&] { return player.seeking; }));
+        player.post(PauseCommand{});
+        QVERIFY(player.waitFor([&] { return !player.seeking && player.frame() > 7; }));
+    }
+
+    void aRunAndItsGhostHaveOneBudget() {
+        constexpr std::size_t budget = 64 * 1024;
+        Player player;
+        player.post(BudgetCommand{budget});
+        player.post(LoadCommand{threeBalls(), 1, 0});
+        player.post(SeekCommand{4000});
+        QVERIFY(player.waitFor([&] { return player.frame() == 4000; }));
+        QVERIFY(player.recorded <= budget && player.recorded > budget / 4);
+        player.post(LoadCommand{threeBalls(), 2, 3000});
+        QVERIFY(player.waitFor([&] { return player.frame() == 3000 && player.ghost.snapshot != nullptr; }));
+        QVERIFY2(player.recorded <= budget, std::to_string(player.recorded).c_str());
     }
 
     void aRunStopsAtABreakpointAndIsFoundBackThere() {
