@@ -6,7 +6,10 @@
 #include "core/generators/request.h"
 #include "core/generators/scene_writer.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
 
 namespace carom {
 
@@ -71,11 +74,33 @@ std::string commandOf(const GeneratorRow& row, const GeneratorRequest& request) 
     return command;
 }
 
+namespace {
+
+/// The words in lines that fit an editor beside a picture.
+std::string filled(std::string_view text) {
+    constexpr std::size_t columns = 69; // 72 with the marks of a comment
+    std::string lines;
+    std::size_t length = 0; // of the last line
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+        const std::string_view word = text.substr(begin, end - begin);
+        begin = end + 1;
+        if (word.empty()) continue;
+        const bool fits = length + 1 + word.size() <= columns;
+        if (length > 0) lines += fits ? ' ' : '\n';
+        length = length > 0 && fits ? length + 1 + word.size() : word.size();
+        lines += word;
+    }
+    return lines;
+}
+
+} // namespace
+
 SceneWriter sceneFor(const GeneratorRow& row, const GeneratorRequest& request, std::string_view title,
                      std::string_view whatToLookFor) {
     SceneWriter scene;
-    scene.comment(std::string(title) + "\n" + commandOf(row, request) +
-                  "\n\nWhat to look for: " + std::string(whatToLookFor));
+    scene.comment(filled(title) + "\n" + commandOf(row, request) + "\n\n" +
+                  filled("What to look for: " + std::string(whatToLookFor)));
     scene.blankLine();
     return scene;
 }

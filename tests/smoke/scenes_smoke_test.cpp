@@ -61,6 +61,10 @@ void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
     QVERIFY(scene.analysis.scene.camera.source);
     QVERIFY(scene.analysis.text.starts_with("// "));
     QVERIFY(scene.analysis.text.find("\n// What to look for: ") != std::string::npos);
+    // Beside the picture the editor is some 72 columns wide; a command stays on its line.
+    for (const QByteArray& line : test::readFile(path).split('\n'))
+        if (line.contains("//") && !line.startsWith("// carom "))
+            QVERIFY2(QString::fromUtf8(line).size() <= 72, line.constData());
 }
 
 void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
