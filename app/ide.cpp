@@ -96,7 +96,7 @@ int runIde(const IdeRequest& request) {
         if (!workbench.offerRecovery() && !goesOn && Settings().welcomeAtStart())
             workbench.help().showWelcome();
     }
-    if (request.play || request.frames) workbench.simulation().play();
+    if (request.play || request.frames) workbench.playWhenBuilt();
     if (request.screenshot && !request.frames)
         QTimer::singleShot(settleTime, &workbench, [&] {
             QApplication::exit(saveWindow(workbench, *request.screenshot) ? 0 : exitcode::fileError);

@@ -660,20 +660,12 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>E&amp;instellungen …</translation>
     </message>
     <message>
-        <source>Theme, font, keys, navigation, memory and threads</source>
-        <translation>Farben, Schrift, Tasten, Maus, Speicher und Threads</translation>
-    </message>
-    <message>
         <source>C&amp;omplete</source>
         <translation>&amp;Vervollständigen</translation>
     </message>
     <message>
         <source>List what may stand at the caret</source>
         <translation>Zeigen, was an der Schreibmarke stehen darf</translation>
-    </message>
-    <message>
-        <source>&amp;What goes here</source>
-        <translation>&amp;Was gehört hierher</translation>
     </message>
     <message>
         <source>Show the parameters of the declaration one is writing</source>
@@ -704,22 +696,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Dem Namen an der Schreibmarke überall einen anderen geben</translation>
     </message>
     <message>
-        <source>Turn the number &amp;up</source>
-        <translation>Zahl e&amp;rhöhen</translation>
-    </message>
-    <message>
-        <source>Raise the number at the caret by one of its last decimal (Alt+wheel and Alt+drag, too)</source>
-        <translation>Die Zahl an der Schreibmarke um eins der letzten Stelle erhöhen (auch Alt+Mausrad und Alt+Ziehen)</translation>
-    </message>
-    <message>
-        <source>Turn the number do&amp;wn</source>
-        <translation>Zahl ver&amp;ringern</translation>
-    </message>
-    <message>
-        <source>Lower the number at the caret by one of its last decimal (Alt+wheel and Alt+drag, too)</source>
-        <translation>Die Zahl an der Schreibmarke um eins der letzten Stelle verringern (auch Alt+Mausrad und Alt+Ziehen)</translation>
-    </message>
-    <message>
         <source>Toggle co&amp;mment</source>
         <translation>&amp;Kommentar umschalten</translation>
     </message>
@@ -730,18 +706,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
     <message>
         <source>&amp;Format the text</source>
         <translation>Text &amp;ordnen</translation>
-    </message>
-    <message>
-        <source>Lay the whole text out in the usual way; only white space changes</source>
-        <translation>Den ganzen Text wie üblich anordnen; nur Leerraum ändert sich</translation>
-    </message>
-    <message>
-        <source>Apply the f&amp;ix</source>
-        <translation>Fehler &amp;beheben</translation>
-    </message>
-    <message>
-        <source>Mend the problem at the caret the obvious way</source>
-        <translation>Das Problem an der Schreibmarke auf die naheliegende Weise beheben</translation>
     </message>
     <message>
         <source>&amp;Next problem</source>
@@ -916,14 +880,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Die Felder für Untersuchungen von Genauigkeit und Aufwand anordnen</translation>
     </message>
     <message>
-        <source>Put the workspace bac&amp;k</source>
-        <translation>Arbeitsbereich zu&amp;rücksetzen</translation>
-    </message>
-    <message>
-        <source>Arrange this workspace&apos;s panels as they came</source>
-        <translation>Die Felder dieses Arbeitsbereichs wie am Anfang anordnen</translation>
-    </message>
-    <message>
         <source>Larger te&amp;xt</source>
         <translation>&amp;Größerer Text</translation>
     </message>
@@ -942,10 +898,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
     <message>
         <source>&amp;Normal text</source>
         <translation>N&amp;ormaler Text</translation>
-    </message>
-    <message>
-        <source>Give the editor&apos;s text its usual size</source>
-        <translation>Dem Text seine übliche Größe geben</translation>
     </message>
     <message>
         <source>Show each problem&apos;s message under its line</source>
@@ -990,14 +942,6 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
     <message>
         <source>From an empty scene to a measured answer in ten minutes</source>
         <translation>In zehn Minuten von der leeren Szene zur gemessenen Antwort</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>&amp;Tasten</translation>
-    </message>
-    <message>
-        <source>All keys and what they do</source>
-        <translation>Alle Tasten und was sie tun</translation>
     </message>
     <message>
         <source>&amp;Welcome…</source>
@@ -1068,32 +1012,12 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Das Bild der Szene als PNG-Datei beliebiger Größe speichern</translation>
     </message>
     <message>
-        <source>Record a fil&amp;m…</source>
-        <translation>&amp;Film aufnehmen …</translation>
-    </message>
-    <message>
-        <source>Record the run as an animated picture, a film or single pictures</source>
-        <translation>Den Lauf als bewegtes Bild, Film oder einzelne Bilder aufnehmen</translation>
-    </message>
-    <message>
-        <source>Stop &amp;when…</source>
-        <translation>A&amp;nhalten, wenn …</translation>
-    </message>
-    <message>
         <source>Choose an event at which the run stops: a contact, a speed, a plane crossed</source>
         <translation>Ein Ereignis wählen, bei dem der Lauf anhält: ein Kontakt, eine Geschwindigkeit, eine Ebene</translation>
     </message>
     <message>
-        <source>Back to the last e&amp;vent</source>
-        <translation>Zum letzten E&amp;reignis zurück</translation>
-    </message>
-    <message>
         <source>Go back to the last frame at which a breakpoint held</source>
         <translation>Zum letzten Bild zurück, bei dem ein Haltepunkt galt</translation>
-    </message>
-    <message>
-        <source>Camera into the &amp;scene</source>
-        <translation>&amp;Kamera in die Szene</translation>
     </message>
     <message>
         <source>Write the present view into the camera declaration of the text</source>
@@ -1122,6 +1046,122 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
     <message>
         <source>Stop building a long text; what was on screen stays there until the next edit</source>
         <translation>Den Aufbau eines langen Textes abbrechen; bis zur nächsten Änderung bleibt zu sehen, was zu sehen war</translation>
+    </message>
+    <message>
+        <source>Record a vi&amp;deo…</source>
+        <translation>Vi&amp;deo aufnehmen …</translation>
+    </message>
+    <message>
+        <source>Record the run as an animated picture, a video or single pictures</source>
+        <translation>Den Lauf als animiertes Bild, Video oder Einzelbilder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Select the next &amp;occurrence</source>
+        <translation>Nächstes V&amp;orkommen auswählen</translation>
+    </message>
+    <message>
+        <source>Select the word at the caret, and then where it stands next as well (Ctrl+click adds a caret)</source>
+        <translation>Das Wort am Cursor auswählen, danach auch sein nächstes Vorkommen (Strg+Klick setzt einen weiteren Cursor)</translation>
+    </message>
+    <message>
+        <source>Move the line u&amp;p</source>
+        <translation>Zeile nach o&amp;ben schieben</translation>
+    </message>
+    <message>
+        <source>Move the selected lines up by one</source>
+        <translation>Die ausgewählten Zeilen um eine nach oben schieben</translation>
+    </message>
+    <message>
+        <source>Move the line do&amp;wn</source>
+        <translation>Zeile nach &amp;unten schieben</translation>
+    </message>
+    <message>
+        <source>Move the selected lines down by one</source>
+        <translation>Die ausgewählten Zeilen um eine nach unten schieben</translation>
+    </message>
+    <message>
+        <source>Theme, font, shortcuts, navigation, memory and threads</source>
+        <translation>Farben, Schrift, Tastenkürzel, Navigation, Speicher und Threads</translation>
+    </message>
+    <message>
+        <source>&amp;Parameter hints</source>
+        <translation>&amp;Parameterhinweise</translation>
+    </message>
+    <message>
+        <source>Increase val&amp;ue</source>
+        <translation>Wert er&amp;höhen</translation>
+    </message>
+    <message>
+        <source>Increase the number at the caret by one step (Alt+wheel and Alt+drag, too)</source>
+        <translation>Die Zahl am Cursor um einen Schritt erhöhen (auch Alt+Rad und Alt+Ziehen)</translation>
+    </message>
+    <message>
+        <source>Decrease &amp;value</source>
+        <translation>Wert &amp;verringern</translation>
+    </message>
+    <message>
+        <source>Decrease the number at the caret by one step (Alt+wheel and Alt+drag, too)</source>
+        <translation>Die Zahl am Cursor um einen Schritt verringern (auch Alt+Rad und Alt+Ziehen)</translation>
+    </message>
+    <message>
+        <source>Format the whole text; only white space changes</source>
+        <translation>Den ganzen Text formatieren; nur Leerraum ändert sich</translation>
+    </message>
+    <message>
+        <source>Quick f&amp;ix</source>
+        <translation>Schnellkorrekt&amp;ur</translation>
+    </message>
+    <message>
+        <source>Correct the problem at the caret</source>
+        <translation>Das Problem am Cursor beheben</translation>
+    </message>
+    <message>
+        <source>Br&amp;eakpoints…</source>
+        <translation>&amp;Haltepunkte …</translation>
+    </message>
+    <message>
+        <source>Back to the last brea&amp;kpoint</source>
+        <translation>Zurück zum le&amp;tzten Haltepunkt</translation>
+    </message>
+    <message>
+        <source>In&amp;sert camera</source>
+        <translation>&amp;Kamera einfügen</translation>
+    </message>
+    <message>
+        <source>Give the editor&apos;s text its default size</source>
+        <translation>Dem Text im Editor die Standardgröße geben</translation>
+    </message>
+    <message>
+        <source>F&amp;old or unfold all</source>
+        <translation>Alles &amp;falten oder entfalten</translation>
+    </message>
+    <message>
+        <source>Show only the first line of every declaration, or all of them</source>
+        <translation>Von jeder Deklaration nur die erste Zeile zeigen, oder alle</translation>
+    </message>
+    <message>
+        <source>Wrap lon&amp;g lines</source>
+        <translation>Lange &amp;Zeilen umbrechen</translation>
+    </message>
+    <message>
+        <source>Show the rest of a line that is too long below it; the text stays as it is</source>
+        <translation>Den Rest einer zu langen Zeile darunter zeigen; der Text bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Reset wor&amp;kspace</source>
+        <translation>Arbeitsbereich &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Arrange the panels of this workspace as at first</source>
+        <translation>Die Bereiche wie am Anfang anordnen</translation>
+    </message>
+    <message>
+        <source>Shortcu&amp;ts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All shortcuts and what they do</source>
+        <translation>Alle Tastenkürzel und was sie tun</translation>
     </message>
 </context>
 <context>
@@ -1591,16 +1631,16 @@ Die Simulation oben geht dabei weiter.</translation>
 <context>
     <name>carom::EditCommands</name>
     <message>
-        <source>Nothing at the caret has an obvious mend</source>
-        <translation>An der Schreibmarke lässt sich nichts auf naheliegende Weise beheben</translation>
-    </message>
-    <message>
         <source>Go to line</source>
         <translation>Gehe zu Zeile</translation>
     </message>
     <message>
         <source>Line, 1 to %1:</source>
         <translation>Zeile, 1 bis %1:</translation>
+    </message>
+    <message>
+        <source>There is no quick fix for what is at the caret</source>
+        <translation>Für das, was am Cursor steht, gibt es keine Schnellkorrektur</translation>
     </message>
 </context>
 <context>
@@ -1725,18 +1765,6 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation>der Lauf hielt bei %1 s an</translation>
     </message>
     <message>
-        <source>there is no scene to film</source>
-        <translation>es gibt keine Szene zum Filmen</translation>
-    </message>
-    <message>
-        <source>a film ends after it begins, and begins at 0 s or later</source>
-        <translation>ein Film endet nach seinem Anfang und beginnt frühestens bei 0 s</translation>
-    </message>
-    <message>
-        <source>`%1` has no ending of a film; name it .gif, .mp4 or .png</source>
-        <translation>„%1“ hat keine Endung eines Films; möglich sind .gif, .mp4 und .png</translation>
-    </message>
-    <message>
         <source>MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing</source>
         <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist; GIF und PNG brauchen nichts</translation>
     </message>
@@ -1753,10 +1781,6 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation>ffmpeg ist gescheitert: %1</translation>
     </message>
     <message>
-        <source>it was cancelled, and half a film is not kept</source>
-        <translation>abgebrochen, und ein halber Film wird nicht aufgehoben</translation>
-    </message>
-    <message>
         <source>it was cancelled; the picture made so far stays</source>
         <translation>abgebrochen; das bis dahin gemachte Bild bleibt</translation>
     </message>
@@ -1771,6 +1795,22 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>%1 pictures are too many; up to %2 can be numbered</source>
         <translation>%1 Bilder sind zu viele; bis zu %2 lassen sich nummerieren</translation>
+    </message>
+    <message>
+        <source>there is no scene to record</source>
+        <translation>Es gibt keine Szene aufzunehmen</translation>
+    </message>
+    <message>
+        <source>a video ends after it begins, and begins at 0 s or later</source>
+        <translation>Ein Video endet nach seinem Anfang und beginnt bei 0 s oder später</translation>
+    </message>
+    <message>
+        <source>`%1` has no ending of a video; name it .gif, .mp4 or .png</source>
+        <translation>„%1“ hat keine Endung eines Videos; .gif, .mp4 oder .png ist nötig</translation>
+    </message>
+    <message>
+        <source>it was cancelled, and half a video is not kept</source>
+        <translation>abgebrochen; ein halbes Video wird nicht behalten</translation>
     </message>
 </context>
 <context>
@@ -1962,12 +2002,12 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <translation>Kein Körper trägt diesen Namen</translation>
     </message>
     <message>
-        <source>The text is laid out in the usual way already</source>
-        <translation>Der Text ist schon wie üblich angeordnet</translation>
-    </message>
-    <message>
         <source>Laid out; Ctrl+Z takes it back</source>
         <translation>Angeordnet; Strg+Z nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>The text is formatted already</source>
+        <translation>Der Text ist schon formatiert</translation>
     </message>
 </context>
 <context>
@@ -2023,10 +2063,6 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
 <context>
     <name>carom::ManualWindow</name>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
         <source>Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc back to the text. In the picture: the left button turns, the right one moves, the wheel zooms, F frames the selection, Home everything, Space plays.</source>
         <translation>Jede Taste lässt sich in den Einstellungen ändern. Alt mit 1 bis 9 geht zu einem Feld, Esc zurück zum Text. Im Bild: die linke Taste dreht, die rechte schiebt, das Rad zoomt, F rahmt die Auswahl ein, Pos1 alles, Leertaste spielt ab.</translation>
     </message>
@@ -2069,6 +2105,29 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>Search the manual</source>
         <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>carom::MemoryUse</name>
+    <message>
+        <source>%1 of %2 MiB</source>
+        <translation>%1 von %2 MiB</translation>
+    </message>
+    <message>
+        <source>Memory that this run takes, of the most it may (Preferences):
+states to go back to: %1 MiB
+times of frames: %2 MiB
+curves: %3 MiB
+timeline: %4 MiB</source>
+        <translation>Speicher dieses Laufs, von dem, was er nehmen darf (Einstellungen):
+Zustände zum Zurückgehen: %1 MiB
+Zeiten der Bilder: %2 MiB
+Kurven: %3 MiB
+Zeitleiste: %4 MiB</translation>
     </message>
 </context>
 <context>
@@ -2219,10 +2278,6 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Record a film</source>
-        <translation>Einen Film aufnehmen</translation>
-    </message>
-    <message>
         <source> s</source>
         <translation> s</translation>
     </message>
@@ -2251,10 +2306,6 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)</source>
-        <translation>Bewegte Bilder (*.gif);;Filme (*.mp4);;Jedes Bild einzeln (*.png)</translation>
-    </message>
-    <message>
         <source>Recording…</source>
         <translation>Aufnahme läuft …</translation>
     </message>
@@ -2281,6 +2332,14 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>Putting the pictures together…</source>
         <translation>Bilder werden zusammengefügt …</translation>
+    </message>
+    <message>
+        <source>Record a video</source>
+        <translation>Video aufnehmen</translation>
+    </message>
+    <message>
+        <source>Animated pictures (*.gif);;Videos (*.mp4);;One picture a frame (*.png)</source>
+        <translation>Animierte Bilder (*.gif);;Videos (*.mp4);;Ein Bild je Schritt (*.png)</translation>
     </message>
 </context>
 <context>
@@ -2341,6 +2400,18 @@ Strg+J fügt eine Deklaration ein.</translation>
         <source>there are no curves yet; add one first</source>
         <translation>es gibt noch keine Kurven; zuerst eine hinzufügen</translation>
     </message>
+    <message>
+        <source>filling in: frame %1 of %2</source>
+        <translation>wird ergänzt: Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>least %1</source>
+        <translation>kleinster Wert, %1</translation>
+    </message>
+    <message>
+        <source>greatest %1</source>
+        <translation>größter Wert, %1</translation>
+    </message>
 </context>
 <context>
     <name>carom::Preferences</name>
@@ -2363,14 +2434,6 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -2421,32 +2484,12 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Keys of “%1”</source>
-        <translation>Tasten von „%1“</translation>
-    </message>
-    <message>
-        <source>Usual</source>
-        <translation>Üblich</translation>
-    </message>
-    <message>
-        <source>Give the command its usual keys</source>
-        <translation>Dem Befehl seine üblichen Tasten geben</translation>
-    </message>
-    <message>
-        <source>Mouse in the picture</source>
-        <translation>Maus im Bild</translation>
-    </message>
-    <message>
         <source>The wheel zooms at the pointer and a click selects, whatever is chosen here.</source>
         <translation>Das Rad zoomt am Zeiger und ein Klick wählt aus, was immer hier gewählt ist.</translation>
     </message>
     <message>
         <source> MiB</source>
         <translation> MiB</translation>
-    </message>
-    <message>
-        <source>Memory for going back in time</source>
-        <translation>Speicher für das Zurückgehen in der Zeit</translation>
     </message>
     <message>
         <source>what the scene or the machine says</source>
@@ -2487,6 +2530,38 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>A key that belongs to another command is taken from it; those of the panels, Alt and a digit, stay theirs.</source>
         <translation>Eine Taste, die einem anderen Befehl gehört, wird ihm genommen; die der Felder, Alt und eine Ziffer, bleiben ihnen.</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Shortcut of “%1”</source>
+        <translation>Tastenkürzel von „%1“</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Give the command its default shortcut</source>
+        <translation>Dem Befehl sein Standardkürzel geben</translation>
+    </message>
+    <message>
+        <source>Navigation</source>
+        <translation>Navigation</translation>
+    </message>
+    <message>
+        <source>Rewind memory</source>
+        <translation>Speicher zum Zurückspulen</translation>
     </message>
 </context>
 <context>
@@ -2559,16 +2634,16 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
         <translation>eine Szene ohne Datei</translation>
     </message>
     <message>
-        <source>&amp;Take it up</source>
-        <translation>&amp;Wieder aufnehmen</translation>
-    </message>
-    <message>
-        <source>T&amp;hrow it away</source>
-        <translation>Ver&amp;werfen</translation>
-    </message>
-    <message>
         <source>Ask me &amp;later</source>
         <translation>&amp;Später fragen</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -2883,6 +2958,12 @@ ein Haltepunkt traf zu</translation>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
+    <message>
+        <source>
+up to %1 new contacts a frame</source>
+        <translation>
+bis zu %1 neue Kontakte je Bild</translation>
+    </message>
 </context>
 <context>
     <name>carom::TimingDock</name>
@@ -3039,6 +3120,26 @@ ein Haltepunkt traf zu</translation>
     <message>
         <source>stopped</source>
         <translation>beendet</translation>
+    </message>
+    <message>
+        <source>seeking</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>max: %1</source>
+        <translation>max: %1</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
     </message>
 </context>
 <context>

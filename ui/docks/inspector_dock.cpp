@@ -53,8 +53,9 @@ InspectorDock::InspectorDock(QWidget* parent)
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setAccessibleName(tr("Values of the selected body"));
-    m_tree->header()->setSectionResizeMode(Name, QHeaderView::ResizeToContents);
-    m_tree->header()->setSectionResizeMode(Value, QHeaderView::Stretch); // the mouse tells long ones
+    // In a narrow panel the names are cut, never the values; the mouse tells both.
+    m_tree->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(Value, QHeaderView::ResizeToContents);
     m_tree->header()->setStretchLastSection(false);
     setWidget(m_state);
     setFocusProxy(m_tree);

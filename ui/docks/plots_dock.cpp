@@ -11,18 +11,22 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QListWidget>
+#include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
 
-constexpr int refreshInterval = 200; // [ms]
-constexpr int listWidth = 230;       // [px]
+constexpr int refreshInterval = 200;      // [ms]
+constexpr int listWidth = 230;            // [px]
+constexpr std::int64_t worthSaying = 240; // frames that curves are behind the run
 
 } // namespace
 
@@ -33,14 +37,21 @@ PlotsDock::PlotsDock(QWidget* parent)
       m_remove(wordButton("plotRemove", tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
       m_plot(new PlotWidget),
       m_state(new EmptyState(m_plot, tr("Choose a body and a quantity at the left and "
-                                        "press Add to see it over time."))) {
+                                        "press Add to see it over time."))),
+      m_progress(new QLabel) {
     setObjectName(QStringLiteral("plots"));
     m_bodies->setObjectName(QStringLiteral("plotBody"));
     m_quantities->setObjectName(QStringLiteral("plotQuantity"));
     m_bodies->setAccessibleName(tr("Body"));
     m_quantities->setAccessibleName(tr("Quantity"));
     m_list->setAccessibleName(tr("Curves"));
-    m_remove->setShortcut(QKeySequence(Qt::Key_Delete));
+    m_progress->setObjectName(QStringLiteral("plotProgress"));
+    m_progress->setProperty("role", QStringLiteral("muted"));
+    m_progress->setWordWrap(true);
+    m_progress->hide();
+    QShortcut* remove =
+        new QShortcut(QKeySequence(Qt::Key_Delete), m_list, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(remove, &QShortcut::activated, this, &PlotsDock::removeCurve);
     layOut();
     m_refresh.setSingleShot(true);
     m_refresh.setInterval(refreshInterval);
@@ -49,6 +60,7 @@ PlotsDock::PlotsDock(QWidget* parent)
     connect(m_bodies, &QComboBox::currentIndexChanged, this, &PlotsDock::fillQuantities);
     connect(m_add, &QToolButton::clicked, this, &PlotsDock::addCurve);
     connect(m_remove, &QToolButton::clicked, this, &PlotsDock::removeCurve);
+    connect(m_plot, &PlotWidget::placeClicked, this, &PlotsDock::pickAt);
     connect(this, &QDockWidget::visibilityChanged, this, &PlotsDock::extend);
     fillQuantities();
     redraw();
@@ -67,6 +79,7 @@ void PlotsDock::layOut() {
     column->addWidget(m_quantities);
     column->addLayout(buttons);
     column->addWidget(m_list, 1);
+    column->addWidget(m_progress);
     setWidget(besideControls(column, listWidth, m_state));
     setFocusProxy(m_bodies);
 }
@@ -82,6 +95,33 @@ void PlotsDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
 void PlotsDock::reach(std::int64_t frame) {
     m_reached = std::max(m_reached, frame);
     extend();
+    tellProgress();
+}
+
+void PlotsDock::showFrame(std::int64_t frame) {
+    if (m_pipeline) m_plot->setCursor(static_cast<double>(frame) * step());
+}
+
+void PlotsDock::pickAt(double time) {
+    if (!m_pipeline || m_curves.empty()) return;
+    Q_EMIT framePicked(std::clamp<std::int64_t>(std::llround(time / step()), 0, m_reached));
+}
+
+double PlotsDock::step() const { return m_pipeline->settings().step; }
+
+/// Frames that the curves have figures of.
+std::int64_t PlotsDock::measured() const { return m_curves.empty() ? 0 : m_curves.front().figures.count(); }
+
+void PlotsDock::tellProgress() {
+    const bool behind = !m_curves.empty() && m_reached - measured() > worthSaying;
+    m_progress->setVisible(behind);
+    if (behind) m_progress->setText(tr("filling in: frame %1 of %2").arg(measured()).arg(m_reached));
+}
+
+std::size_t PlotsDock::bytes() const {
+    std::size_t sum = 0;
+    for (const Curve& curve : m_curves) sum += curve.figures.bytes();
+    return sum;
 }
 
 /// Only what is looked at is measured.
@@ -105,7 +145,16 @@ void PlotsDock::addCurve() {
     const bool whole = m_bodies->currentIndex() <= 0;
     const std::span<const QuantityRow> rows = whole ? wholeQuantities() : bodyQuantities();
     const QuantityRow& row = rows[static_cast<std::size_t>(m_quantities->currentIndex())];
-    m_curves.push_back({&row, whole, whole ? QString() : m_bodies->currentText(), {}});
+    add({&row, whole, whole ? QString() : m_bodies->currentText(), {}});
+}
+
+void PlotsDock::plotWhole(std::string_view quantity) {
+    for (const QuantityRow& row : wholeQuantities())
+        if (row.name == quantity) add({&row, true, {}, {}});
+}
+
+void PlotsDock::add(Curve curve) {
+    m_curves.push_back(std::move(curve));
     m_list->addItem(titleOf(m_curves.back()));
     restart();
 }
@@ -125,7 +174,6 @@ QString PlotsDock::titleOf(const Curve& curve) const {
 
 /// All curves from the start: the same scene gives the same figures.
 void PlotsDock::restart() {
-    m_times.clear();
     std::vector<Probe> probes;
     for (Curve& curve : m_curves) {
         curve.figures.clear();
@@ -141,10 +189,9 @@ void PlotsDock::restart() {
 }
 
 void PlotsDock::take(const std::vector<ProbeRow>& rows) {
-    for (const ProbeRow& row : rows) {
-        m_times.push_back(row.time);
-        for (std::size_t i = 0; i < m_curves.size(); ++i) m_curves[i].figures.push_back(row.figures[i]);
-    }
+    for (const ProbeRow& row : rows)
+        for (std::size_t i = 0; i < m_curves.size(); ++i) m_curves[i].figures.add(row.figures[i]);
+    tellProgress();
     if (!m_refresh.isActive()) m_refresh.start();
 }
 
@@ -164,7 +211,12 @@ void PlotsDock::redraw() {
         QString name = titleOf(curve);
         if (!sameUnit && !curve.quantity->unit.empty())
             name += QStringLiteral(" [%1]").arg(textOf(curve.quantity->unit));
-        m_chart.series.push_back({name, m_times, curve.figures, SeriesStyle::Line, seriesColour(i)});
+        ChartSeries series{name, {}, {}, SeriesStyle::Line, seriesColour(i)};
+        for (const SeriesPoint& point : curve.figures.points()) {
+            series.x.push_back(static_cast<double>(point.place) * step());
+            series.y.push_back(point.value);
+        }
+        m_chart.series.push_back(std::move(series));
         QPixmap square(10, 10);
         square.fill(seriesColour(i));
         m_list->item(static_cast<int>(i))->setIcon(QIcon(square));
@@ -175,15 +227,28 @@ void PlotsDock::redraw() {
 }
 
 QString PlotsDock::writeCsv(const QString& path) const {
+    const bool everyFrame = m_curves.front().figures.length() == 1;
     QString columns = QStringLiteral("time_s");
-    for (const Curve& curve : m_curves) {
-        QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), textOf(curve.quantity->unit));
+    const auto addColumn = [&columns](QString title) {
         columns += QStringLiteral(",\"") + title.replace(u'"', QStringLiteral("\"\"")) + u'"';
+    };
+    for (const Curve& curve : m_curves) {
+        const QString title = QStringLiteral("%1 [%2]").arg(titleOf(curve), textOf(curve.quantity->unit));
+        if (everyFrame) {
+            addColumn(title);
+            continue;
+        }
+        addColumn(tr("least %1").arg(title));
+        addColumn(tr("greatest %1").arg(title));
     }
     CsvTable table(columns.toStdString());
-    for (std::size_t k = 0; k < m_times.size(); ++k) {
-        table.add(m_times[k]);
-        for (const Curve& curve : m_curves) table.add(curve.figures[k]);
+    for (const SeriesStretch& stretch : m_curves.front().figures.stretches()) {
+        table.add(static_cast<double>(stretch.first) * step());
+        for (const Curve& curve : m_curves) {
+            const SeriesStretch& its = curve.figures.at(stretch.first);
+            table.add(its.low);
+            if (!everyFrame) table.add(its.high);
+        }
         table.endRow();
     }
     return saveFile(path, table.take());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/math/bounded_series.h"
 #include "core/simulation/quantities.h"
 #include "ui/simulation/probe_run.h"
 #include "ui/widgets/plot.h"
@@ -13,6 +14,7 @@
 #include <vector>
 
 class QComboBox;
+class QLabel;
 class QListWidget;
 class QToolButton;
 
@@ -23,7 +25,9 @@ class BodyBox;
 class EmptyState;
 
 /// Curves over time: any quantity of any body or of the whole, from the start of the run to as far as it has
-/// come, also when they are asked for late. Bodies are remembered by name, so curves survive an edit.
+/// come, also when they are asked for late: then they are filled in in the background. Bodies are remembered
+/// by name, so curves survive an edit. A long run's curves keep the least and the greatest figure of each
+/// stretch of frames, so that memory does not grow with it.
 class PlotsDock : public QDockWidget {
     Q_OBJECT
 
@@ -34,15 +38,23 @@ class PlotsDock : public QDockWidget {
     void showPipeline(std::shared_ptr<const Pipeline> pipeline);
     /// The run has come to this frame.
     void reach(std::int64_t frame);
+    /// The frame on screen.
+    void showFrame(std::int64_t frame);
+    /// Adds a curve of the whole scene.
+    void plotWhole(std::string_view quantity);
     /// Offers this body first; noBody: the whole.
     void offerBody(BodyIndex body);
 
     const ChartSpec& chart() const { return m_chart; }
-    /// Writes .png, .svg, .pdf (the chart) or .csv (every figure of every frame) by the path's ending.
-    /// Returns what went wrong, or an empty text.
+    /// Memory of the curves [bytes].
+    std::size_t bytes() const;
+    /// Writes .png, .svg, .pdf (the chart) or .csv (every frame, or in a long run the least and greatest of
+    /// each stretch) by the path's ending. Returns what went wrong, or an empty text.
     QString exportTo(const QString& path) const;
 
   Q_SIGNALS:
+    /// A click in the chart, at the time of this frame.
+    void framePicked(std::int64_t frame);
     /// What was written where, or why not: one sentence.
     void reported(const QString& sentence);
 
@@ -51,24 +63,28 @@ class PlotsDock : public QDockWidget {
         const QuantityRow* quantity = nullptr;
         bool ofWhole = true;
         QString body; ///< name; empty for the whole
-        std::vector<double> figures;
+        BoundedSeries figures;
     };
 
     void layOut();
     void fillQuantities();
     void addCurve();
+    void add(Curve curve);
     void removeCurve();
     void restart();
     void extend();
     void take(const std::vector<ProbeRow>& rows);
     void redraw();
+    void tellProgress();
+    void pickAt(double time);
+    double step() const;
+    std::int64_t measured() const;
     QString titleOf(const Curve& curve) const;
     QString writeCsv(const QString& path) const;
     void askForExport(const QString& ending);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::vector<Curve> m_curves;
-    std::vector<double> m_times; ///< [s], of the figures
     std::int64_t m_reached = 0;
     ChartSpec m_chart;
     ProbeRun m_run;
@@ -80,6 +96,7 @@ class PlotsDock : public QDockWidget {
     QToolButton* m_remove;
     PlotWidget* m_plot;
     EmptyState* m_state;
+    QLabel* m_progress; ///< of curves that are behind the run
 };
 
 } // namespace carom

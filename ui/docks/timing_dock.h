@@ -28,6 +28,10 @@ class TimingDock : public QDockWidget {
 
     void addSamples(std::span<const FrameSample> samples);
     void clear();
+    void showFrame(std::int64_t frame) { m_strip->showFrame(frame); }
+    /// Of the frames [bytes]; runs that were kept are not counted.
+    void setBudget(std::size_t bytes) { m_strip->setBudget(bytes); }
+    std::size_t bytes() const { return m_strip->bytes(); }
     /// What a kept run is called: "500 bodies, contacts".
     void describeRun(const QString& description) { m_description = description; }
 

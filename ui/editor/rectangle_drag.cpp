@@ -29,11 +29,29 @@ void RectangleDrag::takeCorner(const QMouseEvent& event, bool begins) {
     if (!begins) m_editor.send(Sci::SCI_SCROLLCARET);
 }
 
+/// Scintilla's own way with Ctrl moves the one caret there is. A second click takes the caret away.
+void RectangleDrag::addCaret(const QPoint& place) {
+    const long at = m_editor.send(Sci::SCI_POSITIONFROMPOINT, place.x(), place.y());
+    const long count = m_editor.send(Sci::SCI_GETSELECTIONS);
+    m_editor.setFocus();
+    for (long i = 0; i < count; ++i) {
+        const bool here = m_editor.send(Sci::SCI_GETSELECTIONNCARET, i) == at &&
+                          m_editor.send(Sci::SCI_GETSELECTIONNANCHOR, i) == at;
+        if (!here) continue;
+        if (count > 1) m_editor.send(Sci::SCI_DROPSELECTIONN, i);
+        return;
+    }
+    m_editor.send(Sci::SCI_ADDSELECTION, at, at);
+}
+
 bool RectangleDrag::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::MouseButtonPress;
     const bool release = event->type() == QEvent::MouseButtonRelease;
     if (!press && !release && event->type() != QEvent::MouseMove) return QObject::eventFilter(watched, event);
     const QMouseEvent& mouse = static_cast<QMouseEvent&>(*event);
+    const bool adds = mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::ControlModifier;
+    if (adds && press) addCaret(mouse.position().toPoint());
+    if (adds) return true;
     if (press) {
         m_dragging = mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::AltModifier;
         if (m_dragging) m_editor.setFocus();

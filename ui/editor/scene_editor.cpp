@@ -155,12 +155,20 @@ void SceneEditor::reveal(SourceRange range) {
     send(SCI_ENSUREVISIBLEENFORCEPOLICY, line);
     send(SCI_SETSEL, range.end(), range.offset); // the caret at the beginning
     send(SCI_VERTICALCENTRECARET);
-    send(SCI_SCROLLCARET);
+    send(SCI_SETXOFFSET, 0); // the line's beginning, where the range is in view with it
+    send(SCI_SCROLLRANGE, range.end(), range.offset);
 }
 
 void SceneEditor::goTo(std::int64_t offset, std::int64_t firstLine) {
     send(SCI_GOTOPOS, std::min<std::int64_t>(offset, send(SCI_GETLENGTH)));
     send(SCI_SETFIRSTVISIBLELINE, firstLine);
+}
+
+void SceneEditor::setWrapsLines(bool wraps) {
+    setWrapMode(wraps ? WrapWord : WrapNone);
+    setWrapIndentMode(WrapIndentIndented);
+    setWrapVisualFlags(WrapFlagNone, WrapFlagInMargin);
+    send(SCI_SETXOFFSET, 0);
 }
 
 void SceneEditor::setTextFont(const QString& family, int points) {
@@ -208,6 +216,12 @@ void SceneEditor::toggleComment() {
         }
     }
     send(SCI_ENDUNDOACTION);
+}
+
+void SceneEditor::selectNextOccurrence() {
+    send(SCI_TARGETWHOLEDOCUMENT);
+    send(SCI_SETSEARCHFLAGS, SCFIND_MATCHCASE);
+    send(SCI_MULTIPLESELECTADDNEXT);
 }
 
 void SceneEditor::replaceRange(SourceRange range, const QByteArray& text) {

@@ -31,7 +31,10 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void releaseKeys(const QList<QKeySequence>& keys);
 
     std::uint32_t caret() const;
-    /// Puts the caret at the range's beginning, selects it, unfolds and scrolls to it.
+    /// Lines that are too long for the width go on below; the text stays as it is.
+    void setWrapsLines(bool wraps);
+    /// Puts the caret at the range's beginning, selects it, unfolds and scrolls to it; with the beginning of
+    /// its line, where both are in view.
     void reveal(SourceRange range);
     /// Puts the caret at a place, as far as there is one, and a line at the top.
     void goTo(std::int64_t offset, std::int64_t firstLine);
@@ -40,6 +43,8 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     /// Tints the lines of a declaration; an empty range clears.
     void markDeclaration(SourceRange range);
     void toggleComment();
+    /// The word at the caret; with a selection, where its text stands next as well.
+    void selectNextOccurrence();
     /// One undo step. Nothing goes before a byte order mark.
     void replaceRange(SourceRange range, const QByteArray& text);
     /// A text of our own making, with its line ends as the scene has them.

@@ -54,8 +54,8 @@ void Simulation::load(std::shared_ptr<const Pipeline> pipeline) {
 
 /// A run that begins anew waits; what is still said of the one before is dropped.
 void Simulation::rest() {
-    const RunState before = std::exchange(m_status, {.health = {}, .run = m_run}).state;
-    if (before != RunState::Paused) Q_EMIT stateChanged(m_status);
+    const RunStatus before = std::exchange(m_status, {.health = {}, .run = m_run});
+    if (before.state != RunState::Paused || before.seeking) Q_EMIT stateChanged(m_status);
 }
 
 void Simulation::exchange(std::shared_ptr<const Pipeline> pipeline) {
@@ -75,7 +75,7 @@ void Simulation::play() {
 void Simulation::pause() { m_thread.post(PauseCommand{}); }
 
 void Simulation::togglePlay() {
-    if (isRunning())
+    if (isRunning() || isSeeking())
         pause();
     else
         play();
@@ -105,7 +105,7 @@ void Simulation::reset() {
     m_time = 0;
     m_thread.post(ResetCommand{++m_run});
     rest();
-    Q_EMIT restarted();
+    Q_EMIT rewound();
 }
 
 void Simulation::setSpeed(std::optional<double> speed) { m_thread.post(SpeedCommand{speed}); }
@@ -135,6 +135,7 @@ void Simulation::collect() {
 void Simulation::show(const PublishedSnapshot& published) {
     const Snapshot& snapshot = *published.snapshot;
     m_time = snapshot.time;
+    m_recorded = published.recorded;
     if (snapshot.frame > 0)
         m_atStart = false;
     else if (!isRunning())

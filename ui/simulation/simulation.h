@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -37,6 +38,7 @@ class Simulation : public QObject {
     void stepBack();
     /// To a frame, where it has been or not; whether it plays or not does not change.
     void seek(std::int64_t frame);
+    /// To frame 0, paused. What was simulated stays at hand until another scene is loaded.
     void reset();
     /// Simulated seconds a second of wall time; nothing is as fast as possible.
     void setSpeed(std::optional<double> speed);
@@ -49,6 +51,10 @@ class Simulation : public QObject {
 
     const RunStatus& status() const { return m_status; }
     bool isRunning() const { return m_status.state == RunState::Running; }
+    /// On the way to another frame for so long that it can be ended: by pause().
+    bool isSeeking() const { return m_status.seeking; }
+    /// A step was asked for and has not been made yet.
+    bool isStepping() const { return m_thread.stepWaits(); }
     /// Frame 0 is on screen and nobody has asked for another one.
     bool isAtStart() const { return m_atStart; }
     /// An exchanged scene is on its way to the time on screen.
@@ -61,14 +67,18 @@ class Simulation : public QObject {
     void findBack() { m_thread.post(FindBackCommand{}); }
     /// What checkpoints may take [bytes].
     void setMemoryBudget(std::size_t bytes);
+    /// What they take [bytes].
+    std::size_t recorded() const { return m_recorded; }
     /// Null until something was loaded.
     std::shared_ptr<const Pipeline> pipeline() const { return m_pipeline; }
 
   Q_SIGNALS:
     void stateChanged(const carom::RunStatus& status);
     void broke(const std::optional<carom::BreakHit>& hit);
-    /// A new run begins: after load, exchange and reset.
+    /// A new run begins: after load and exchange.
     void restarted();
+    /// The run is at its beginning again and what it sends comes anew.
+    void rewound();
     /// The exchanged scene has come to the time on screen: its first snapshot follows.
     void landed();
     /// The run before the exchange, at the time of the snapshot that comes next.
@@ -91,6 +101,7 @@ class Simulation : public QObject {
     bool m_underWay = false;
     bool m_haunted = false; ///< the snapshot before came with a ghost
     bool m_structureWanted = false;
+    std::size_t m_recorded = 0; ///< [bytes]
     QTimer m_timer;
     SimulationThread m_thread; ///< last: it is gone before anything it posts to
 };

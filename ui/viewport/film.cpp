@@ -49,9 +49,9 @@ QString firstFileOf(const QString& path) {
 
 QString objectionTo(const FilmPlan& plan) {
     const QString ending = endingOf(plan.path);
-    if (!plan.look.stage || !plan.look.stage->pipeline) return Film::tr("there is no scene to film");
+    if (!plan.look.stage || !plan.look.stage->pipeline) return Film::tr("there is no scene to record");
     if (!(plan.to >= plan.from) || plan.from < 0)
-        return Film::tr("a film ends after it begins, and begins at 0 s or later");
+        return Film::tr("a video ends after it begins, and begins at 0 s or later");
     if (ending == QLatin1StringView("gif") && plan.rate > GifWriter::highestRate)
         return Film::tr("a GIF shows %1 pictures a second at most").arg(GifWriter::highestRate);
     if (plan.pictures() > mostPictures)
@@ -60,7 +60,7 @@ QString objectionTo(const FilmPlan& plan) {
             .arg(mostPictures);
     if (ending != QLatin1StringView("gif") && ending != QLatin1StringView("mp4") &&
         ending != QLatin1StringView("png"))
-        return Film::tr("`%1` has no ending of a film; name it .gif, .mp4 or .png").arg(plan.path);
+        return Film::tr("`%1` has no ending of a video; name it .gif, .mp4 or .png").arg(plan.path);
     if (ending == QLatin1StringView("mp4") && encoder().isEmpty())
         return Film::tr("MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing");
     return {};
@@ -170,7 +170,7 @@ QString Film::Reel::encode() {
 
 /// What a cancelled film leaves behind.
 QString Film::Reel::whatStays() const {
-    if (gif || folder) return Film::tr("it was cancelled, and half a film is not kept");
+    if (gif || folder) return Film::tr("it was cancelled, and half a video is not kept");
     return painted == 1 ? Film::tr("it was cancelled; the picture made so far stays")
                         : Film::tr("it was cancelled; the %1 pictures made so far stay").arg(painted);
 }

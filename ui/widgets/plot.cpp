@@ -30,9 +30,10 @@ namespace carom {
 
 namespace {
 
-constexpr double pointReach = 12; ///< [px] from a point at which the mouse is over it
-constexpr double clickSlack = 4;  ///< [px] a click may move
-constexpr int pngScale = 2;       ///< pixels of a PNG along a unit of the chart: crisp on paper
+constexpr double pointReach = 12;                      ///< [px] from a point at which the mouse is over it
+constexpr double clickSlack = 4;                       ///< [px] a click may move
+const QString cursorLayer = QStringLiteral("overlay"); // of QCustomPlot
+constexpr int pngScale = 2; ///< pixels of a PNG along a unit of the chart: crisp on paper
 
 struct PlotTexts {
     Q_DECLARE_TR_FUNCTIONS(Plot)
@@ -399,7 +400,10 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
     connect(m_plot, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
         if ((event->position() - m_pressed).manhattanLength() > clickSlack) return; // dragged
         const Hit hit = pointNear(event->position());
-        if (hit.series >= 0) Q_EMIT pointClicked(hit.series, hit.point);
+        if (hit.series >= 0)
+            Q_EMIT pointClicked(hit.series, hit.point);
+        else if (event->button() == Qt::LeftButton && m_plot->axisRect()->rect().contains(event->pos()))
+            Q_EMIT placeClicked(m_plot->xAxis->pixelToCoord(event->position().x()));
     });
     setChart({});
 }
@@ -429,8 +433,33 @@ void PlotWidget::setChart(const ChartSpec& spec) {
     QColor grid = text;
     grid.setAlpha(40);
     draw(*m_plot, m_spec, {ground, text, grid});
+    m_cursorLine = nullptr;
+    showCursor();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
+
+void PlotWidget::setCursor(std::optional<double> x) {
+    if (x == m_cursor) return;
+    m_cursor = x;
+    showCursor();
+    m_plot->layer(cursorLayer)->replot();
+}
+
+/// On a layer with a picture of its own: a run moves it sixty times a second.
+void PlotWidget::showCursor() {
+    if (m_cursorLine == nullptr) {
+        m_cursorLine = new QCPItemStraightLine(m_plot);
+        m_cursorLine->setLayer(cursorLayer);
+        m_cursorLine->setSelectable(false);
+    }
+    m_cursorLine->setVisible(m_cursor.has_value());
+    if (!m_cursor) return;
+    m_cursorLine->setPen(QPen(palette().color(QPalette::Highlight), 1.5));
+    m_cursorLine->point1->setCoords(*m_cursor, 0);
+    m_cursorLine->point2->setCoords(*m_cursor, 1);
+}
+
+double PlotWidget::xOf(double x) const { return m_plot->xAxis->coordToPixel(x); }
 
 void PlotWidget::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);

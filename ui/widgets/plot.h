@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+class QCPItemStraightLine;
 class QCustomPlot;
 
 // Charts as plain values: whoever has figures fills a ChartSpec; this file alone knows the plotting library.
@@ -85,8 +86,15 @@ class PlotWidget : public QWidget {
     /// Replaces the chart, in the colours of the widget's palette.
     void setChart(const ChartSpec& spec);
     const ChartSpec& chart() const { return m_spec; }
+    /// A line across the chart at this x, or none; drawn without the rest.
+    void setCursor(std::optional<double> x);
+    std::optional<double> cursor() const { return m_cursor; }
+    /// Where an x of the chart is in the widget [px].
+    double xOf(double x) const;
 
   Q_SIGNALS:
+    /// A click where no point with a note is: the x under the mouse.
+    void placeClicked(double x);
     /// A click on, or within a few pixels of, a point that has a note.
     void pointClicked(int series, int point);
 
@@ -98,9 +106,12 @@ class PlotWidget : public QWidget {
         int series = -1, point = -1;
     };
     Hit pointNear(const QPointF& place) const;
+    void showCursor();
 
     ChartSpec m_spec;
     QPointF m_pressed; ///< [px]
+    std::optional<double> m_cursor;
+    QCPItemStraightLine* m_cursorLine = nullptr; ///< the plot's; gone with every chart
     QCustomPlot* m_plot;
 };
 

@@ -24,6 +24,11 @@ double roundUp(double value) {
     return 10 * power;
 }
 
+/// A run that is played again comes to its marks again.
+void addOnce(std::vector<std::int64_t>& frames, std::int64_t frame) {
+    if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+}
+
 } // namespace
 
 Timeline::Timeline(QWidget* parent) : ScrubStrip(parent) {
@@ -46,8 +51,8 @@ void Timeline::restart(double step, std::optional<double> duration) {
 
 void Timeline::addFrames(const std::vector<FrameStatistics>& frames) {
     for (const FrameStatistics& frame : frames) {
-        const std::uint64_t more = frame.contacts > m_touching ? frame.contacts - m_touching : 0;
-        m_impacts.push_back(static_cast<std::uint32_t>(std::min<std::uint64_t>(more, 0xffffffffU)));
+        if (frame.frame <= furthest()) continue;
+        m_impacts.add(frame.contacts > m_touching ? static_cast<double>(frame.contacts - m_touching) : 0);
         m_touching = frame.contacts;
     }
     update();
@@ -59,12 +64,12 @@ void Timeline::showFrame(std::int64_t frame) {
 }
 
 void Timeline::markWarning(std::int64_t frame) {
-    m_warnings.push_back(frame);
+    addOnce(m_warnings, frame);
     update();
 }
 
 void Timeline::markHit(std::int64_t frame) {
-    m_hits.push_back(frame);
+    addOnce(m_hits, frame);
     update();
 }
 
@@ -81,7 +86,7 @@ std::int64_t Timeline::end() const {
 }
 
 std::uint64_t Timeline::impactsIn(std::int64_t frame) const {
-    return frame < 1 || frame > furthest() ? 0 : m_impacts[static_cast<std::size_t>(frame - 1)];
+    return frame < 1 || frame > furthest() ? 0 : static_cast<std::uint64_t>(m_impacts.at(frame - 1).high);
 }
 
 double Timeline::xOf(std::int64_t frame) const {
@@ -123,7 +128,9 @@ QString Timeline::tellOf(double x) const {
     const std::int64_t frame = frameAt(x);
     QString text = tr("frame %1, %2 s").arg(frame).arg(static_cast<double>(frame) * m_step, 0, 'f', 3);
     if (frame > furthest()) text += tr(" (not simulated yet)");
-    if (impactsIn(frame) > 0) text += tr("\n%1 new contacts").arg(impactsIn(frame));
+    if (impactsIn(frame) > 0)
+        text += (m_impacts.length() > 1 ? tr("\nup to %1 new contacts a frame") : tr("\n%1 new contacts"))
+                    .arg(impactsIn(frame));
     if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0)
         text += tr("\nthe run stopped here: a number was no longer finite");
     if (std::count(m_hits.begin(), m_hits.end(), frame) > 0) text += tr("\na breakpoint held");
@@ -132,12 +139,12 @@ QString Timeline::tellOf(double x) const {
 
 // One bar a column of pixels, as high as the most new contacts in the frames it stands for.
 void Timeline::paintImpacts(QPainter& painter) const {
-    std::vector<std::uint32_t> columns(static_cast<std::size_t>(std::max(1, width())), 0);
-    std::uint32_t most = 1;
-    for (std::int64_t frame = 1; frame <= furthest(); ++frame) {
-        const double x = std::clamp(xOf(frame), 0.0, static_cast<double>(width() - 1));
-        std::uint32_t& column = columns[static_cast<std::size_t>(x)];
-        column = std::max(column, m_impacts[static_cast<std::size_t>(frame - 1)]);
+    std::vector<double> columns(static_cast<std::size_t>(std::max(1, width())), 0);
+    double most = 1;
+    for (const SeriesStretch& stretch : m_impacts.stretches()) {
+        const double x = std::clamp(xOf(stretch.highAt + 1), 0.0, static_cast<double>(width() - 1));
+        double& column = columns[static_cast<std::size_t>(x)];
+        column = std::max(column, stretch.high);
         most = std::max(most, column);
     }
     painter.setPen(m_theme.hint);

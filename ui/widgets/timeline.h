@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/math/bounded_series.h"
 #include "core/simulation/statistics.h"
 #include "ui/widgets/scrub_strip.h"
 #include "ui/window/theme.h"
@@ -26,7 +27,8 @@ class Timeline : public ScrubStrip {
 
     /// A new run: `step` [s] a frame, `duration` [s] where the scene has one. The position stays.
     void restart(double step, std::optional<double> duration);
-    /// In the order they were simulated, each once.
+    /// In the order they were simulated; those that came before are passed over. Memory does not grow with a
+    /// run: of a long one each stretch of frames has its greatest number of impacts.
     void addFrames(const std::vector<FrameStatistics>& frames);
     void showFrame(std::int64_t frame);
     void markWarning(std::int64_t frame);
@@ -35,13 +37,14 @@ class Timeline : public ScrubStrip {
     void setTheme(const Theme& theme);
 
     std::int64_t frame() const { return m_frame; }
-    std::int64_t furthest() const { return static_cast<std::int64_t>(m_impacts.size()); }
+    std::int64_t furthest() const { return m_impacts.count(); }
     /// The frame at the right end.
     std::int64_t end() const;
-    /// Contacts that were not there in the frame before.
+    /// Contacts that were not there in the frame before; in a long run the most of the frames around it.
     std::uint64_t impactsIn(std::int64_t frame) const;
     const std::vector<std::int64_t>& warnings() const { return m_warnings; }
     const std::vector<std::int64_t>& hits() const { return m_hits; }
+    std::size_t bytes() const { return m_impacts.bytes(); }
     double xOf(std::int64_t frame) const; ///< [px]
     std::int64_t frameAt(double x) const;
 
@@ -66,8 +69,8 @@ class Timeline : public ScrubStrip {
     double m_step = 1.0 / 60; ///< [s]
     std::optional<double> m_duration;
     std::int64_t m_frame = 0;
-    std::uint64_t m_touching = 0;         ///< contacts of the last frame added
-    std::vector<std::uint32_t> m_impacts; ///< by frame, from 1
+    std::uint64_t m_touching = 0; ///< contacts of the last frame added
+    BoundedSeries m_impacts;      ///< of frame 1 at place 0
     std::vector<std::int64_t> m_warnings, m_hits;
 };
 

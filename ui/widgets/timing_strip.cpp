@@ -13,8 +13,8 @@ namespace carom {
 
 namespace {
 
-/// The oldest half goes when there are more: half an hour at 60 frames a second, 60 MB with their ledgers.
-constexpr std::size_t mostSamples = 108'000;
+/// What a small budget leaves: a wide screen.
+constexpr std::size_t leastSamples = 4000;
 /// The scale of Budget leaves room above the line of 1/30 s [ms].
 constexpr double budgetScale = 40;
 constexpr int labelMargin = 4; // [px]
@@ -66,18 +66,48 @@ void TimingStrip::addSamples(std::span<const FrameSample> samples) {
     m_samples.insert(m_samples.end(), samples.begin(), samples.end());
     // Who has scrolled back keeps looking at the same frames.
     if (m_scrolledBack > 0) m_scrolledBack += static_cast<std::ptrdiff_t>(samples.size());
-    if (m_samples.size() > mostSamples) {
-        const std::ptrdiff_t dropped = static_cast<std::ptrdiff_t>(m_samples.size() - mostSamples / 2);
-        m_samples.erase(m_samples.begin(), m_samples.begin() + dropped);
-        m_picked = std::max(m_picked - dropped, noFrame);
-        m_scrolledBack = std::min(m_scrolledBack, static_cast<std::ptrdiff_t>(m_samples.size()) - 1);
-    }
+    if (m_samples.size() > m_most) dropOldest();
     rescale();
     update();
 }
 
+void TimingStrip::dropOldest() {
+    const std::ptrdiff_t dropped = static_cast<std::ptrdiff_t>(m_samples.size() - m_most / 2);
+    m_samples.erase(m_samples.begin(), m_samples.begin() + dropped);
+    m_picked = std::max(m_picked - dropped, noFrame);
+    m_scrolledBack = std::min(m_scrolledBack, static_cast<std::ptrdiff_t>(m_samples.size()) - 1);
+}
+
+void TimingStrip::setBudget(std::size_t bytes) {
+    m_most = std::clamp(bytes / sizeof(FrameSample), leastSamples, mostSamples);
+    if (m_samples.size() <= m_most) return;
+    dropOldest();
+    m_samples.shrink_to_fit();
+    rescale();
+    update();
+}
+
+void TimingStrip::showFrame(std::int64_t frame) {
+    if (frame == m_frame) return;
+    m_frame = frame;
+    update();
+}
+
+std::optional<int> TimingStrip::cursor() const {
+    // Frames ascend, but need not follow each other.
+    const auto place = std::lower_bound(
+        m_samples.begin(), m_samples.end(), m_frame,
+        [](const FrameSample& sample, std::int64_t frame) { return sample.statistics.frame < frame; });
+    if (place == m_samples.end() || place->statistics.frame != m_frame) return std::nullopt;
+    const std::ptrdiff_t fromRight =
+        static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1 - (place - m_samples.begin());
+    const std::ptrdiff_t x = width() - 1 - fromRight * m_columnWidth - m_columnWidth / 2;
+    if (fromRight < 0 || x < 0) return std::nullopt;
+    return static_cast<int>(x);
+}
+
 void TimingStrip::clear() {
-    m_samples.clear();
+    m_samples = {}; // its memory, too
     m_picked = noFrame;
     m_scrolledBack = 0;
     rescale();
@@ -200,6 +230,10 @@ void TimingStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.drawImage(0, 0, image);
     paintLines(painter);
+    if (const std::optional<int> x = cursor()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
+        painter.drawLine(*x, 0, *x, height());
+    }
     if (m_samples.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignRight | Qt::AlignBottom,

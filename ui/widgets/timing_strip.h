@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,8 @@ class TimingStrip : public ScrubStrip {
     /// Budget shows the lines of 1/60 and 1/30 s always; Fit fills the height with what there is.
     enum class Scale { Budget, Fit };
 
+    /// Half an hour at 60 frames a second, 60 MB with their ledgers.
+    static constexpr std::size_t mostSamples = 108'000;
     /// What no frame is.
     static constexpr std::ptrdiff_t noFrame = -1;
 
@@ -31,6 +35,13 @@ class TimingStrip : public ScrubStrip {
 
     void addSamples(std::span<const FrameSample> samples);
     void clear();
+    /// Of the samples [bytes]; the oldest half goes when there are more.
+    void setBudget(std::size_t bytes);
+    std::size_t bytes() const { return m_samples.capacity() * sizeof(FrameSample); }
+    /// The frame on screen: a line, where it is among the samples.
+    void showFrame(std::int64_t frame);
+    /// Of the frame on screen [px], or nothing where it is not in the graph.
+    std::optional<int> cursor() const;
     void setScale(Scale scale);
     void setColumnWidth(int pixels); ///< of one frame, 1 to 16
 
@@ -58,12 +69,15 @@ class TimingStrip : public ScrubStrip {
   private:
     std::ptrdiff_t firstVisible() const;
     void rescale();
+    void dropOldest();
     void paintColumns(QImage& image, double pixelRatio) const;
     void paintLines(QPainter& painter) const;
 
     std::vector<FrameSample> m_samples;
     double m_fullScale = 40;
     std::ptrdiff_t m_picked = noFrame;
+    std::int64_t m_frame = -1; ///< on screen
+    std::size_t m_most = mostSamples;
     std::ptrdiff_t m_scrolledBack = 0; ///< frames between the newest and the right edge
     int m_columnWidth = 2;             ///< [px] of the widget
     Scale m_scale = Scale::Budget;

@@ -47,17 +47,20 @@ QLabel* caption(const QString& text, QWidget* parent) {
 
 TransportBar::TransportBar(const Actions& actions, QWidget* parent)
     : QWidget(parent), m_frame(figure(7, this)), m_time(figure(11, this)), m_status(new QLabel(this)),
-      m_notice(caption({}, this)), m_speed(new QSlider(Qt::Horizontal, this)), m_speedText(figure(6, this)),
+      m_notice(caption({}, this)), m_speed(new QSlider(Qt::Horizontal, this)), m_speedText(figure(10, this)),
       m_unlimited(button(actions[ActionId::Unlimited], this)) {
     actions[ActionId::Unlimited].setCheckable(true);
+    actions[ActionId::Unlimited].setIconText(tr("Max")); // there is little room; the tip says the rest
     m_unlimited->setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_unlimited->setProperty("role", QStringLiteral("words"));
     m_speed->setRange(tickOf(slowest), tickOf(fastest));
-    m_speed->setFixedWidth(140);
+    m_speed->setMinimumWidth(60);
+    m_speed->setMaximumWidth(140);
     m_speed->setToolTip(tr("Speed of the presentation, 0.01× to 100×; the step itself stays"));
     m_speed->setAccessibleName(tr("Speed"));
     m_status->setMinimumWidth(m_status->fontMetrics().horizontalAdvance(tr("running")) + 8);
-    m_notice->setMinimumWidth(40);
+    m_notice->setMinimumWidth(0);
+    m_notice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
     QHBoxLayout* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
@@ -104,7 +107,7 @@ void TransportBar::showTime(std::int64_t frame, double time) {
 void TransportBar::showStatus(const RunStatus& status) {
     switch (status.state) {
     case RunState::Paused:
-        m_status->setText(tr("paused"));
+        m_status->setText(status.seeking ? tr("seeking") : tr("paused"));
         break;
     case RunState::Running:
         m_status->setText(tr("running"));
@@ -113,6 +116,25 @@ void TransportBar::showStatus(const RunStatus& status) {
         m_status->setText(tr("stopped"));
         break;
     }
+}
+
+void TransportBar::showReached(std::optional<double> speed) {
+    m_reached = speed;
+    tellSpeed();
+}
+
+QString TransportBar::speedText() const { return m_speedText->text(); }
+
+void TransportBar::tellSpeed() {
+    constexpr double nearlyAll = 0.95; // of what is asked: windows end between two frames
+    const auto written = [](double speed) { return QStringLiteral("%1×").arg(speed, 0, 'g', 2); };
+    const std::optional<double> asked = speed();
+    if (!asked)
+        m_speedText->setText(m_reached ? tr("max: %1").arg(written(*m_reached)) : tr("max"));
+    else if (m_reached && *m_reached < nearlyAll * *asked)
+        m_speedText->setText(tr("%1 of %2").arg(written(*m_reached), written(*asked)));
+    else
+        m_speedText->setText(written(*asked));
 }
 
 void TransportBar::showNotice(const QString& notice) { m_notice->setText(notice); }
@@ -127,7 +149,8 @@ void TransportBar::setSpeed(double speed) { m_speed->setValue(tickOf(speed)); }
 void TransportBar::reportSpeed() {
     const std::optional<double> now = speed();
     m_speed->setEnabled(now.has_value());
-    m_speedText->setText(now ? QStringLiteral("%1×").arg(*now, 0, 'g', 3) : QStringLiteral("max"));
+    m_reached.reset(); // that was of another speed
+    tellSpeed();
     Q_EMIT speedChanged(now);
 }
 

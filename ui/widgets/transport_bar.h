@@ -26,6 +26,11 @@ class TransportBar : public QWidget {
 
     void showTime(std::int64_t frame, double time);
     void showStatus(const RunStatus& status);
+    /// The speed that a running scene reaches: shown where it is less than the one asked for. Nothing: not
+    /// known.
+    void showReached(std::optional<double> speed);
+    /// "1×", or "0.2× of 1×".
+    QString speedText() const;
     /// What the user should know about the scene on screen; empty for nothing.
     void showNotice(const QString& notice);
 
@@ -38,6 +43,7 @@ class TransportBar : public QWidget {
 
   private:
     void reportSpeed();
+    void tellSpeed();
 
     QLabel* m_frame;
     QLabel* m_time;
@@ -45,6 +51,7 @@ class TransportBar : public QWidget {
     QLabel* m_notice;
     QSlider* m_speed;
     QLabel* m_speedText;
+    std::optional<double> m_reached;
     QToolButton* m_unlimited;
 };
 

@@ -39,6 +39,11 @@ void EditCommands::connectEditing() {
     on(ActionId::Copy, &SceneEditor::copy);
     on(ActionId::Paste, &SceneEditor::paste);
     on(ActionId::SelectAll, [&editor] { editor.selectAll(); });
+    on(ActionId::SelectNext, &SceneEditor::selectNextOccurrence);
+    on(ActionId::LinesUp, [&editor] { editor.send(QsciScintillaBase::SCI_MOVESELECTEDLINESUP); });
+    on(ActionId::LinesDown, [&editor] { editor.send(QsciScintillaBase::SCI_MOVESELECTEDLINESDOWN); });
+    on(ActionId::FoldAll,
+       [&editor] { editor.send(QsciScintillaBase::SCI_FOLDALL, QsciScintillaBase::SC_FOLDACTION_TOGGLE); });
     const auto refresh = [&editor, &actions] {
         actions[ActionId::Undo].setEnabled(editor.isUndoAvailable());
         actions[ActionId::Redo].setEnabled(editor.isRedoAvailable());
@@ -67,7 +72,7 @@ void EditCommands::connectProblems(const Document& document, DiagnosticMarks& ma
     connect(&actions[ActionId::PreviousProblem], &QAction::triggered, &marks, &DiagnosticMarks::goToPrevious);
     connect(&actions[ActionId::FixIt], &QAction::triggered, this, [this, &document, &marks] {
         if (!marks.applyFixIt(document.revision()))
-            m_window.tell(tr("Nothing at the caret has an obvious mend"), messageTime);
+            m_window.tell(tr("There is no quick fix for what is at the caret"), messageTime);
     });
 }
 
@@ -82,6 +87,15 @@ void EditCommands::connectLook(DiagnosticMarks& marks, Settings& settings) {
     });
     inPlace.setChecked(settings.inlineMessages());
     marks.setInlineMessages(settings.inlineMessages());
+
+    QAction& wrap = actions[ActionId::WrapLines];
+    wrap.setCheckable(true);
+    connect(&wrap, &QAction::toggled, this, [&editor, &settings](bool wraps) {
+        editor.setWrapsLines(wraps);
+        settings.setWrapsLines(wraps);
+    });
+    wrap.setChecked(settings.wrapsLines());
+    editor.setWrapsLines(settings.wrapsLines());
 
     editor.zoomTo(settings.editorZoom());
     const auto zoom = [&](ActionId id, auto change) {

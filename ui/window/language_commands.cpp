@@ -94,7 +94,7 @@ void LanguageCommands::goToDefinition() {
 void LanguageCommands::format() {
     const QByteArray before = m_editor.bytes();
     const QByteArray after = QByteArray::fromStdString(formatText(analyse(before.toStdString())));
-    if (before == after) return say(tr("The text is laid out in the usual way already"));
+    if (before == after) return say(tr("The text is formatted already"));
     const std::int64_t caret = samePlace(before, after, m_editor.caret());
     const std::int64_t top = m_editor.send(Sci::SCI_GETFIRSTVISIBLELINE);
     m_editor.replaceRange({0, static_cast<std::uint32_t>(before.size())}, after);

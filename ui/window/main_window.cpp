@@ -57,7 +57,7 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
       m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
       m_output(new OutputDock), m_stability(new StabilityDock(theme)),
       m_buildProgress(new ProgressStrip(tr("Building"), (*m_actions)[ActionId::CancelBuild])),
-      m_warning(new QLabel), m_caret(new QLabel) {
+      m_warning(new QLabel), m_memory(new QLabel), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -80,6 +80,10 @@ MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     m_warning->setTextFormat(Qt::PlainText);
     m_warning->hide();
     statusBar()->addPermanentWidget(m_warning);
+    m_memory->setObjectName(QStringLiteral("memoryInUse"));
+    m_memory->setProperty("role", QStringLiteral("muted"));
+    m_memory->setContentsMargins(0, 0, 8, 0);
+    statusBar()->addPermanentWidget(m_memory);
     statusBar()->addPermanentWidget(m_caret);
     statusBar()->setSizeGripEnabled(false);
     // Else it grows when it first asks what it may show one day, and the picture shrinks.
@@ -230,7 +234,8 @@ void MainWindow::open(QDockWidget& dock) {
 void MainWindow::tell(const QString& sentence, int milliseconds) {
     constexpr int gap = 24; // [px] to the place of the caret
     const int warning = m_warning->isHidden() ? 0 : m_warning->sizeHint().width();
-    const int room = statusBar()->width() - m_caret->sizeHint().width() - warning - gap;
+    const int right = m_caret->sizeHint().width() + m_memory->sizeHint().width();
+    const int room = statusBar()->width() - right - warning - gap;
     statusBar()->showMessage(statusBar()->fontMetrics().elidedText(sentence, Qt::ElideRight, room),
                              milliseconds);
 }
@@ -239,6 +244,11 @@ void MainWindow::warn(const QString& sentence) {
     m_warning->setText(sentence);
     m_warning->setToolTip(sentence);
     m_warning->setHidden(sentence.isEmpty());
+}
+
+void MainWindow::showMemory(const QString& words, const QString& tip) {
+    m_memory->setText(words);
+    m_memory->setToolTip(tip);
 }
 
 void MainWindow::showCaret(std::uint32_t line, std::uint32_t column) {

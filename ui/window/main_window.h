@@ -77,6 +77,8 @@ class MainWindow : public QMainWindow {
     void tell(const QString& sentence, int milliseconds = 0);
     /// What the user has to know until it is over, an empty text; beside the place of the caret.
     void warn(const QString& sentence);
+    /// What a run takes of its budget, in the status bar; the tip says what for.
+    void showMemory(const QString& words, const QString& tip);
     void showCaret(std::uint32_t line, std::uint32_t column);
     void saveLayout(Settings& settings) const;
     /// Asked before the window closes; false keeps it open.
@@ -117,6 +119,7 @@ class MainWindow : public QMainWindow {
     Workspaces* m_workspaces = nullptr;
     ProgressStrip* m_buildProgress;
     QLabel* m_warning;
+    QLabel* m_memory;
     QLabel* m_caret;
     std::function<bool()> m_mayClose;
 };

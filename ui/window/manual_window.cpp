@@ -120,7 +120,7 @@ void layOut(QTextDocument& document) {
 } // namespace
 
 QString keysPage(const Actions& actions) {
-    QString page = QStringLiteral("# %1\n\n").arg(ManualWindow::tr("Keys"));
+    QString page = QStringLiteral("# %1\n\n").arg(ManualWindow::tr("Shortcuts"));
     page +=
         ManualWindow::tr("Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc "
                          "back to the text. In the picture: the left button turns, the right one moves, the "
@@ -160,7 +160,7 @@ ManualWindow::ManualWindow(const Actions& actions, QWidget* parent)
                {QStringLiteral("expectations"), tr("State what must happen"), file("expectations.md")},
                {QStringLiteral("language"), tr("The scene language"), file("language.md")},
                {QStringLiteral("diagrams"), tr("Reading a work–precision diagram"), file("diagrams.md")},
-               {QStringLiteral("keys"), tr("Keys"), keysPage(actions)}};
+               {QStringLiteral("keys"), tr("Shortcuts"), keysPage(actions)}};
 
     m_contents->setHeaderHidden(true);
     m_contents->setAccessibleName(tr("Contents of the manual"));

@@ -98,7 +98,7 @@ void PictureCommands::savePicture() {
 
 void PictureCommands::askForFilm() {
     QDialog dialog(&m_window);
-    dialog.setWindowTitle(tr("Record a film"));
+    dialog.setWindowTitle(tr("Record a video"));
     QFormLayout form(&dialog);
     QSpinBox* width = pixels("filmWidth", 960);
     QSpinBox* height = pixels("filmHeight", 720);
@@ -116,8 +116,8 @@ void PictureCommands::askForFilm() {
     form.addRow(tr("Speed"), speed);
     if (!accepted(dialog, form)) return;
     const QString path = askWhereToSave(
-        &m_window, tr("Record a film"), QStringLiteral("run.gif"),
-        tr("Animated pictures (*.gif);;Films (*.mp4);;One picture a frame (*.png)"), firstFileOf);
+        &m_window, tr("Record a video"), QStringLiteral("run.gif"),
+        tr("Animated pictures (*.gif);;Videos (*.mp4);;One picture a frame (*.png)"), firstFileOf);
     if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
     const Viewport& viewport = m_window.viewport();
@@ -136,7 +136,7 @@ void PictureCommands::film(const FilmPlan& plan) {
     QProgressDialog* progress =
         new QProgressDialog(tr("Recording…"), tr("Cancel"), 0, plan.pictures(), &m_window);
     progress->setObjectName(QStringLiteral("filmProgress"));
-    progress->setWindowTitle(tr("Record a film"));
+    progress->setWindowTitle(tr("Record a video"));
     progress->setMinimumDuration(500);
     progress->setAutoReset(false);
     connect(progress, &QProgressDialog::canceled, film, &Film::cancel);

@@ -72,8 +72,8 @@ Preferences::Preferences(Settings& settings, Actions& actions, QWidget* parent)
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
     QTabWidget* pages = new QTabWidget;
-    pages->addTab(lookPage(), tr("Look"));
-    pages->addTab(keysPage(), tr("Keys"));
+    pages->addTab(lookPage(), tr("Appearance"));
+    pages->addTab(keysPage(), tr("Shortcuts"));
     pages->addTab(viewportPage(), tr("Viewport"));
     pages->addTab(simulationPage(), tr("Simulation"));
     QDialogButtonBox* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -136,7 +136,7 @@ QWidget* Preferences::keysPage() {
     words->setAccessibleName(tr("Find a command"));
     m_keys = new QTableWidget(0, 3);
     m_keys->setObjectName(QStringLiteral("keys"));
-    m_keys->setHorizontalHeaderLabels({tr("Command"), tr("Keys"), QString()});
+    m_keys->setHorizontalHeaderLabels({tr("Command"), tr("Shortcut"), QString()});
     m_keys->verticalHeader()->hide();
     m_keys->setSelectionMode(QAbstractItemView::NoSelection);
     m_keys->setFocusPolicy(Qt::NoFocus);
@@ -171,12 +171,12 @@ void Preferences::fillKeys(const QString& words) {
         QKeySequenceEdit* edit = new QKeySequenceEdit(action.shortcut());
         edit->setObjectName(name);
         edit->setClearButtonEnabled(true);
-        edit->setAccessibleName(tr("Keys of “%1”").arg(title));
+        edit->setAccessibleName(tr("Shortcut of “%1”").arg(title));
         connect(edit, &QKeySequenceEdit::editingFinished, this,
                 [this, name, edit] { setKeys(name, edit->keySequence()); });
         m_keys->setCellWidget(at, 1, edit);
-        QPushButton* usual = new QPushButton(tr("Usual"));
-        usual->setToolTip(tr("Give the command its usual keys"));
+        QPushButton* usual = new QPushButton(tr("Default"));
+        usual->setToolTip(tr("Give the command its default shortcut"));
         connect(usual, &QPushButton::clicked, this, [this, id = row.id, name, edit] {
             m_settings.setKeysOf(name, std::nullopt);
             m_actions.takeKeys(m_settings);
@@ -228,7 +228,7 @@ QWidget* Preferences::viewportPage() {
         m_settings.setNavigation(presets->currentData().toString());
         Q_EMIT navigationChosen();
     });
-    form->addRow(tr("Mouse in the picture"), presets);
+    form->addRow(tr("Navigation"), presets);
     form->addRow(QString(),
                  remark(tr("The wheel zooms at the pointer and a click selects, whatever is chosen "
                            "here.")));
@@ -254,7 +254,7 @@ QWidget* Preferences::simulationPage() {
         m_settings.setMemoryBudget(mebibytes);
         Q_EMIT memoryChosen();
     });
-    form->addRow(tr("Memory for going back in time"), memory);
+    form->addRow(tr("Rewind memory"), memory);
     QSpinBox* threads = new QSpinBox;
     threads->setObjectName(QStringLiteral("threads"));
     threads->setRange(0, 4 * std::max(1, QThread::idealThreadCount()));

@@ -52,8 +52,8 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
     row->addWidget(m_difference, 1);
 
     QDialogButtonBox* buttons = new QDialogButtonBox;
-    QPushButton* takeUp = buttons->addButton(tr("&Take it up"), QDialogButtonBox::AcceptRole);
-    QPushButton* throwAway = buttons->addButton(tr("T&hrow it away"), QDialogButtonBox::DestructiveRole);
+    QPushButton* takeUp = buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole);
+    QPushButton* throwAway = buttons->addButton(tr("&Discard"), QDialogButtonBox::DestructiveRole);
     QPushButton* later = buttons->addButton(tr("Ask me &later"), QDialogButtonBox::RejectRole);
     takeUp->setObjectName(QStringLiteral("takeUp"));
     throwAway->setObjectName(QStringLiteral("throwAway"));

@@ -36,8 +36,13 @@ void RunCommands::setTheme(const Theme& theme) {
 void RunCommands::connectActions() {
     const Actions& actions = m_window.actions();
     connect(&actions[ActionId::Play], &QAction::triggered, &m_simulation, &Simulation::togglePlay);
-    connect(&actions[ActionId::Step], &QAction::triggered, &m_simulation, &Simulation::step);
-    connect(&actions[ActionId::StepBack], &QAction::triggered, &m_simulation, &Simulation::stepBack);
+    // A key that is held asks sooner than a large scene can answer; what was not made is not made up for.
+    connect(&actions[ActionId::Step], &QAction::triggered, this, [this] {
+        if (!m_simulation.isStepping()) m_simulation.step();
+    });
+    connect(&actions[ActionId::StepBack], &QAction::triggered, this, [this] {
+        if (!m_simulation.isStepping()) m_simulation.stepBack();
+    });
     connect(&actions[ActionId::Reset], &QAction::triggered, &m_preview, &LivePreview::reset);
     Viewport& viewport = m_window.viewport();
     connect(&actions[ActionId::FrameSelection], &QAction::triggered, &viewport, &Viewport::frameSelection);
@@ -95,9 +100,14 @@ void RunCommands::connectFrames() {
                 viewport.showSnapshot(snapshot);
                 m_window.transport().showTime(snapshot->frame, snapshot->time);
                 m_window.timeline().showFrame(snapshot->frame);
+                m_window.timing().showFrame(snapshot->frame);
+                m_window.plots().showFrame(snapshot->frame);
+                noteSpeed(snapshot->time);
             });
+    connect(&timeline, &Timeline::seeked, this, [this] { m_speed.restart(); });
     connect(&viewport, &Viewport::frameRendered, &m_log, &FrameLog::noteRendered);
-    connect(&m_simulation, &Simulation::restarted, &m_log, &FrameLog::clear);
+    for (const auto begins : {&Simulation::restarted, &Simulation::rewound})
+        connect(&m_simulation, begins, &m_log, &FrameLog::clear);
     connect(&m_simulation, &Simulation::stateChanged, this, &RunCommands::showStatus);
 }
 
@@ -111,11 +121,13 @@ void RunCommands::connectPanels() {
                 broadphase.addSamples(samples);
                 effects.addSamples(samples);
             });
-    connect(&m_simulation, &Simulation::restarted, &effects, &EffectsDock::clear);
-    connect(&m_simulation, &Simulation::restarted, &timing, &TimingDock::clear);
+    for (const auto begins : {&Simulation::restarted, &Simulation::rewound}) {
+        connect(&m_simulation, begins, &effects, &EffectsDock::clear);
+        connect(&m_simulation, begins, &timing, &TimingDock::clear);
+        connect(&m_simulation, begins, &broadphase, &BroadphaseDock::clear);
+    }
     connect(&m_simulation, &Simulation::restarted, this, &RunCommands::describeRun);
     connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);
-    connect(&m_simulation, &Simulation::restarted, &broadphase, &BroadphaseDock::clear);
     connectBreakpoints();
     InspectorDock& inspector = m_window.inspector();
     connect(&m_preview, &LivePreview::shownChanged, &inspector,
@@ -126,6 +138,8 @@ void RunCommands::connectPanels() {
             [this, &plots] { plots.showPipeline(m_simulation.pipeline()); });
     connect(&m_simulation, &Simulation::framesArrived, &plots,
             [&plots](const std::vector<FrameStatistics>& frames) { plots.reach(frames.back().frame); });
+    connect(&plots, &PlotsDock::framePicked, &m_simulation, &Simulation::seek);
+    plots.plotWhole("energy"); // what most scenes are watched for
     connect(&broadphase, &BroadphaseDock::algorithmChosen, this, [this](const BroadphaseRow* row) {
         m_simulation.useBroadphase(row);
         m_broadphase = row;
@@ -178,7 +192,9 @@ void RunCommands::connectBreakpoints() {
 }
 
 void RunCommands::showStatus(const RunStatus& status) {
-    const bool running = status.state == RunState::Running;
+    const bool running = status.state == RunState::Running || status.seeking;
+    m_speed.restart();
+    m_window.transport().showReached(std::nullopt);
     const bool stopped = status.state == RunState::Stopped;
     QAction& play = m_window.actions()[ActionId::Play];
     play.setText(running ? tr("&Pause") : tr("&Play"));
@@ -191,6 +207,12 @@ void RunCommands::showStatus(const RunStatus& status) {
     const QString sentence = whyItStopped(status);
     m_window.transport().showNotice(sentence);
     Q_EMIT reported(sentence);
+}
+
+void RunCommands::noteSpeed(double time) {
+    if (!m_simulation.isRunning()) return;
+    if (const std::optional<double> speed = m_speed.note(time, SpeedMeter::Clock::now()))
+        m_window.transport().showReached(speed);
 }
 
 QString RunCommands::whyItStopped(const RunStatus& status) const {

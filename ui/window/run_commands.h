@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/player/speed_meter.h"
 #include "ui/window/theme.h"
 
 #include <QObject>
@@ -32,6 +33,7 @@ class RunCommands : public QObject {
     void connectBreakpoints();
     void describeRun();
     void showStatus(const RunStatus& status);
+    void noteSpeed(double time);
     QString whyItStopped(const RunStatus& status) const;
 
     MainWindow& m_window;
@@ -39,6 +41,7 @@ class RunCommands : public QObject {
     FrameLog& m_log;
     LivePreview& m_preview;
     const BroadphaseRow* m_broadphase = nullptr; ///< chosen in its panel; null: what the scene asks for
+    SpeedMeter m_speed;
     Theme m_theme;
 };
 

@@ -16,11 +16,12 @@ constexpr qsizetype recentCount = 12;
 
 const QString darkThemeKey = QStringLiteral("look/dark");
 const QString inlineMessagesKey = QStringLiteral("editor/inlineMessages");
+const QString wrapKey = QStringLiteral("editor/wrap");
 const QString editorZoomKey = QStringLiteral("editor/zoom");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString workspaceKey = QStringLiteral("workspace/current");
 const QString stateKey = QStringLiteral("workspace/%1/state");
-const QString splitterKey = QStringLiteral("workspace/%1/splitter");
+const QString sharesKey = QStringLiteral("workspace/%1/shares");
 const QString placeKey = QStringLiteral("files/place");
 const QString fontFamilyKey = QStringLiteral("editor/font");
 const QString fontSizeKey = QStringLiteral("editor/fontSize");
@@ -41,6 +42,8 @@ const QString recentKey = QStringLiteral("files/recent");
 
 bool Settings::darkTheme() const { return QSettings().value(darkThemeKey, true).toBool(); }
 void Settings::setDarkTheme(bool dark) { QSettings().setValue(darkThemeKey, dark); }
+bool Settings::wrapsLines() const { return QSettings().value(wrapKey, true).toBool(); }
+void Settings::setWrapsLines(bool wraps) { QSettings().setValue(wrapKey, wraps); }
 bool Settings::inlineMessages() const { return QSettings().value(inlineMessagesKey, true).toBool(); }
 void Settings::setInlineMessages(bool shown) { QSettings().setValue(inlineMessagesKey, shown); }
 int Settings::editorZoom() const { return QSettings().value(editorZoomKey, 0).toInt(); }
@@ -53,19 +56,21 @@ QString Settings::workspace() const { return QSettings().value(workspaceKey).toS
 QByteArray Settings::workspaceState(const QString& name) const {
     return QSettings().value(stateKey.arg(name)).toByteArray();
 }
-QByteArray Settings::workspaceSplitter(const QString& name) const {
-    return QSettings().value(splitterKey.arg(name)).toByteArray();
+std::optional<WindowShares> Settings::workspaceShares(const QString& name) const {
+    const QVariantList shares = QSettings().value(sharesKey.arg(name)).toList();
+    if (shares.size() != 3) return std::nullopt;
+    return WindowShares{shares[0].toDouble(), shares[1].toDouble(), shares[2].toDouble()};
 }
-void Settings::setWorkspace(const QString& name, const QByteArray& state, const QByteArray& splitter) {
+void Settings::setWorkspace(const QString& name, const QByteArray& state, const WindowShares& shares) {
     QSettings settings;
     settings.setValue(workspaceKey, name);
     settings.setValue(stateKey.arg(name), state);
-    settings.setValue(splitterKey.arg(name), splitter);
+    settings.setValue(sharesKey.arg(name), QVariantList{shares.text, shares.right, shares.below});
 }
 void Settings::forgetWorkspace(const QString& name) {
     QSettings settings;
     settings.remove(stateKey.arg(name));
-    settings.remove(splitterKey.arg(name));
+    settings.remove(sharesKey.arg(name));
 }
 
 SessionPlace Settings::lastPlace() const {

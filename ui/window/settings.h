@@ -15,12 +15,21 @@ struct SessionPlace {
     qint64 firstLine = 0; ///< at the top of the editor
 };
 
+/// How the window is divided, whatever its size.
+struct WindowShares {
+    double text = 0;  ///< of the width of text and viewport
+    double right = 0; ///< of the window's width
+    double below = 0; ///< of its height
+};
+
 /// What is remembered between sessions, in the user's configuration directory. Every value has a default that
 /// makes a first start look right.
 class Settings {
   public:
     bool darkTheme() const;
     void setDarkTheme(bool dark);
+    bool wrapsLines() const; ///< of the text, where they do not fit
+    void setWrapsLines(bool wraps);
     bool inlineMessages() const;
     void setInlineMessages(bool shown);
     int editorZoom() const; ///< [pt] added to the font's size
@@ -31,8 +40,8 @@ class Settings {
     /// The workspace used last; the others are kept under their names.
     QString workspace() const;
     QByteArray workspaceState(const QString& name) const;
-    QByteArray workspaceSplitter(const QString& name) const;
-    void setWorkspace(const QString& name, const QByteArray& state, const QByteArray& splitter);
+    std::optional<WindowShares> workspaceShares(const QString& name) const;
+    void setWorkspace(const QString& name, const QByteArray& state, const WindowShares& shares);
     void forgetWorkspace(const QString& name);
 
     /// Newest first; files that are gone are left out.

@@ -29,6 +29,7 @@
 #include "ui/window/language_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
+#include "ui/window/memory_use.h"
 #include "ui/window/picture_commands.h"
 #include "ui/window/preferences.h"
 #include "ui/window/recovery.h"
@@ -58,6 +59,7 @@ Workbench::Workbench()
       m_files(new FileCommands(*m_document, *m_window, m_settings)),
       m_help(new HelpCommands(*m_window, *m_document, *m_files, m_settings)),
       m_runs(new RunCommands(*m_window, *m_simulation, *m_frames, *m_preview)),
+      m_memory(new MemoryUse(*m_window, *m_simulation)),
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
     new BodyDrag(m_window->editor(), m_window->viewport(), *m_simulation, *m_builds, *m_preview);
@@ -112,6 +114,14 @@ bool Workbench::offerRecovery() {
     // The old swap file goes when its text is in this session's own.
     if (answer == RecoveryDialog::ThrowAway || m_recovery->keep()) Recovery::discard(chosen);
     return answer == RecoveryDialog::TakeUp;
+}
+
+void Workbench::playWhenBuilt() {
+    if (m_builds->isCurrent())
+        m_simulation->play();
+    else
+        connect(m_preview, &LivePreview::shownChanged, m_simulation.get(), &Simulation::play,
+                Qt::SingleShotConnection);
 }
 
 void Workbench::keepUnsavedText() {
@@ -238,8 +248,7 @@ void Workbench::connectPreferences() {
 }
 
 void Workbench::takeMemoryBudget() {
-    constexpr int bitsOfMebibyte = 20;
-    m_simulation->setMemoryBudget(static_cast<std::size_t>(m_settings.memoryBudget()) << bitsOfMebibyte);
+    m_memory->setBudget(static_cast<std::size_t>(m_settings.memoryBudget()) * mebibyte);
 }
 
 void Workbench::showPreferences() {

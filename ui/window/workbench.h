@@ -18,6 +18,7 @@ class HelpCommands;
 class LanguageCommands;
 class LivePreview;
 class MainWindow;
+class MemoryUse;
 class PictureCommands;
 class Recovery;
 class RunCommands;
@@ -39,6 +40,7 @@ class Workbench : public QObject {
     FrameLog& frames() const { return *m_frames; }
     FileCommands& files() const { return *m_files; }
     const LivePreview& preview() const { return *m_preview; }
+    const MemoryUse& memory() const { return *m_memory; }
     PictureCommands& pictures() const { return *m_pictures; }
 
     HelpCommands& help() const { return *m_help; }
@@ -48,6 +50,8 @@ class Workbench : public QObject {
     bool openLastOrFirst();
     /// Asks about the text of a session that crashed, if there is one, and takes it up; true if it did.
     bool offerRecovery();
+    /// Plays the scene; one that is still being built as soon as it is.
+    void playWhenBuilt();
     /// Keeps unsaved text in a swap file from now on.
     void keepUnsavedText();
 
@@ -77,6 +81,7 @@ class Workbench : public QObject {
     FileCommands* m_files;
     HelpCommands* m_help;
     RunCommands* m_runs;
+    MemoryUse* m_memory;
     PictureCommands* m_pictures = nullptr;
     Selection* m_selection;
 };

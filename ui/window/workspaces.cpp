@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workspaces.h"
 
-#include "ui/window/settings.h"
-
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QSplitter>
 #include <QTabBar>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -20,9 +20,14 @@ struct WorkspaceRow {
     const char* name;
     const char* panels;
     ActionId action;
-    int textShare;   ///< [%]
-    int belowHeight; ///< [px]
+    int textShare;  ///< [%]
+    int belowShare; ///< [%]
 };
+
+constexpr double rightShare = 0.2;
+constexpr int leastText = 260;   // [px]
+constexpr int leastRight = 240;  // [px]: a name and a value side by side
+constexpr int leastCentre = 300; // [px] of the height, with timeline and transport, that panels below leave
 
 constexpr std::array rows = {
 #define CAROM_WORKSPACE(id, panels, text, below)                                                             \
@@ -32,6 +37,9 @@ constexpr std::array rows = {
 };
 
 const WorkspaceRow& rowOf(WorkspaceId id) { return rows[static_cast<std::size_t>(id)]; }
+WindowShares sharesOf(WorkspaceId id) {
+    return {rowOf(id).textShare / 100.0, rightShare, rowOf(id).belowShare / 100.0};
+}
 QString nameOf(WorkspaceId id) { return QString::fromLatin1(rowOf(id).name); }
 
 } // namespace
@@ -47,6 +55,65 @@ Workspaces::Workspaces(QMainWindow& window, QSplitter& splitter, const Actions& 
         connect(&action, &QAction::triggered, this, [this, i] { show(static_cast<WorkspaceId>(i)); });
     }
     connect(&actions[ActionId::ResetWorkspace], &QAction::triggered, this, &Workspaces::resetCurrent);
+    connect(&splitter, &QSplitter::splitterMoved, this, [this] { m_shares.text = measured().text; });
+    window.installEventFilter(this);
+}
+
+/// The edges of panels are the window's own: it gets their mouse events.
+bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != &m_window) return false;
+    if (event->type() == QEvent::Resize) // to be done when the window has laid itself out
+        QMetaObject::invokeMethod(this, &Workspaces::divide, Qt::QueuedConnection);
+    else if (event->type() == QEvent::MouseButtonPress)
+        m_pressed = measured();
+    else if (event->type() == QEvent::MouseButtonRelease)
+        QMetaObject::invokeMethod(this, &Workspaces::noteDrag, Qt::QueuedConnection);
+    return false;
+}
+
+/// One that is on screen there.
+QDockWidget* Workspaces::panelIn(Qt::DockWidgetArea area) const {
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>())
+        if (!dock->isFloating() && !dock->isHidden() && m_window.dockWidgetArea(dock) == area &&
+            (!m_window.isVisible() || !dock->visibleRegion().isEmpty()))
+            return dock;
+    return nullptr;
+}
+
+void Workspaces::divide() {
+    if (QDockWidget* right = panelIn(Qt::RightDockWidgetArea)) {
+        const int width = static_cast<int>(m_shares.right * m_window.width());
+        m_window.resizeDocks({right}, {std::max(leastRight, width)}, Qt::Horizontal);
+    }
+    if (QDockWidget* below = panelIn(Qt::BottomDockWidgetArea)) {
+        const int height = static_cast<int>(m_shares.below * m_window.height());
+        const int most = m_window.height() - leastCentre;
+        m_window.resizeDocks({below}, {std::min(height, most)}, Qt::Vertical);
+    }
+    const int whole = std::max(1, m_splitter.width());
+    const int text = std::max(std::min(leastText, whole / 2), static_cast<int>(m_shares.text * whole));
+    m_splitter.setSizes({text, whole - text});
+}
+
+WindowShares Workspaces::measured() const {
+    const auto share = [](int part, int whole) { return part / static_cast<double>(std::max(1, whole)); };
+    const QList<int> halves = m_splitter.sizes();
+    const QDockWidget* right = panelIn(Qt::RightDockWidgetArea);
+    const QDockWidget* below = panelIn(Qt::BottomDockWidgetArea);
+    return {share(halves[0], halves[0] + halves[1]), right ? share(right->width(), m_window.width()) : 0,
+            below ? share(below->height(), m_window.height()) : 0};
+}
+
+/// What a drag has moved is where the user wants it; the rest may be where a small window put it.
+void Workspaces::noteDrag() {
+    const WindowShares now = measured();
+    const auto take = [](double& share, double before, double after) {
+        if (after > 0 && after != before) share = after;
+    };
+    take(m_shares.text, m_pressed.text, now.text);
+    take(m_shares.right, m_pressed.right, now.right);
+    take(m_shares.below, m_pressed.below, now.below);
+    m_pressed = now;
 }
 
 void Workspaces::restore(const Settings& settings) {
@@ -58,7 +125,7 @@ void Workspaces::restore(const Settings& settings) {
 }
 
 void Workspaces::save(Settings& settings) const {
-    settings.setWorkspace(nameOf(m_current), m_window.saveState(), m_splitter.saveState());
+    settings.setWorkspace(nameOf(m_current), m_window.saveState(), m_shares);
 }
 
 /// Tab bars that Qt makes for tabbed panels draw a line of the platform's colour; ours have none.
@@ -85,26 +152,23 @@ void Workspaces::resetCurrent() {
 void Workspaces::arrange(WorkspaceId id) {
     const Settings settings;
     const WorkspaceRow& row = rowOf(id);
+    m_shares = settings.workspaceShares(nameOf(id)).value_or(sharesOf(id));
     const bool wasLeft = m_window.restoreState(settings.workspaceState(nameOf(id)));
     if (wasLeft) {
-        m_splitter.restoreState(settings.workspaceSplitter(nameOf(id)));
+        divide();
         dropLinesUnderTabs();
         return;
     }
     m_window.restoreState(m_pristine);
     const QStringList panels = QString::fromLatin1(row.panels).split(u' ');
     const QList<QDockWidget*> docks = m_window.findChildren<QDockWidget*>();
-    QList<QDockWidget*> below;
     for (QDockWidget* dock : docks) {
         const bool shown = panels.contains(dock->objectName()) || panels.contains(dock->objectName() + u'!');
         dock->setVisible(shown);
-        if (shown && m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea) below.append(dock);
     }
     for (QDockWidget* dock : docks) // when all tabs are there
         if (panels.contains(dock->objectName() + u'!')) dock->raise();
-    if (!below.isEmpty()) m_window.resizeDocks({below.first()}, {row.belowHeight}, Qt::Vertical);
-    constexpr int whole = 1000; // only the proportion counts
-    m_splitter.setSizes({row.textShare * whole / 100, whole - row.textShare * whole / 100});
+    divide();
     dropLinesUnderTabs();
 }
 

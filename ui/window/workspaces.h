@@ -2,19 +2,19 @@
 #pragma once
 
 #include "ui/window/actions.h"
+#include "ui/window/settings.h"
 
 #include <QByteArray>
 #include <QObject>
 
 #include <cstdint>
 
+class QDockWidget;
 class QMainWindow;
 class QSplitter;
 class QToolBar;
 
 namespace carom {
-
-class Settings;
 
 enum class WorkspaceId : std::uint8_t {
 #define CAROM_WORKSPACE(id, panels, text, below) id,
@@ -23,7 +23,8 @@ enum class WorkspaceId : std::uint8_t {
 };
 
 /// Four arrangements of the panels: to write, to watch, to measure, to study. Each is kept as it was left and
-/// can be put back to how it came.
+/// can be put back to how it came. Sizes are kept as shares of the window: they follow its size, and a small
+/// window, where panels are narrower than anyone wished, does not change them. Only dragging an edge does.
 class Workspaces : public QObject {
     Q_OBJECT
   public:
@@ -36,7 +37,13 @@ class Workspaces : public QObject {
     WorkspaceId current() const { return m_current; }
     void show(WorkspaceId id);
 
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
+    void divide();
+    void noteDrag();
+    WindowShares measured() const;
+    QDockWidget* panelIn(Qt::DockWidgetArea area) const;
     void arrange(WorkspaceId id);
     void resetCurrent();
     void dropLinesUnderTabs();
@@ -45,7 +52,9 @@ class Workspaces : public QObject {
     QMainWindow& m_window;
     QSplitter& m_splitter;
     const Actions& m_actions;
-    QByteArray m_pristine; ///< every panel at its first place
+    QByteArray m_pristine;  ///< every panel at its first place
+    WindowShares m_shares;  ///< as wished
+    WindowShares m_pressed; ///< as they were when the mouse was pressed on an edge
     WorkspaceId m_current = WorkspaceId::Write;
 };
 

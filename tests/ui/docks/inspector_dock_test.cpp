@@ -56,6 +56,19 @@ class InspectorDockTest : public QObject {
         QVERIFY(dock.valueOf(QStringLiteral("contact force")).toDouble() < 1e-6); // it is falling
     }
 
+    void aNarrowPanelCutsNamesAndNoValues() {
+        InspectorDock dock;
+        dock.showPipeline(build(scene).pipeline);
+        dock.showBody(1);
+        dock.resize(170, 400);
+        dock.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
+        const int wanted = static_cast<const QAbstractItemView*>(tree)->sizeHintForColumn(1);
+        QVERIFY(tree->columnWidth(1) >= wanted);
+        QVERIFY(tree->columnViewportPosition(1) + tree->columnWidth(1) <= tree->viewport()->width());
+    }
+
     void withoutABodyTheWholeIsShownAndAnEmptySceneSaysWhatToDo() {
         InspectorDock dock;
         dock.showPipeline(build(scene).pipeline);

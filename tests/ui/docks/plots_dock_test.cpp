@@ -10,10 +10,15 @@
 #include <QComboBox>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QListWidget>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+
+#include <cmath>
+#include <optional>
 
 using namespace carom;
 
@@ -105,6 +110,49 @@ class PlotsDockTest : public QObject {
         shown.dock.reach(3);
         QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4) && std::isnan(shown.dock.chart().series.front().y.front()),
                                  patience);
+    }
+
+    void aLongRunKeepsItsExtremesInBoundedMemory() {
+        Shown shown;
+        shown.dock.showPipeline(build("sphere ball { radius .1 mass 1 centre 0,0,0 vel 3,0,0 }").pipeline);
+        shown.add("ball", "position x");
+        shown.dock.reach(40'000);
+        QVERIFY(shown.named<QLabel>("plotProgress")->isVisible()); // it is behind, and says so
+        const auto arrived = [&] {
+            const std::vector<ChartSeries>& series = shown.dock.chart().series;
+            return !series.empty() && !series.front().x.empty() &&
+                   std::abs(series.front().x.back() - 40'000.0 / 60) < 1e-6;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(arrived(), patience);
+        QVERIFY(!shown.named<QLabel>("plotProgress")->isVisible());
+        const ChartSeries& series = shown.dock.chart().series.front();
+        QVERIFY(series.x.size() <= 2 * BoundedSeries::mostStretches + 2);
+        for (std::size_t k = 0; k < series.x.size(); ++k)
+            QVERIFY(std::abs(series.y[k] - 3 * series.x[k]) < 1e-6);
+        QVERIFY(shown.dock.bytes() < std::size_t{1} << 20);
+        const QTemporaryDir folder;
+        const QString csv = folder.filePath(QStringLiteral("plot.csv"));
+        QCOMPARE(shown.dock.exportTo(csv), QString());
+        const QList<QByteArray> lines = contents(csv).split('\n');
+        QCOMPARE(lines[0],
+                 QByteArray("time_s,\"least ball: position x [m]\",\"greatest ball: position x [m]\""));
+        QVERIFY(lines[1].startsWith("0,0,0.35")); // of frames 0 to 7, and 7 · 3 / 60 = 0.35
+    }
+
+    void aClickInTheChartPicksTheFrameUnderIt() {
+        Shown shown;
+        shown.dock.reach(30);
+        shown.add("ball", "position x");
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), patience);
+        PlotWidget* plot = shown.dock.findChild<PlotWidget*>();
+        QSignalSpy picked(&shown.dock, &PlotsDock::framePicked);
+        QWidget* canvas = plot->findChild<QWidget*>();
+        const QPoint place(static_cast<int>(std::lround(plot->xOf(12.0 / 60))), canvas->height() / 3);
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, place);
+        QCOMPARE(picked.count(), 1);
+        QCOMPARE(picked.first().first().toLongLong(), 12);
+        shown.dock.showFrame(12);
+        QCOMPARE(plot->cursor(), std::optional(12.0 / 60));
     }
 
     void exportsAreFilesOfTheirKind() {

@@ -271,6 +271,66 @@ class SceneEditorTest : public QObject {
         QVERIFY(!editor.isListActive());
     }
 
+    void ctrlAndAClickAddACaret() {
+        SceneEditor editor(m_theme);
+        editor.resize(400, 300);
+        editor.setBytes("one\ntwo\nthree\n");
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        const auto placeOf = [&](std::int64_t offset) {
+            return QPoint(static_cast<int>(editor.send(Sci::SCI_POINTXFROMPOSITION, 0, offset)) + 1,
+                          static_cast<int>(editor.send(Sci::SCI_POINTYFROMPOSITION, 0, offset)) + 5);
+        };
+        QTest::mouseClick(editor.viewport(), Qt::LeftButton, {}, placeOf(0));
+        QTest::mouseClick(editor.viewport(), Qt::LeftButton, Qt::ControlModifier, placeOf(4));
+        QTest::mouseClick(editor.viewport(), Qt::LeftButton, Qt::ControlModifier, placeOf(8));
+        QCOMPARE(editor.send(Sci::SCI_GETSELECTIONS), 3L);
+        QTest::keyClicks(&editor, QStringLiteral("x"));
+        QCOMPARE(editor.bytes(), QByteArray("xone\nxtwo\nxthree\n"));
+    }
+
+    void theNextOccurrenceIsSelectedAsWell() {
+        SceneEditor editor(m_theme);
+        editor.setBytes("mass 1 mass 2 masses");
+        editor.send(Sci::SCI_GOTOPOS, 2);
+        editor.selectNextOccurrence();
+        QCOMPARE(editor.selectedText(), QStringLiteral("mass"));
+        editor.selectNextOccurrence();
+        QCOMPARE(editor.send(Sci::SCI_GETSELECTIONS), 2L);
+        QTest::keyClicks(&editor, QStringLiteral("m"));
+        QCOMPARE(editor.bytes(), QByteArray("m 1 m 2 masses"));
+    }
+
+    void revealingShowsTheBeginningOfALineAndAMatchFarToTheRight() {
+        SceneEditor editor(m_theme);
+        editor.resize(400, 300);
+        editor.setWrapsLines(false);
+        editor.setBytes(QByteArray(600, 'a') + " far\nshort line\n");
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        const auto xOf = [&](std::int64_t offset) {
+            return editor.send(Sci::SCI_POINTXFROMPOSITION, 0, offset);
+        };
+        editor.reveal({601, 3});
+        QVERIFY(xOf(601) >= 0);
+        QVERIFY(xOf(604) <= editor.viewport()->width());
+        editor.reveal({611, 4}); // "line"
+        QCOMPARE(editor.send(Sci::SCI_GETXOFFSET), 0L);
+    }
+
+    void aLineThatIsTooLongGoesOnBelowIfOneWants() {
+        SceneEditor editor(m_theme);
+        editor.resize(400, 300);
+        editor.setBytes("// " + QByteArray("word ").repeated(100));
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        editor.setWrapsLines(true);
+        QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 5, patience);
+        editor.setWrapsLines(false);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0), 1L, patience);
+        QVERIFY(!editor.differsFromSaved());
+    }
+
     void theFindBarFindsAsOneTypesAndReplaces() {
         QWidget parent;
         SceneEditor editor(m_theme, &parent);

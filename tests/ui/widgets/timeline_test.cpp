@@ -99,6 +99,35 @@ class TimelineTest : public QObject {
         QVERIFY(!shown.hasColour(colour, above(5)));
     }
 
+    void aRunOfHoursKeepsItsHighestImpactsInBoundedMemory() {
+        Shown shown(std::nullopt);
+        std::vector<FrameStatistics> frames;
+        for (std::int64_t frame = 1; frame <= 1'000'000; ++frame) {
+            FrameStatistics& one = frames.emplace_back();
+            one.frame = frame;
+            one.contacts = frame == 400'000 ? 7 : 0;
+            if (frames.size() < 10'000) continue;
+            shown.timeline.addFrames(frames);
+            frames.clear();
+        }
+        QCOMPARE(shown.timeline.furthest(), std::int64_t{1'000'000});
+        QVERIFY(shown.timeline.bytes() < std::size_t{1} << 20);
+        QCOMPARE(shown.timeline.impactsIn(400'000), std::uint64_t{7});
+        QCOMPARE(shown.timeline.impactsIn(500'000), std::uint64_t{0});
+        QVERIFY(shown.hasColour(loadTheme(true).hint, QRect(shown.at(400'000).x() - 1, 6, 3, 10)));
+    }
+
+    void aRunPlayedAgainAddsNothing() {
+        Shown shown;
+        shown.timeline.addFrames(framesWith({0, 2, 2, 1, 4}));
+        shown.timeline.markHit(2);
+        shown.timeline.addFrames(framesWith({0, 2, 2, 1, 4, 4}));
+        shown.timeline.markHit(2);
+        QCOMPARE(shown.timeline.furthest(), std::int64_t{6});
+        QCOMPARE(shown.timeline.impactsIn(6), std::uint64_t{0});
+        QCOMPARE(shown.timeline.hits().size(), std::size_t{1});
+    }
+
     void warningsAndHitsAreMarkedUnderTheLine() {
         Shown shown;
         const QRect below(shown.at(40).x() - 2, 24, 5, 5);

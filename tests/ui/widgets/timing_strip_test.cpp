@@ -112,6 +112,32 @@ class TimingStripTest : public QObject {
         QCOMPARE(strip.fullScale(), 100.0);
     }
 
+    void theBudgetBoundsTheSamplesAndKeepsTheNewest() {
+        TimingStrip strip;
+        strip.addSamples(randomSamples(20'000, 5));
+        strip.setBudget(6000 * sizeof(FrameSample));
+        QVERIFY(strip.samples().size() <= 6000);
+        QVERIFY(strip.bytes() <= 6000 * sizeof(FrameSample));
+        QCOMPARE(strip.samples().back().statistics.frame, std::int64_t{20'000});
+        strip.clear();
+        QCOMPARE(strip.bytes(), std::size_t{0});
+    }
+
+    void aLineStandsAtTheFrameOnScreen() {
+        TimingStrip strip;
+        strip.resize(300, 160);
+        strip.addSamples(randomSamples(80, 3));
+        QVERIFY(!strip.cursor());
+        strip.showFrame(71);
+        QCOMPARE(strip.frameAt(strip.cursor().value()), std::ptrdiff_t{70});
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        const QRgb line = strip.palette().color(QPalette::Highlight).rgb();
+        QCOMPARE(strip.grab().toImage().pixel(*strip.cursor(), 20), line);
+        strip.showFrame(1000); // not in the graph
+        QVERIFY(!strip.cursor());
+    }
+
     void theFirstFrameDoesNotSetTheScale() {
         TimingStrip strip;
         strip.setScale(TimingStrip::Scale::Fit);

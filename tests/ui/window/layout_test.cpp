@@ -9,8 +9,12 @@
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMap>
 #include <QSettings>
 #include <QTabBar>
+
+#include <array>
+#include <cstdlib>
 
 using namespace carom;
 using namespace carom::test;
@@ -86,12 +90,97 @@ class LayoutTest : public QObject {
   private Q_SLOTS:
     void init() { QSettings().clear(); }
 
+    void aVisitToASmallWindowChangesNoWorkspace() {
+        const std::array workspaces = {ActionId::WorkspaceWrite, ActionId::WorkspaceWatch,
+                                       ActionId::WorkspaceMeasure, ActionId::WorkspaceStudy};
+        const auto edges = [](Ide& ide) {
+            const MainWindow& window = ide.bench.window();
+            QMap<QString, QSize> sizes = {{QStringLiteral("text"), window.editor().size()}};
+            for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+                if (!dock->visibleRegion().isEmpty()) sizes[dock->objectName()] = dock->size();
+            return sizes;
+        };
+        const auto look = [&](Ide& ide) {
+            QList<QMap<QString, QSize>> all;
+            for (const ActionId workspace : workspaces) {
+                ide.trigger(workspace);
+                QCoreApplication::processEvents();
+                all += edges(ide);
+            }
+            return all;
+        };
+        const auto resized = [](Ide& ide, QSize size) {
+            ide.bench.window().resize(size);
+            (void)QTest::qWaitFor([&] { return ide.bench.window().size() == size; }, settling);
+            QCoreApplication::processEvents();
+        };
+        QList<QMap<QString, QSize>> before, after;
+        {
+            Ide ide;
+            resized(ide, {1500, 940});
+            before = look(ide);
+            resized(ide, {1000, 700});
+            look(ide);
+        } // keeps them for the next session
+        Ide ide;
+        resized(ide, {1500, 940});
+        after = look(ide);
+        QCOMPARE(after.size(), before.size());
+        for (qsizetype i = 0; i < before.size(); ++i) {
+            QCOMPARE(after[i].keys(), before[i].keys());
+            for (const QString& name : before[i].keys()) {
+                const QSize was = before[i][name], is = after[i][name];
+                const bool same =
+                    std::abs(is.width() - was.width()) <= 4 && std::abs(is.height() - was.height()) <= 4;
+                QVERIFY2(same, qPrintable(QStringLiteral("workspace %1, %2: %3 × %4, then %5 × %6")
+                                              .arg(i)
+                                              .arg(name)
+                                              .arg(was.width())
+                                              .arg(was.height())
+                                              .arg(is.width())
+                                              .arg(is.height())));
+            }
+        }
+    }
+
+    void everyWorkspaceIsUsableInASmallWindow_data() {
+        QTest::addColumn<ActionId>("workspace");
+        QTest::addRow("write") << ActionId::WorkspaceWrite;
+        QTest::addRow("watch") << ActionId::WorkspaceWatch;
+        QTest::addRow("measure") << ActionId::WorkspaceMeasure;
+        QTest::addRow("study") << ActionId::WorkspaceStudy;
+    }
+
+    void everyWorkspaceIsUsableInASmallWindow() {
+        QFETCH(ActionId, workspace);
+        Ide ide;
+        MainWindow& window = ide.bench.window();
+        window.resize(1000, 700);
+        ide.trigger(workspace);
+        constexpr int lines = 8, leastPicture = 150; // [px]
+        const auto usable = [&] {
+            const int height = window.fontMetrics().lineSpacing();
+            return window.size() == QSize(1000, 700) && ide.editor.height() >= lines * height &&
+                   ide.editor.width() >= 200 && ide.viewport.width() >= 200 &&
+                   ide.viewport.height() >= leastPicture;
+        };
+        QVERIFY2(QTest::qWaitFor(usable, 3 * settling),
+                 qPrintable(QStringLiteral("text %1 × %2, picture %3 × %4, window %5 × %6")
+                                .arg(ide.editor.width())
+                                .arg(ide.editor.height())
+                                .arg(ide.viewport.width())
+                                .arg(ide.viewport.height())
+                                .arg(window.width())
+                                .arg(window.height())));
+    }
+
     void noTextIsCutOff_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QSize>("size");
         for (const char* language : {"en", "de"}) {
             QTest::addRow("%s, desk", language) << QString::fromLatin1(language) << QSize(1600, 950);
             QTest::addRow("%s, laptop", language) << QString::fromLatin1(language) << QSize(1280, 740);
+            QTest::addRow("%s, small", language) << QString::fromLatin1(language) << QSize(1000, 700);
         }
     }
 

@@ -4,11 +4,14 @@
 
 #include "core/simulation/build.h"
 #include "ui/docks/accuracy_dock.h"
+#include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/window/live_preview.h"
+#include "ui/window/memory_use.h"
 
+#include <QLabel>
 #include <QSettings>
 #include <QSlider>
 #include <QTimer>
@@ -201,6 +204,94 @@ class TimeTest : public QObject {
         ide.trigger(ActionId::Reset);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
+    }
+
+    void resetKeepsTheRunAtHand() {
+        Ide ide;
+        goTo(ide, middle);
+        ide.trigger(ActionId::Reset);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QVERIFY(ide.bench.window().timeline().furthest() >= middle);
+        goTo(ide, middle);
+        overwrite(ide.editor, "centre 1,1,0", "centre 2,1,0"); // another scene has a run of its own
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        ide.trigger(ActionId::Reset);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.window().timeline().furthest(), 0, patience);
+    }
+
+    void aHeldStepKeyDoesNotQueue() {
+        Ide ide("sphere { radius .1 mass 1 centre 0,0,0 vel 1e-3,0,0 }");
+        constexpr std::int64_t far = 40'000; // longer on the way than five keys take
+        ide.simulation.seek(far);
+        for (int i = 0; i < 5; ++i) ide.trigger(ActionId::Step);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame >= far && !ide.simulation.isStepping(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, far + 1, patience);
+    }
+
+    void theKeyOfPlayEndsALongSeek() {
+        Ide ide;
+        ide.simulation.seek(1'000'000'000);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isSeeking(), patience);
+        QVERIFY(ide.bench.window().actions()[ActionId::Play].text().contains(QStringLiteral("Pause")));
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isSeeking(), patience);
+        QVERIFY(!ide.simulation.isRunning());
+    }
+
+    void aLargeSceneThatIsStillBuiltPlaysAsSoonAsItIs() {
+        Ide ide;
+        QByteArray large;
+        for (int i = 0; i < 8000; ++i)
+            large += "sphere { radius .4 mass 1 centre " + QByteArray::number(i) + ",0,0 vel 0,0,0 }\n";
+        ide.bench.document().startNew(large);
+        ide.bench.playWhenBuilt();
+        QVERIFY(!ide.current());
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning() && ide.current(), patience);
+        QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{8000});
+    }
+
+    void oneBudgetHoldsWhatIsKeptOfARunAndTheStatusBarSaysHowMuch() {
+        Ide ide;
+        goTo(ide, middle);
+        const QLabel* label = ide.bench.window().findChild<QLabel*>(QStringLiteral("memoryInUse"));
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.memory().inUse() > 0, patience);
+        QVERIFY2(label->text().endsWith(QStringLiteral(" of 512 MiB")), qPrintable(label->text()));
+        QVERIFY(label->toolTip().contains(QStringLiteral("states to go back to")));
+    }
+
+    void aClickInThePlotsGoesThereAndEnergyIsPlottedBeforeAnyoneAsks() {
+        Ide ide;
+        goTo(ide, middle);
+        PlotsDock& plots = ide.bench.window().plots();
+        plots.show();
+        plots.raise();
+        const auto measured = [&] {
+            const std::vector<ChartSeries>& series = plots.chart().series;
+            return series.size() == 1 && series.front().x.size() > static_cast<std::size_t>(middle);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(measured(), patience);
+        QCOMPARE(plots.chart().series.front().name, QStringLiteral("whole: energy"));
+        PlotWidget* plot = plots.findChild<PlotWidget*>();
+        QTRY_COMPARE_WITH_TIMEOUT(plot->cursor(), std::optional(static_cast<double>(middle) / 60), patience);
+        QWidget* canvas = plot->findChild<QWidget*>();
+        const int x = static_cast<int>(std::lround(plot->xOf(11.0 / 60)));
+        QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(x, canvas->height() / 3));
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 11, patience);
+    }
+
+    void theSpeedReachedIsShownWhereItIsLessThanAsked() {
+        Ide ide;
+        TransportBar& bar = ide.bench.window().transport();
+        QCOMPARE(bar.speedText(), QStringLiteral("1×"));
+        bar.showReached(0.2);
+        QCOMPARE(bar.speedText(), QStringLiteral("0.2× of 1×"));
+        bar.showReached(0.97);
+        QCOMPARE(bar.speedText(), QStringLiteral("1×"));
+        bar.showReached(std::nullopt);
+        QCOMPARE(bar.speedText(), QStringLiteral("1×"));
+        ide.trigger(ActionId::Unlimited);
+        bar.showReached(35.0);
+        QCOMPARE(bar.speedText(), QStringLiteral("max: 35×"));
     }
 
     void aFramePickedInTheTimingGraphIsTheOneOnScreen() {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/memory_use.h"
+
+#include "ui/docks/plots_dock.h"
+#include "ui/docks/timing_dock.h"
+#include "ui/simulation/simulation.h"
+#include "ui/widgets/timeline.h"
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+
+namespace carom {
+namespace {
+
+constexpr int refreshInterval = 500; // [ms]
+
+/// Of the budget, what the frame times may take: they are the only ones of the panels that could take all.
+constexpr std::size_t timingShare = 4;
+/// What checkpoints have at least, however much the panels take [bytes].
+constexpr std::size_t leastRecording = mebibyte;
+
+QString inMebibytes(std::size_t bytes) {
+    return QString::number(static_cast<double>(bytes) / static_cast<double>(mebibyte), 'f',
+                           bytes < 10 * mebibyte ? 1 : 0);
+}
+
+} // namespace
+
+MemoryUse::MemoryUse(MainWindow& window, Simulation& simulation)
+    : QObject(&window), m_window(window), m_simulation(simulation) {
+    m_refresh.setSingleShot(true);
+    m_refresh.setInterval(refreshInterval);
+    connect(&m_refresh, &QTimer::timeout, this, &MemoryUse::refresh);
+    connect(&simulation, &Simulation::snapshotArrived, this, [this] {
+        if (!m_refresh.isActive()) m_refresh.start();
+    });
+}
+
+void MemoryUse::setBudget(std::size_t bytes) {
+    m_budget = bytes;
+    m_given = 0;
+    m_window.timing().setBudget(m_budget / timingShare);
+    refresh();
+}
+
+std::size_t MemoryUse::panels() const {
+    return m_window.timing().bytes() + m_window.plots().bytes() + m_window.timeline().bytes();
+}
+
+std::size_t MemoryUse::inUse() const { return m_simulation.recorded() + panels(); }
+
+void MemoryUse::refresh() {
+    const std::size_t taken = panels();
+    const std::size_t left = std::max(leastRecording, m_budget - std::min(m_budget, taken));
+    const std::size_t whole = left / mebibyte * mebibyte; // told when it has changed by as much
+    if (whole != m_given) m_simulation.setMemoryBudget(whole);
+    m_given = whole;
+    m_window.showMemory(
+        tr("%1 of %2 MiB").arg(inMebibytes(inUse()), inMebibytes(m_budget)),
+        tr("Memory that this run takes, of the most it may (Preferences):\n"
+           "states to go back to: %1 MiB\ntimes of frames: %2 MiB\ncurves: %3 MiB\ntimeline: %4 MiB")
+            .arg(inMebibytes(m_simulation.recorded()), inMebibytes(m_window.timing().bytes()),
+                 inMebibytes(m_window.plots().bytes()), inMebibytes(m_window.timeline().bytes())));
+}
+
+} // namespace carom
