@@ -80,7 +80,7 @@ void SimulationThread::giveUp(StopCause cause) {
     m_state = RunState::Stopped;
     Health health;
     if (m_world) health.frame = m_world->state().frame;
-    m_listener.stateChanged({m_state, health, cause, m_run});
+    say({m_state, health, cause, m_run});
 }
 
 /// Waits for a command, or for the next frame's time while running. One command at a time: the others must be
@@ -320,7 +320,8 @@ void SimulationThread::publish(bool always) {
     m_shown = true;
     const std::size_t recorded = m_recording.bytes() + (m_ghost ? m_ghost->recording.bytes() : 0);
     m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()), ghost(),
-                         m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>(), recorded});
+                         m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>(), recorded,
+                         m_said});
     m_listener.published();
 }
 
@@ -342,8 +343,13 @@ void SimulationThread::enter(RunState state) {
 }
 
 void SimulationThread::tell() {
-    m_listener.stateChanged(
-        {m_state, m_world ? m_world->health() : Health{}, StopCause::Health, m_run, m_seeking});
+    say({m_state, m_world ? m_world->health() : Health{}, StopCause::Health, m_run, m_seeking});
+}
+
+void SimulationThread::say(RunStatus status) {
+    status.number = m_said.number + 1;
+    m_said = status;
+    m_listener.stateChanged(m_said);
 }
 
 } // namespace carom

@@ -50,8 +50,9 @@ struct RunStatus {
     RunState state = RunState::Paused;
     Health health; ///< not finite where the state is Stopped for its own sake
     StopCause cause = StopCause::Health;
-    std::uint64_t run = 0; ///< of which this is said
-    bool seeking = false;  ///< on the way to another frame for so long that it is worth saying
+    std::uint64_t run = 0;    ///< of which this is said
+    bool seeking = false;     ///< on the way to another frame for so long that it is worth saying
+    std::uint64_t number = 0; ///< of those said, in their order
 };
 
 struct LoadCommand {
@@ -115,6 +116,7 @@ struct PublishedSnapshot {
     Ghost ghost;
     std::vector<Aabb> structure; ///< World::broadphaseStructure(), empty unless asked for
     std::size_t recorded = 0;    ///< memory of the checkpoints [bytes]
+    RunStatus status;            ///< what was said last: it may come before the word of it
 };
 
 class SimulationThread {
@@ -173,6 +175,7 @@ class SimulationThread {
     void publish(bool always);
     void enter(RunState state);
     void tell();
+    void say(RunStatus status);
     void act(const std::stop_token& stop);
     void giveUp(StopCause cause);
 
@@ -199,6 +202,7 @@ class SimulationThread {
     bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored
     bool m_shown = false; ///< the world has been on screen: worth being a ghost
     bool m_seeking = false;
+    RunStatus m_said;
     std::int64_t m_sampled = 0; ///< the last frame whose statistics went up
     std::uint64_t m_run = 0;
     RunState m_state = RunState::Paused;

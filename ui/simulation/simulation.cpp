@@ -15,13 +15,7 @@ constexpr int collectInterval = 16; // [ms] between two looks at what the simula
 Simulation::Simulation(QObject* parent)
     : QObject(parent), m_thread({[this](RunStatus status) {
                                      QMetaObject::invokeMethod(
-                                         this,
-                                         [this, status] {
-                                             if (status.run != m_run) return; // of a scene loaded over
-                                             m_status = status;
-                                             Q_EMIT stateChanged(status);
-                                         },
-                                         Qt::QueuedConnection);
+                                         this, [this, status] { takeStatus(status); }, Qt::QueuedConnection);
                                  },
                                  [this](std::optional<BreakHit> hit) {
                                      QMetaObject::invokeMethod(
@@ -132,7 +126,16 @@ void Simulation::collect() {
     if (published && published->run == m_run) show(*published);
 }
 
+/// Of a scene loaded over, or overtaken by what came with a snapshot: dropped.
+void Simulation::takeStatus(const RunStatus& status) {
+    if (status.run != m_run || status.number <= m_statusNumber) return;
+    m_statusNumber = status.number;
+    m_status = status;
+    Q_EMIT stateChanged(status);
+}
+
 void Simulation::show(const PublishedSnapshot& published) {
+    takeStatus(published.status); // a key pressed on seeing this picture means the state it shows
     const Snapshot& snapshot = *published.snapshot;
     m_time = snapshot.time;
     m_recorded = published.recorded;

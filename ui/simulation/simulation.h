@@ -92,6 +92,7 @@ class Simulation : public QObject {
     void rest();
     void collect();
     void show(const PublishedSnapshot& published);
+    void takeStatus(const RunStatus& status);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     RunStatus m_status;
@@ -101,7 +102,8 @@ class Simulation : public QObject {
     bool m_underWay = false;
     bool m_haunted = false; ///< the snapshot before came with a ghost
     bool m_structureWanted = false;
-    std::size_t m_recorded = 0; ///< [bytes]
+    std::size_t m_recorded = 0;       ///< [bytes]
+    std::uint64_t m_statusNumber = 0; ///< of the one taken last
     QTimer m_timer;
     SimulationThread m_thread; ///< last: it is gone before anything it posts to
 };

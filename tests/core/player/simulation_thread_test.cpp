@@ -57,7 +57,8 @@ class Player {
     std::uint64_t run = 0;
     RunState state = RunState::Paused;
     bool seeking = false;
-    std::size_t recorded = 0; ///< [bytes]
+    std::size_t recorded = 0;               ///< [bytes]
+    RunState shownState = RunState::Paused; ///< what the newest snapshot says
     std::vector<BreakHit> hits;
 
     std::int64_t frame() const { return newest ? newest->frame : -1; }
@@ -75,6 +76,7 @@ class Player {
             newest = published->snapshot;
             ghost = published->ghost;
             recorded = published->recorded;
+            shownState = published->status.state;
         }
         m_changed.notify_all();
     }
@@ -115,6 +117,7 @@ class SimulationThreadTest : public QObject {
         player.post(LoadCommand{pipeline, 1, 0});
         player.post(RunCommand{});
         QVERIFY(player.waitFor([&] { return player.frame() > 200; }));
+        QCOMPARE(player.shownState, RunState::Running); // though the word of it may be on its way
         player.post(PauseCommand{});
         player.post(SeekCommand{150});
         QVERIFY(player.waitFor([&] { return player.state == RunState::Paused && player.frame() == 150; }));
