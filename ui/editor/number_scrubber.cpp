@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/number_scrubber.h"
 
+#include "ui/editor/scrub_step.h"
+
+#include "core/language/navigation.h"
+#include "core/scene/schema.h"
 #include "ui/base/keys.h"
 
 #include <QKeyEvent>
@@ -14,7 +18,22 @@ using Sci = QsciScintillaBase;
 
 constexpr int pixelsPerStep = 6; // [px] of a drag
 constexpr int wheelPause = 600;  // [ms] without a turn end the undo step
-constexpr int coarse = 10;       // [steps] for one with Shift
+
+/// Of ten, by which a step is larger or smaller.
+int powerOf(Qt::KeyboardModifiers keys) {
+    if (!keys.testFlag(Qt::AltModifier)) return 0; // Ctrl+Shift stand for Alt there
+    return (keys.testFlag(Qt::ShiftModifier) ? 1 : 0) - (keys.testFlag(Qt::ControlModifier) ? 1 : 0);
+}
+
+bool takesWholeNumbers(const Analysis& analysis, std::uint32_t offset) {
+    const DeclarationSyntax* declaration = declarationAt(analysis, offset);
+    const ParameterSyntax* parameter =
+        declaration == nullptr ? nullptr : parameterAt(analysis, *declaration, offset);
+    if (parameter == nullptr) return false;
+    const DeclarationRow* row = findDeclaration(textOf(analysis.text, declaration->type));
+    const ParameterRow* known = row == nullptr ? nullptr : row->find(textOf(analysis.text, parameter->name));
+    return known != nullptr && known->kind == ValueKind::WholeNumber;
+}
 
 } // namespace
 
@@ -36,10 +55,11 @@ bool NumberScrubber::turnAtCaret(int steps) {
 
 bool NumberScrubber::take(std::uint32_t offset) {
     const QByteArray text = m_editor.bytes();
-    const std::optional<NumberAt> number = numberAt(analyse(text.toStdString()), offset);
+    const Analysis analysis = analyse(text.toStdString());
+    const std::optional<NumberAt> number = numberAt(analysis, offset);
     if (!number) return false;
     const QByteArray literal = text.mid(number->range.offset, number->range.length);
-    m_grip = Grip{*number, literal, literal};
+    m_grip = Grip{*number, takesWholeNumbers(analysis, number->range.end()), literal, literal};
     m_editor.send(Sci::SCI_BEGINUNDOACTION);
     return true;
 }
@@ -51,9 +71,11 @@ bool NumberScrubber::takeUnder(const QPoint& place) {
     return true;
 }
 
-void NumberScrubber::turnTo(std::int64_t steps) {
+void NumberScrubber::turnTo(std::int64_t steps, int power) {
+    const ScrubStep step = scrubStep(m_grip->original.toStdString(), m_grip->isWhole, power);
     const std::optional<std::string> turnedText =
-        steppedWithin(m_grip->number, m_grip->original.toStdString(), steps);
+        steps == 0 ? m_grip->original.toStdString()
+                   : steppedWithin(m_grip->number, step.literal, steps * step.lastDecimals);
     if (!turnedText) return;
     const QByteArray literal = QByteArray::fromStdString(*turnedText);
     SourceRange& range = m_grip->number.range;
@@ -107,7 +129,7 @@ bool NumberScrubber::eventFilter(QObject* watched, QEvent* event) {
 
 bool NumberScrubber::press(const QMouseEvent& event) {
     letGo();
-    const bool alone = (event.modifiers() & ~Qt::ShiftModifier) == Qt::AltModifier;
+    const bool alone = (event.modifiers() & ~(Qt::ShiftModifier | Qt::ControlModifier)) == Qt::AltModifier;
     if (!alone || event.button() != Qt::LeftButton || !takeUnder(event.position().toPoint())) return false;
     m_dragging = true;
     m_pressedAt = event.position().toPoint();
@@ -118,12 +140,15 @@ bool NumberScrubber::press(const QMouseEvent& event) {
 bool NumberScrubber::move(const QMouseEvent& event) {
     if (!m_dragging) return false;
     const int way = event.position().toPoint().x() - m_pressedAt.x();
-    turnTo(way / pixelsPerStep * (event.modifiers() & Qt::ShiftModifier ? coarse : 1));
+    turnTo(way / pixelsPerStep, powerOf(event.modifiers()));
     return true;
 }
 
 bool NumberScrubber::wheel(const QWheelEvent& event) {
-    if (!(event.modifiers() & Qt::AltModifier) || m_dragging) return false;
+    // Some window managers keep Alt and the mouse to themselves.
+    const bool without =
+        (event.modifiers() & ~Qt::KeypadModifier) == (Qt::ControlModifier | Qt::ShiftModifier);
+    if ((!(event.modifiers() & Qt::AltModifier) && !without) || m_dragging) return false;
     const QPoint place = event.position().toPoint();
     const std::uint32_t offset =
         static_cast<std::uint32_t>(m_editor.send(Sci::SCI_POSITIONFROMPOINT, place.x(), place.y()));
@@ -135,13 +160,20 @@ bool NumberScrubber::wheel(const QWheelEvent& event) {
         if (!takeUnder(place)) return true; // Alt+wheel elsewhere does nothing rather than scroll
         m_wheel = 0;
         m_wheelSteps = 0;
+        m_wheelPower = powerOf(event.modifiers());
     }
     constexpr int notch = 120;                                  // [eighths of a degree] of an ordinary wheel
     m_wheel += event.angleDelta().x() + event.angleDelta().y(); // Alt turns some wheels sideways
     const int notches = m_wheel / notch;
     m_wheel -= notches * notch;
-    m_wheelSteps += notches * (event.modifiers() & Qt::ShiftModifier ? coarse : 1);
-    turnTo(m_wheelSteps);
+    const int power = powerOf(event.modifiers());
+    if (power != m_wheelPower) { // another step begins at what is there now
+        m_grip->original = m_grip->written;
+        m_wheelSteps = 0;
+        m_wheelPower = power;
+    }
+    m_wheelSteps += notches;
+    turnTo(m_wheelSteps, power);
     m_pause.start();
     return true;
 }

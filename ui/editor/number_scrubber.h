@@ -16,8 +16,9 @@ class QWheelEvent;
 
 namespace carom {
 
-/// Turns numbers in the text: Alt+wheel over one, or Alt and a drag that begins on one, by steps of its last
-/// decimal (Shift: ten). A drag, or a turn of the wheel without a pause, is one undo step.
+/// Turns numbers in the text: Alt+wheel or Ctrl+Shift+wheel over one, or Alt and a drag that begins on one,
+/// by steps of its second significant digit (with Alt, Shift makes them ten times larger and Ctrl smaller). A
+/// drag, or a turn of the wheel without a pause, is one undo step.
 class NumberScrubber : public QObject {
     Q_OBJECT
   public:
@@ -35,14 +36,15 @@ class NumberScrubber : public QObject {
 
   private:
     struct Grip {
-        NumberAt number;     ///< its range is kept up to date
-        QByteArray original; ///< the literal when it was taken hold of
-        QByteArray written;  ///< what stands there now
+        NumberAt number;      ///< its range is kept up to date
+        bool isWhole = false; ///< takes no fraction
+        QByteArray original;  ///< the literal when it was taken hold of
+        QByteArray written;   ///< what stands there now
     };
 
     bool take(std::uint32_t offset);
     bool takeUnder(const QPoint& place);
-    void turnTo(std::int64_t steps);
+    void turnTo(std::int64_t steps, int power = 0);
     void letGo();
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
@@ -54,7 +56,8 @@ class NumberScrubber : public QObject {
     QPoint m_pressedAt;
     int m_wheel = 0; ///< [eighths of a degree] turned since the number was taken
     std::int64_t m_wheelSteps = 0;
-    QTimer m_pause; ///< ends a turn of the wheel
+    int m_wheelPower = 0; ///< of the steps
+    QTimer m_pause;       ///< ends a turn of the wheel
 };
 
 } // namespace carom

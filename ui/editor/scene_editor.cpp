@@ -167,7 +167,6 @@ void SceneEditor::goTo(std::int64_t offset, std::int64_t firstLine) {
 void SceneEditor::setWrapsLines(bool wraps) {
     setWrapMode(wraps ? WrapWord : WrapNone);
     setWrapIndentMode(WrapIndentIndented);
-    setWrapVisualFlags(WrapFlagNone, WrapFlagInMargin);
     send(SCI_SETXOFFSET, 0);
 }
 

@@ -36,6 +36,12 @@ void turnWheel(SceneEditor& editor, const QPoint& place, int notches) {
     }
 }
 
+void turnWheelWith(SceneEditor& editor, const QPoint& place, Qt::KeyboardModifiers keys) {
+    QWheelEvent event(place, editor.viewport()->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, keys,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(editor.viewport(), &event);
+}
+
 void dragWithAlt(SceneEditor& editor, const QPoint& from, const QPoint& way) {
     QTest::mousePress(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from);
     for (int i = 1; i <= 10; ++i) {
@@ -141,48 +147,64 @@ class LanguageTest : public QObject {
     void altAndTheWheelTurnTheNumberUnderTheMouse() {
         Ide ide;
         turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 3);
-        QVERIFY(ide.editor.bytes().contains("centre 2,1,0 vel"));
-        turnWheel(ide.editor, placeOfText(ide.editor, "centre "), -1);
-        QVERIFY(ide.editor.bytes().contains("centre 1,1,0 vel"));
+        QVERIFY(ide.editor.bytes().contains("centre -0.7,1,0 vel"));
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), -1);
+        QVERIFY(ide.editor.bytes().contains("centre -0.8,1,0 vel"));
         ide.editor.undo(); // one turn without a pause is one step
         QCOMPARE(ide.editor.bytes(), twoBalls);
     }
 
+    void shiftAndCtrlMakeTheStepLargerAndSmallerAndAltCanBeDoneWithout() {
+        Ide ide("simulation { substeps 4 }\nsphere { radius 2.345678901 mass 1 centre 0,0,0 }");
+        const QPoint place = placeOfText(ide.editor, "radius 2.");
+        turnWheelWith(ide.editor, place, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY2(ide.editor.bytes().contains("radius 2.445678901 "), ide.editor.bytes().constData());
+        turnWheelWith(ide.editor, place, Qt::AltModifier | Qt::ShiftModifier);
+        QVERIFY2(ide.editor.bytes().contains("radius 3.445678901 "), ide.editor.bytes().constData());
+        turnWheelWith(ide.editor, place, Qt::AltModifier | Qt::ControlModifier);
+        QVERIFY2(ide.editor.bytes().contains("radius 3.455678901 "), ide.editor.bytes().constData());
+        turnWheelWith(ide.editor, placeOfText(ide.editor, "substeps "), Qt::AltModifier);
+        QVERIFY(ide.editor.bytes().contains("substeps 5 ")); // a whole number stays one
+    }
+
     void aShortcutBetweenTwoTurnsOfTheWheelEatsNoByte() {
         Ide ide;
-        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 11); // from -1 to 10: one letter less
-        QVERIFY(ide.editor.bytes().contains("centre 10,1,0 vel"));
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 11); // from -1: a letter more
+        QVERIFY(ide.editor.bytes().contains("centre 0.1,1,0 vel"));
         QTest::keyClick(&ide.editor, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(ide.editor.bytes(), twoBalls);
         turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 3);
         QByteArray turned = twoBalls;
-        turned.replace("centre -1,1,0 vel", "centre 2,1,0 vel");
+        turned.replace("centre -1,1,0 vel", "centre -0.7,1,0 vel");
         QCOMPARE(ide.editor.bytes(), turned);
         // Nor does a change that no key announces.
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), twoBalls);
         turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 1);
         turned = twoBalls;
-        turned.replace("centre -1,1,0 vel", "centre 0,1,0 vel");
+        turned.replace("centre -1,1,0 vel", "centre -0.9,1,0 vel");
         QCOMPARE(ide.editor.bytes(), turned);
     }
 
     void aDragTurnsANumberLiveInThePictureAsOneUndoStep() {
         Ide ide;
         dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {12, 0});
-        QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
+        QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
         QTRY_VERIFY_WITH_TIMEOUT(
-            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.7, patience);
+            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.52, patience);
         dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {-400, 0});
-        QVERIFY(ide.editor.bytes().contains("left { radius .1 mass")); // a radius stays above 0
+        QVERIFY(ide.editor.bytes().contains("left { radius .01 mass")); // a radius stays above 0
         ide.editor.undo();
-        QVERIFY(ide.editor.bytes().contains("left { radius .7 mass"));
+        QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), twoBalls);
     }
 
     void aDragWithAltBesideNumbersSelectsARectangle() {
         Ide ide;
+        ide.editor.setWrapsLines(false); // the place below is on the next line
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_WRAPCOUNT, 2), 1L, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_VISIBLEFROMDOCLINE, 3), 3L, patience);
         const QPoint line(0, static_cast<int>(ide.editor.send(Sci::SCI_TEXTHEIGHT, 0)));
         dragWithAlt(ide.editor, placeOfText(ide.editor, "sph"), line + QPoint(12, 0));
         QVERIFY(ide.editor.send(Sci::SCI_SELECTIONISRECTANGLE) != 0);
@@ -215,9 +237,9 @@ class LanguageTest : public QObject {
         QTest::keyClick(&ide.editor, Qt::Key_Up, Qt::AltModifier);
         QTest::keyClick(&ide.editor, Qt::Key_Up, Qt::AltModifier);
         QTest::keyClick(&ide.editor, Qt::Key_Down, Qt::AltModifier);
-        QVERIFY(ide.editor.bytes().contains("vel 0,4,0"));
+        QVERIFY(ide.editor.bytes().contains("vel 0,3.1,0"));
         ide.editor.undo();
-        QVERIFY(ide.editor.bytes().contains("vel 0,5,0"));
+        QVERIFY(ide.editor.bytes().contains("vel 0,3.2,0"));
     }
 
     void theOutlineListsTheDeclarationsAndGoesToThem() {
