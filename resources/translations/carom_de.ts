@@ -251,6 +251,10 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <source>total</source>
         <translation>gesamt</translation>
     </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
 </context>
 <context>
     <name>GasCharts</name>
@@ -3066,6 +3070,14 @@ bis zu %1 neue Kontakte je Bild</translation>
     <message>
         <source>time</source>
         <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Simulation only</source>
+        <translation>Nur Simulation</translation>
+    </message>
+    <message>
+        <source>Leave the time of drawing out of the graph</source>
+        <translation>Die Zeit des Zeichnens im Diagramm weglassen</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,7 @@ TimingDock::TimingDock(QWidget* parent)
 
     QStringList rows;
     for (const FramePart& part : frameParts()) rows += nameOf(part);
+    rows += nameOfStep();
     rows += nameOfWhole();
     m_table =
         new ValueTable(rows, {tr("now [ms]"), tr("mean"), tr("median"), tr("p95"), tr("p99"), tr("max")});
@@ -97,6 +98,10 @@ QWidget* TimingDock::makeBar() {
     connect(keep, &QToolButton::clicked, this, &TimingDock::keepRun);
     m_compare->setCheckable(true);
     m_compare->setEnabled(false);
+    QToolButton* only = wordButton("timingSimulationOnly", tr("Simulation only"),
+                                   tr("Leave the time of drawing out of the graph"));
+    only->setCheckable(true);
+    connect(only, &QToolButton::toggled, m_strip, &TimingStrip::showSimulationOnly);
     QToolButton* fit = wordButton("timingFit", tr("Fit"),
                                   tr("Fill the height with the frames shown, instead of always showing the "
                                      "lines of 1/60 and 1/30 s"));
@@ -104,9 +109,10 @@ QWidget* TimingDock::makeBar() {
     connect(fit, &QToolButton::toggled, this, [this](bool on) {
         m_strip->setScale(on ? TimingStrip::Scale::Fit : TimingStrip::Scale::Budget);
     });
-    connect(m_compare, &QToolButton::toggled, this, [this, fit](bool two) {
+    connect(m_compare, &QToolButton::toggled, this, [this, fit, only](bool two) {
         m_pages->setCurrentIndex(two ? 1 : 0);
         fit->setEnabled(!two);
+        only->setEnabled(!two);
         if (two) m_comparison->refresh();
     });
     ExportMenu* save = new ExportMenu;
@@ -117,7 +123,7 @@ QWidget* TimingDock::makeBar() {
     QHBoxLayout* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_first, 1);
-    for (QToolButton* button : {keep, m_compare, fit, static_cast<QToolButton*>(save)})
+    for (QToolButton* button : {keep, m_compare, only, fit, static_cast<QToolButton*>(save)})
         row->addWidget(button);
     return bar;
 }
@@ -187,7 +193,14 @@ void TimingDock::updateStatistics() {
         const FramePart& part = frameParts()[i];
         fill(static_cast<int>(i), part.milliseconds, part.ofShownFrames ? Shown : All);
     }
-    fill(static_cast<int>(framePartCount), totalOf, All);
+    // Sums of the same frames as their parts: a step of all, a total of those that were drawn as well. Else
+    // the mean total could lie below the mean time of drawing.
+    fill(
+        static_cast<int>(framePartCount),
+        [](const FrameSample& sample) { return sample.statistics.simulate; }, All);
+    const bool anyShown = std::any_of(frames.begin(), frames.end(),
+                                      [](const FrameSample& sample) { return sample.render > 0; });
+    fill(static_cast<int>(framePartCount) + 1, totalOf, anyShown ? Shown : All);
 }
 
 void TimingDock::showPicked(std::ptrdiff_t index) {

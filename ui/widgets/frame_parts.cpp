@@ -27,16 +27,18 @@ const std::array<FramePart, framePartCount>& frameParts() {
          [](const FrameSample& sample) { return sample.statistics.broadphase; }},
         {QT_TRANSLATE_NOOP("FrameParts", "narrow-phase"), QColor(0x00, 0x9E, 0x73),
          [](const FrameSample& sample) { return sample.statistics.narrowphase; }},
-        {QT_TRANSLATE_NOOP("FrameParts", "respond"), QColor(0xCC, 0x79, 0xA7),
+        {QT_TRANSLATE_NOOP("FrameParts", "respond"), QColor(0xD5, 0x5E, 0x00),
          [](const FrameSample& sample) { return sample.statistics.respond; }},
         {QT_TRANSLATE_NOOP("FrameParts", "other"), QColor(0x8C, 0x8C, 0x8C), otherOf},
-        {QT_TRANSLATE_NOOP("FrameParts", "render"), QColor(0x2F, 0x7F, 0xC8),
+        {QT_TRANSLATE_NOOP("FrameParts", "render"), QColor(0x8A, 0x6F, 0xD1),
          [](const FrameSample& sample) { return sample.render; }, true},
     }};
     return parts;
 }
 
 QString nameOf(const FramePart& part) { return QCoreApplication::translate("FrameParts", part.name); }
+
+QString nameOfStep() { return QCoreApplication::translate("FrameParts", "step"); }
 
 QString nameOfWhole() { return QCoreApplication::translate("FrameParts", "total"); }
 

@@ -28,6 +28,8 @@ struct FramePart {
 /// From the bottom of the stack to its top.
 const std::array<FramePart, framePartCount>& frameParts();
 QString nameOf(const FramePart& part);
+/// Of the parts of simulating together: "step".
+QString nameOfStep();
 /// Of all parts together: "total".
 QString nameOfWhole();
 

@@ -31,12 +31,13 @@ QString milliseconds(double value) { return QString::number(value, 'f', value < 
 
 } // namespace
 
-std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height) {
+std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height,
+                                            const HiddenParts& hidden) {
     std::array<int, framePartCount> rows{};
     double sum = 0;
     int below = 0;
     for (std::size_t i = 0; i < framePartCount; ++i) {
-        sum += frameParts()[i].milliseconds(sample);
+        if (!hidden[i]) sum += frameParts()[i].milliseconds(sample);
         const int boundary = static_cast<int>(std::lround(std::clamp(sum / fullScale, 0.0, 1.0) * height));
         rows[i] = boundary - below;
         below = boundary;
@@ -107,7 +108,7 @@ std::optional<int> TimingStrip::cursor() const {
 }
 
 void TimingStrip::clear() {
-    m_samples = {}; // its memory, too
+    m_samples = std::vector<FrameSample>(); // its memory goes, too
     m_picked = noFrame;
     m_scrolledBack = 0;
     rescale();
@@ -118,6 +119,20 @@ void TimingStrip::setScale(Scale scale) {
     m_scale = scale;
     rescale();
     update();
+}
+
+void TimingStrip::showSimulationOnly(bool only) {
+    for (std::size_t i = 0; i < framePartCount; ++i) m_hidden[i] = only && frameParts()[i].ofShownFrames;
+    rescale();
+    update();
+}
+
+/// Height of its column [ms].
+double TimingStrip::shownOf(const FrameSample& sample) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < framePartCount; ++i)
+        if (!m_hidden[i]) sum += frameParts()[i].milliseconds(sample);
+    return sum;
 }
 
 void TimingStrip::setColumnWidth(int pixels) {
@@ -154,7 +169,7 @@ void TimingStrip::rescale() {
     for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(firstVisible(), 0); i < end; ++i) {
         const FrameSample& sample = m_samples[static_cast<std::size_t>(i)];
         // The first frame also pays for what is made once; it may leave the picture.
-        if (sample.statistics.frame > 1) highest = std::max(highest, totalOf(sample));
+        if (sample.statistics.frame > 1) highest = std::max(highest, shownOf(sample));
     }
     const double needed = std::max(1.05 * highest, 1e-3);
     m_fullScale = m_scale == Scale::Budget && needed <= budgetScale ? budgetScale : roundedUp(needed);
@@ -170,7 +185,7 @@ void TimingStrip::paintColumns(QImage& image, double pixelRatio) const {
     for (int right = image.width(); right > 0 && index >= 0; right -= columnWidth, --index) {
         const int left = std::max(0, right - columnWidth);
         const std::array<int, framePartCount> rows =
-            stackedRows(m_samples[static_cast<std::size_t>(index)], m_fullScale, image.height());
+            stackedRows(m_samples[static_cast<std::size_t>(index)], m_fullScale, image.height(), m_hidden);
         int y = image.height();
         for (std::size_t part = 0; part < framePartCount; ++part) {
             for (int row = 0; row < rows[part]; ++row) {

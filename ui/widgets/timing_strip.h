@@ -13,9 +13,13 @@
 
 namespace carom {
 
+/// Parts of a frame that are left out of a graph.
+using HiddenParts = std::array<bool, framePartCount>;
+
 /// Rows of pixels that each part of a frame takes in a graph `height` pixels high that shows 0 to
 /// `fullScale` ms. Every boundary is rounded once, so the parts of a frame add up to the height of its total.
-std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height);
+std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height,
+                                            const HiddenParts& hidden = {});
 
 /// The live graph of frame times: one column a frame, its parts stacked, the newest at the right. The columns
 /// are written straight into an image, which costs a tenth of a plotting library's repaint.
@@ -44,6 +48,8 @@ class TimingStrip : public ScrubStrip {
     std::optional<int> cursor() const;
     void setScale(Scale scale);
     void setColumnWidth(int pixels); ///< of one frame, 1 to 16
+    /// Leaves out what it took to show a frame.
+    void showSimulationOnly(bool only);
 
     const std::vector<FrameSample>& samples() const { return m_samples; }
     double fullScale() const { return m_fullScale; } ///< [ms] at the upper edge
@@ -69,6 +75,7 @@ class TimingStrip : public ScrubStrip {
   private:
     std::ptrdiff_t firstVisible() const;
     void rescale();
+    double shownOf(const FrameSample& sample) const;
     void dropOldest();
     void paintColumns(QImage& image, double pixelRatio) const;
     void paintLines(QPainter& painter) const;
@@ -81,6 +88,7 @@ class TimingStrip : public ScrubStrip {
     std::ptrdiff_t m_scrolledBack = 0; ///< frames between the newest and the right edge
     int m_columnWidth = 2;             ///< [px] of the widget
     Scale m_scale = Scale::Budget;
+    HiddenParts m_hidden{};
 };
 
 /// The parts of one frame as lines of text, for tool tips and the panel.

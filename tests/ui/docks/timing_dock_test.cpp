@@ -67,6 +67,22 @@ class TimingDockTest : public QObject {
         QVERIFY(table->asText().contains(QStringLiteral("respond\t100.000\t50.500")));
     }
 
+    void theSumsAreOfTheSameFramesAsTheirParts() {
+        // Every second frame is drawn, in 20 ms; a step takes 1 ms in each.
+        std::vector<FrameSample> samples = countingSamples(100);
+        for (FrameSample& sample : samples) {
+            sample.statistics.respond = sample.statistics.simulate = 1;
+            sample.render = sample.statistics.frame % 2 == 0 ? 20 : 0;
+        }
+        TimingDock dock;
+        dock.addSamples(samples);
+        const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
+        constexpr int render = 5, step = 6, total = 7; // rows
+        QTRY_COMPARE_WITH_TIMEOUT(table->text(render, 1), QStringLiteral("20.000"), patience);
+        QCOMPARE(table->text(step, 1), QStringLiteral("1.000"));
+        QCOMPARE(table->text(total, 1), QStringLiteral("21.000"));
+    }
+
     void renderingIsCountedOverTheFramesThatWereShown() {
         TimingDock dock;
         std::vector<FrameSample> samples = countingSamples(30);

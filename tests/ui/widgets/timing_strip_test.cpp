@@ -123,6 +123,21 @@ class TimingStripTest : public QObject {
         QCOMPARE(strip.bytes(), std::size_t{0});
     }
 
+    void theGraphCanShowTheSimulationOnly() {
+        FrameSample sample;
+        sample.statistics.frame = 2;
+        sample.statistics.simulate = sample.statistics.respond = 0.3;
+        sample.render = 30;
+        TimingStrip strip;
+        strip.setScale(TimingStrip::Scale::Fit);
+        strip.addSamples({&sample, 1});
+        QCOMPARE(strip.fullScale(), 50.0);
+        strip.showSimulationOnly(true);
+        QCOMPARE(strip.fullScale(), 0.5);
+        strip.showSimulationOnly(false);
+        QCOMPARE(strip.fullScale(), 50.0);
+    }
+
     void aLineStandsAtTheFrameOnScreen() {
         TimingStrip strip;
         strip.resize(300, 160);

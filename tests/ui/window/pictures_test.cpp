@@ -191,7 +191,7 @@ class PicturesTest : public QObject {
         writeFile(path, "the film before");
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden);
         QCOMPARE(cancelledAfter(3, ide, path),
-                 QStringLiteral("it was cancelled, and half a film is not kept"));
+                 QStringLiteral("it was cancelled, and half a video is not kept"));
         QCOMPARE(readFile(path), QByteArray("the film before"));
         QCOMPARE(QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden), files);
     }
@@ -228,7 +228,7 @@ class PicturesTest : public QObject {
         film.reset();
         qputenv("PATH", before);
         QCOMPARE(ends.first().first().toString(),
-                 QStringLiteral("it was cancelled, and half a film is not kept"));
+                 QStringLiteral("it was cancelled, and half a video is not kept"));
         QCOMPARE(QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden), files);
     }
 
