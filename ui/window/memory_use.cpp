@@ -64,3 +64,5 @@ void MemoryUse::refresh() {
 }
 
 } // namespace carom
+
+#include "moc_memory_use.cpp"
