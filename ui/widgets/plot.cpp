@@ -442,7 +442,12 @@ void PlotWidget::setCursor(std::optional<double> x) {
     if (x == m_cursor) return;
     m_cursor = x;
     showCursor();
-    m_plot->layer(cursorLayer)->replot();
+    if (isVisible()) m_plot->layer(cursorLayer)->replot(); // one that is hidden would be drawn as a whole
+}
+
+void PlotWidget::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_plot->replot(QCustomPlot::rpQueuedReplot); // the cursor may have moved
 }
 
 /// On a layer with a picture of its own: a run moves it sixty times a second.

@@ -100,6 +100,7 @@ class PlotWidget : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     struct Hit {
