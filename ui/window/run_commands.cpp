@@ -17,6 +17,8 @@
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QShortcut>
 
 namespace carom {
@@ -36,13 +38,11 @@ void RunCommands::setTheme(const Theme& theme) {
 void RunCommands::connectActions() {
     const Actions& actions = m_window.actions();
     connect(&actions[ActionId::Play], &QAction::triggered, &m_simulation, &Simulation::togglePlay);
-    // A key that is held asks sooner than a large scene can answer; what was not made is not made up for.
-    connect(&actions[ActionId::Step], &QAction::triggered, this, [this] {
-        if (!m_simulation.isStepping()) m_simulation.step();
-    });
-    connect(&actions[ActionId::StepBack], &QAction::triggered, this, [this] {
-        if (!m_simulation.isStepping()) m_simulation.stepBack();
-    });
+    connect(&actions[ActionId::Step], &QAction::triggered, this,
+            [this] { stepUnlessHeld(&Simulation::step); });
+    connect(&actions[ActionId::StepBack], &QAction::triggered, this,
+            [this] { stepUnlessHeld(&Simulation::stepBack); });
+    qApp->installEventFilter(this);
     connect(&actions[ActionId::Reset], &QAction::triggered, &m_preview, &LivePreview::reset);
     Viewport& viewport = m_window.viewport();
     connect(&actions[ActionId::FrameSelection], &QAction::triggered, &viewport, &Viewport::frameSelection);
@@ -81,6 +81,20 @@ void RunCommands::connectActions() {
     }
     connect(&m_window.transport(), &TransportBar::speedChanged, &m_simulation, &Simulation::setSpeed);
     m_simulation.setSpeed(m_window.transport().speed());
+}
+
+/// Each press is a step. A key that is held asks sooner than a large scene can answer: what was not made is
+/// not made up for.
+void RunCommands::stepUnlessHeld(void (Simulation::*step)()) {
+    if (!m_keyHeld || !m_simulation.isStepping()) (m_simulation.*step)();
+}
+
+bool RunCommands::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) // comes before the key's action
+        m_keyHeld = static_cast<QKeyEvent*>(event)->isAutoRepeat();
+    else if (event->type() == QEvent::KeyRelease || event->type() == QEvent::MouseButtonPress)
+        m_keyHeld = false;
+    return QObject::eventFilter(watched, event);
 }
 
 void RunCommands::connectFrames() {

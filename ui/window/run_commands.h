@@ -31,6 +31,9 @@ class RunCommands : public QObject {
     void connectFrames();
     void connectPanels();
     void connectBreakpoints();
+    void stepUnlessHeld(void (Simulation::*step)());
+    /// Notices whether a key is pressed or held.
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void describeRun();
     void showStatus(const RunStatus& status);
     void noteSpeed(double time);
@@ -42,6 +45,7 @@ class RunCommands : public QObject {
     LivePreview& m_preview;
     const BroadphaseRow* m_broadphase = nullptr; ///< chosen in its panel; null: what the scene asks for
     SpeedMeter m_speed;
+    bool m_keyHeld = false; ///< the last key came of its own, because it is held down
     Theme m_theme;
 };
 
