@@ -20,12 +20,17 @@ namespace {
 /// What the whole run is asked for is judged for so long in the short form [s].
 constexpr double shortForm = 2;
 
-/// What follows `begin` in the first lines of a text, up to the full stop that ends its line.
-std::string_view lineBehind(std::string_view text, std::string_view begin) {
+/// What follows `begin` in the comment at the top of a text, up to the full stop that ends a line, as one
+/// line.
+std::string sentenceBehind(std::string_view text, std::string_view begin) {
+    constexpr std::string_view next = "\n// ";
     const std::size_t at = text.find(begin);
     ASSERT(at != text.npos); // tests hold every scene to it
     const std::size_t from = at + begin.size(), end = text.find(".\n", from);
-    return text.substr(from, end - from);
+    std::string sentence(text.substr(from, end - from));
+    for (std::size_t i = sentence.find(next); i != sentence.npos; i = sentence.find(next, i))
+        sentence.replace(i, next.size(), " ");
+    return sentence;
 }
 
 /// A scene's own method has its own column; else the general method's two, and that of exact events where
@@ -86,18 +91,21 @@ void runScene(Trial& trial) {
 }
 
 std::vector<HardCase> makeCases() {
-    static std::deque<std::string> limits; // what the rows point to
+    static std::deque<std::string> words; // what the rows point to
     std::vector<HardCase> cases;
     for (const HardScene& scene : hardScenes()) {
         const Scene analysed = analyse(std::string(scene.text)).scene;
         const StudyColumns columns = columnsOf(analysed);
-        const std::string& byDefault = limits.emplace_back(columns[0] ? limitsOf(analysed, "default") : "–");
-        const std::string& accurate = limits.emplace_back(limitsOf(analysed, "accurate"));
+        const std::string& byDefault = words.emplace_back(columns[0] ? limitsOf(analysed, "default") : "–");
+        const std::string& accurate = words.emplace_back(limitsOf(analysed, "accurate"));
+        const std::string_view behindNumber = std::string_view(scene.text).substr(scene.text.find(':'));
+        const std::string& title = words.emplace_back(sentenceBehind(behindNumber, ": "));
+        const std::string& answer = words.emplace_back(sentenceBehind(scene.text, "// Right: "));
         const std::size_t dash = scene.name.find('_');
         cases.push_back({.number = static_cast<int>(*wholeNumberIn(scene.name.substr(0, dash))),
                          .name = scene.name.substr(dash + 1),
-                         .title = lineBehind(scene.text.substr(scene.text.find(':')), ": "),
-                         .answer = lineBehind(scene.text, "// Right: "),
+                         .title = title,
+                         .answer = answer,
                          .byDefault = byDefault,
                          .accurate = accurate,
                          .aim = accurate,
