@@ -86,7 +86,7 @@ extern const HardCase bouncesToRestCase;
 constinit const HardCase bouncesToRestCase = {
     .number = 4,
     .name = "bounces_to_rest",
-    .title = "drops from 1 m with restitution .5, .9 and .99",
+    .title = "drops from 1 m with restitution 0.5, 0.9 and 0.99",
     .answer = "rest after t0 (1+e)/(1-e) and a path of h (1+e²)/(1-e²)",
     .byDefault = "rests, time 1 %",
     .accurate = "1e-9",

@@ -117,7 +117,7 @@ void runSpeeds(Trial& trial) {
         if (kolmogorovTail(worst, speeds.size()) <= 0.01) ++unlikely;
         if (trial.stopped()) return;
     }
-    trial.expect("seeds with p <= .01", unlikely, {0.05 * seeds, std::max(1.0, 0.05 * seeds)});
+    trial.expect("seeds with p <= 0.01", unlikely, {0.05 * seeds, std::max(1.0, 0.05 * seeds)});
 }
 
 Gas atmosphere() {
@@ -224,7 +224,7 @@ constinit const HardCase speedsCase = {
     .number = 47,
     .name = "gas_speeds",
     .title = "the gas after 50 collisions each",
-    .answer = "speeds are Maxwell–Boltzmann: Kolmogorov–Smirnov p > .01 in 95 of 100 seeds",
+    .answer = "speeds are Maxwell–Boltzmann: Kolmogorov–Smirnov p > 0.01 in 95 of 100 seeds",
     .byDefault = "–",
     .accurate = "holds",
     .aim = "holds",
@@ -237,7 +237,7 @@ constinit const HardCase atmosphereCase = {
     .number = 49,
     .name = "gas_under_gravity",
     .title = "a thin gas under gravity",
-    .answer = "its density falls as exp(-m g z/k T) (χ² p > .01), with one temperature",
+    .answer = "its density falls as exp(-m g z/k T) (χ² p > 0.01), with one temperature",
     .byDefault = "–",
     .accurate = "holds",
     .aim = "holds",

@@ -58,13 +58,13 @@ void runPressure(Trial& trial) {
         return measured ? std::abs(measured->value / theory - 1) : NAN;
     };
     const double asFound = reference::hardSphereCompressibility(found);
-    trial.expect("density in the middle, off .5", std::abs(found / density - 1), {0.01, 0.01});
+    trial.expect("density in the middle, off 0.5", std::abs(found / density - 1), {0.01, 0.01});
     trial.expect("Z = 3.262431 from wall momentum, off", offAt(study.wallCompressibility, asFound),
                  {0.01, 0.01});
     trial.expect("Z from collisions, off", offAt(study.compressibility, asFound), {0.01, 0.01});
-    trial.expect("mean free time .1306, off",
+    trial.expect("mean free time 0.1306, off",
                  offAt(study.freeTime, theory::freeTimeOf(found, 1, 1, study.temperature)), {0.01, 0.01});
-    trial.expect("Z of theory at .5, off 3.262431", std::abs(right - 3.262431), {1e-6, 1e-6});
+    trial.expect("Z of theory at 0.5, off 3.262431", std::abs(right - 3.262431), {1e-6, 1e-6});
     trial.expect("energy error", std::abs(study.energyDrift), {1e-12, 1e-12});
 }
 
@@ -75,11 +75,11 @@ extern const HardCase pressureCase;
 constinit const HardCase pressureCase = {
     .number = 48,
     .name = "gas_pressure",
-    .title = "a gas of hard spheres at number density .5, σ = m = kT = 1",
-    .answer = "Z = 3.262431 from the momentum given to the walls; the mean free time is .1306",
+    .title = "a gas of hard spheres at number density 0.5, σ = m = kT = 1",
+    .answer = "Z = 3.262431 from the momentum given to the walls; the mean free time is 0.1306",
     .byDefault = "–",
     .accurate = "1 %",
-    .aim = ".3 %",
+    .aim = "0.3 %",
     .columns = exactColumn,
     .declarations = denseGasScene,
     .run = runPressure,

@@ -82,7 +82,7 @@ extern const HardCase logPileCase, logTowerCase, pyramidCase, cardHouseCase;
 constinit const HardCase logPileCase = {
     .number = 26,
     .name = "log_pile",
-    .title = "six logs in each other's grooves, 3-2-1, friction .6",
+    .title = "six logs in each other's grooves, 3-2-1, friction 0.6",
     .answer = "they lie still",
     .byDefault = "60 s, yaw 1e-3",
     .accurate = "yaw 1e-6",
@@ -121,7 +121,7 @@ constinit const HardCase pyramidCase = {
 constinit const HardCase cardHouseCase = {
     .number = 30,
     .name = "card_house",
-    .title = "a house of cards of 5 storeys, leaning by 25°, friction .7",
+    .title = "a house of cards of 5 storeys, leaning by 25°, friction 0.7",
     .answer = "it stands",
     .byDefault = "20 s",
     .accurate = "60 s, 1e-4 m",
