@@ -9,7 +9,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <vector>
 
 namespace carom {
 namespace {
@@ -48,10 +47,17 @@ std::string written(double value, int decimals) {
     return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
+std::string_view digitsOf(std::string_view literal) {
+    return literal.substr(literal.find_first_not_of("- \t\r\n"));
+}
+
+double numberOf(std::string_view literal) {
+    return (literal.starts_with('-') ? -1 : 1) * readNumeral(digitsOf(literal)).value;
+}
+
 std::string rewritten(std::string_view literal, double value, int leastDecimals) {
-    const bool negative = literal.starts_with('-');
-    const std::string_view digits = literal.substr(literal.find_first_not_of("- \t\r\n"));
-    const double before = (negative ? -1 : 1) * readNumeral(digits).value;
+    const std::string_view digits = digitsOf(literal);
+    const double before = numberOf(literal);
     const bool hasExponent = literal.find_first_of("eE") != std::string_view::npos;
     const int decimals = std::max(decimalsOf(digits), leastDecimals);
     const double same = hasExponent ? 0 : 0.5 * std::pow(10.0, -decimals);
@@ -78,6 +84,12 @@ std::optional<std::string> withNumbers(std::string_view value, std::span<const d
         copied = literals[i].end();
     }
     return text.append(value.substr(copied));
+}
+
+std::vector<double> numbersOf(std::string_view value) {
+    std::vector<double> numbers;
+    for (const SourceRange& literal : literalsOf(value)) numbers.push_back(numberOf(textOf(value, literal)));
+    return numbers;
 }
 
 } // namespace carom

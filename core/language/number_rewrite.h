@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace carom {
 
@@ -14,5 +15,8 @@ namespace carom {
 /// hold as many numbers.
 std::optional<std::string> withNumbers(std::string_view value, std::span<const double> numbers,
                                        int leastDecimals);
+
+/// The numbers that stand in it, with their minus.
+std::vector<double> numbersOf(std::string_view value);
 
 } // namespace carom

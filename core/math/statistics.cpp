@@ -33,6 +33,23 @@ Summary summarise(std::span<const double> values) {
     return summary;
 }
 
+std::optional<Interval> medianInterval(std::span<const double> values) {
+    constexpr std::size_t mostStretches = 40, leastStretches = 6, leastLength = 3;
+    constexpr double quantile = 1.959964; // of the normal distribution, for 95 %
+    const std::size_t length = std::max(leastLength, (values.size() + mostStretches - 1) / mostStretches);
+    const std::size_t count = values.size() / length;
+    if (count < leastStretches) return std::nullopt;
+    std::vector<double> medians;
+    for (std::size_t i = 0; i < count; ++i)
+        medians.push_back(summarise(values.subspan(i * length, length)).median);
+    std::sort(medians.begin(), medians.end());
+    // How many of the medians lie below the true one is binomial with p = 1/2.
+    const double n = static_cast<double>(count), half = quantile * std::sqrt(n) / 2;
+    const double below = std::max(0.0, std::floor(n / 2 - half));
+    const std::size_t first = static_cast<std::size_t>(below);
+    return Interval{medians[first], medians[count - 1 - first]};
+}
+
 std::vector<double> fitPolynomial(std::span<const double> x, std::span<const double> y, int degree) {
     ASSERT(x.size() == y.size() && degree >= 0);
     const Eigen::Index rows = static_cast<Eigen::Index>(x.size());

@@ -122,8 +122,15 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     m_recording = Recording(m_budget);
     shareBudget();
     m_recording.restart(*m_world);
-    m_sampled = m_world->state().frame;
+    beginSamples();
     m_watch.begin(*m_world);
+}
+
+/// The guard needs the ledger: what bodies that overlapped gained by parting is no fault of the run.
+void SimulationThread::beginSamples() {
+    m_world->keepLedger(true);
+    m_sampled = m_world->state().frame;
+    m_guard.emplace(m_world->pipeline(), m_world->statistics());
 }
 
 void SimulationThread::execute(const RunCommand&) {
@@ -161,7 +168,7 @@ void SimulationThread::execute(const ResetCommand& command) {
     m_torn = false;
     m_world->reset();
     m_watch.begin(*m_world);
-    m_sampled = m_world->state().frame;
+    beginSamples();
     m_state = RunState::Paused; // the GUI's side knows
     publish(true);
 }
@@ -201,6 +208,8 @@ void SimulationThread::execute(const GhostCommand& command) {
     publish(true);
 }
 
+void SimulationThread::execute(const GuardCommand& command) { m_stopsAtRise = command.stops; }
+
 void SimulationThread::execute(const BreakpointsCommand& command) {
     m_watch = BreakWatch(command.breakpoints);
     if (m_world) m_watch.begin(*m_world);
@@ -214,6 +223,19 @@ void SimulationThread::execute(const FindBackCommand&) {
     if (superseded()) return;
     seek(hit ? hit->frame : now, true);
     m_listener.broke(hit);
+}
+
+void SimulationThread::execute(const ExplainCommand& command) {
+    if (!m_world || command.frame <= m_recording.first()) return;
+    if (m_state == RunState::Running) enter(RunState::Paused);
+    const bool there = m_recording.seek(*m_world, command.frame - 1, [this](bool) {
+        sample();
+        return !superseded();
+    });
+    const Snapshot before = m_world->snapshot();
+    seek(command.frame, true);
+    if (!there || m_world->state().frame != command.frame || !m_listener.explained) return;
+    m_listener.explained(m_run, storyOf(m_world->pipeline(), before, m_world->snapshot()));
 }
 
 /// From checkpoint to checkpoint backwards, each stretch simulated forwards to its end.
@@ -250,23 +272,26 @@ void SimulationThread::advance() {
         return;
     }
     m_recording.note(*m_world);
-    sample();
+    const bool gained = sample() && m_stopsAtRise;
     const double time = m_world->state().time;
     const bool reachedEnd =
         settings.duration && time >= *settings.duration && time - settings.step < *settings.duration;
     const std::optional<std::size_t> breakpoint = m_watch.check(*m_world);
-    if (reachedEnd || breakpoint) enter(RunState::Paused);
+    if (reachedEnd || breakpoint || gained) enter(RunState::Paused);
     if (breakpoint) m_listener.broke(BreakHit{m_world->state().frame, *breakpoint});
     publish(m_state != RunState::Running);
     schedule();
 }
 
-/// Each frame's statistics go up once, in their order.
-void SimulationThread::sample() {
+/// Each frame's statistics go up once, in their order. Whether energy has risen from nowhere in this one.
+bool SimulationThread::sample() {
     const std::int64_t frame = m_world->state().frame;
-    if (frame <= m_sampled || !m_world->health().finite) return;
+    if (frame <= m_sampled || !m_world->health().finite) return false;
     m_sampled = frame;
     m_samples.push(m_run, m_world->statistics());
+    const std::optional<EnergyRise> rise = m_guard->look(m_world->statistics());
+    if (rise && m_listener.gained) m_listener.gained(m_run, *rise);
+    return rise.has_value();
 }
 
 /// The frames on the way are shown if `showing`. A wish that came meanwhile ends the search: the next command

@@ -7,6 +7,8 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/simulation/breakpoint.h"
+#include "core/simulation/energy_guard.h"
+#include "core/simulation/event_story.h"
 #include "core/simulation/health.h"
 #include "core/simulation/pipeline.h"
 #include "core/simulation/recording.h"
@@ -99,6 +101,11 @@ struct StructureCommand {
     bool wanted = false;
 };
 
+/// Whether a run that gains energy from nowhere pauses there; it is said anyway.
+struct GuardCommand {
+    bool stops = true;
+};
+
 /// Where the run stops while it plays.
 struct BreakpointsCommand {
     std::vector<Breakpoint> breakpoints;
@@ -106,9 +113,15 @@ struct BreakpointsCommand {
 /// Back to the last frame before this one at which a breakpoint held, and pause there.
 struct FindBackCommand {};
 
-using SimulationCommand = std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand,
-                                       ResetCommand, SpeedCommand, BroadphaseCommand, StructureCommand,
-                                       BudgetCommand, GhostCommand, BreakpointsCommand, FindBackCommand>;
+/// To a frame, paused there, and what happened in it.
+struct ExplainCommand {
+    std::int64_t frame = 0;
+};
+
+using SimulationCommand =
+    std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand, ResetCommand, SpeedCommand,
+                 BroadphaseCommand, StructureCommand, BudgetCommand, GhostCommand, GuardCommand,
+                 BreakpointsCommand, FindBackCommand, ExplainCommand>;
 
 struct PublishedSnapshot {
     std::uint64_t run = 0;
@@ -127,6 +140,9 @@ class SimulationThread {
         /// A breakpoint held; or the one looked for backwards was not found.
         std::function<void(std::optional<BreakHit>)> broke;
         std::function<void()> published; ///< a snapshot or samples are there to be taken
+        /// Energy has risen from nowhere, for the first time in that run.
+        std::function<void(std::uint64_t run, EnergyRise)> gained = {};
+        std::function<void(std::uint64_t run, EventStory)> explained = {};
     };
 
     explicit SimulationThread(Listener listener);
@@ -159,15 +175,18 @@ class SimulationThread {
     void execute(const StructureCommand& command);
     void execute(const BudgetCommand& command);
     void execute(const GhostCommand& command);
+    void execute(const GuardCommand& command);
     void execute(const BreakpointsCommand& command);
     void execute(const FindBackCommand& command);
+    void execute(const ExplainCommand& command);
 
     void begin(const std::shared_ptr<const Pipeline>& pipeline);
     Ghost ghost();
     std::optional<BreakHit> lastHitBefore(std::int64_t frame);
     void advance();
     void seek(std::int64_t frame, bool showing);
-    void sample();
+    bool sample();
+    void beginSamples();
     void shareBudget();
     bool superseded();
     void schedule();
@@ -198,6 +217,8 @@ class SimulationThread {
     Recording m_recording{usualBudget};
     std::optional<Past> m_ghost;
     BreakWatch m_watch;
+    std::optional<EnergyGuard> m_guard; ///< of the frames whose statistics went up
+    bool m_stopsAtRise = true;
     bool m_ghostWanted = true;
     bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored
     bool m_shown = false; ///< the world has been on screen: worth being a ghost

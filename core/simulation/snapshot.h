@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/index.h"
 #include "core/math/pose.h"
 #include "core/simulation/health.h"
 #include "core/simulation/statistics.h"
@@ -14,6 +15,12 @@ namespace carom {
 struct ContactForce {
     Vec3 at = Vec3::Zero();    ///< [m]
     Vec3 force = Vec3::Zero(); ///< on the second body, or on the first where the second is a wall [N]
+    BodyPair pair = {};
+    Vec3 normal = Vec3::Zero(); ///< unit, towards the body that the force is on
+    double friction = 0;        ///< coefficient of the pair
+
+    /// Whether friction bears all it can, so that the surfaces slide.
+    bool slides() const;
 };
 
 /// The state of a world at a frame, for whoever shows or writes it. A value: it shares nothing with the

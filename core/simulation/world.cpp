@@ -45,6 +45,12 @@ std::vector<Aabb> World::broadphaseStructure() const {
     return first->structure();
 }
 
+bool ContactForce::slides() const {
+    constexpr double nearlyAll = 0.999; // the solver stops within its tolerance of the cone
+    const double pressing = force.dot(normal), along = (force - pressing * normal).norm();
+    return along >= nearlyAll * friction * pressing;
+}
+
 std::vector<ContactForce> World::contactForces() const {
     const ContactSet contacts = m_solver->contacts(m_state);
     const Bodies& bodies = m_pipeline->bodies();
@@ -55,7 +61,12 @@ std::vector<ContactForce> World::contactForces() const {
         for (const ContactConstraint& point : contacts.pointsOf(pair)) {
             if (point.force.isZero()) continue;
             const Vec3 onSecond = point.frame.transpose() * point.force;
-            forces.push_back({anchor.toWorld(point.anchor), onFirst ? Vec3(-onSecond) : onSecond});
+            const Vec3 normal = point.frame.row(0);
+            forces.push_back({.at = anchor.toWorld(point.anchor),
+                              .force = onFirst ? Vec3(-onSecond) : onSecond,
+                              .pair = pair.bodies(),
+                              .normal = onFirst ? Vec3(-normal) : normal,
+                              .friction = pair.friction});
         }
     }
     return forces;

@@ -26,6 +26,11 @@ class NumberRewriteTest : public QObject {
         QCOMPARE(rewritten("1.50, 2.0,-3", {4.123, -0.26, 7}), QByteArray("4.12, -0.3,7"));
     }
 
+    void theNumbersOfAValueAreReadWithTheirSigns() {
+        QCOMPARE(numbersOf("1.50, -2 # up, 7\n, - 3e-1"), (std::vector<double>{1.5, -2, -0.3}));
+        QVERIFY(numbersOf("yes").empty());
+    }
+
     void commentsAndWhiteSpaceStay() {
         QCOMPARE(rewritten("1.0 # left, 2\n, 2.0, // 7 up\n 3.0", {1.5, 2.5, 3.5}),
                  QByteArray("1.5 # left, 2\n, 2.5, // 7 up\n 3.5"));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -31,6 +32,33 @@ class StatisticsTest : public QObject {
         for (const double figure :
              {summary.mean, summary.median, summary.p95, summary.p99, summary.maximum, summary.total})
             QCOMPARE(figure, -3.0);
+    }
+
+    void theIntervalOfAMedianHoldsItNineteenTimesInTwenty() {
+        // Series of 200 with a long tail, as frame times have; the true median is ln 2.
+        carom::Random random(17);
+        constexpr int series = 2000;
+        int held = 0;
+        double width = 0;
+        for (int i = 0; i < series; ++i) {
+            std::vector<double> values;
+            for (int k = 0; k < 200; ++k) values.push_back(-std::log(1 - random.uniform()));
+            const std::optional<carom::Interval> interval = carom::medianInterval(values);
+            QVERIFY(interval.has_value());
+            held += interval->low <= std::log(2.0) && std::log(2.0) <= interval->high ? 1 : 0;
+            width += (interval->high - interval->low) / series;
+        }
+        // Medians of stretches of five are a little skew, which costs a per cent or two.
+        QVERIFY2(held > 0.91 * series && held < 0.995 * series, qPrintable(QString::number(held)));
+        QVERIFY2(width < 0.6, qPrintable(QString::number(width)));
+    }
+
+    void aFewMeasurementsHaveNoInterval() {
+        QVERIFY(!carom::medianInterval(std::vector<double>(17, 1.0)));
+        const std::optional<carom::Interval> alike = carom::medianInterval(std::vector<double>(18, 1.0));
+        QVERIFY(alike && alike->low == 1 && alike->high == 1);
+        QVERIFY((carom::Interval{1, 2}.overlaps({2, 3})));
+        QVERIFY((!carom::Interval{1, 2}.overlaps({2.1, 3})));
     }
 
     void theMedianOfAnEvenCountIsTheMeanOfTheMiddleTwo() {

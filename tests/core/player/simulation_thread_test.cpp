@@ -60,6 +60,7 @@ class Player {
     std::size_t recorded = 0;               ///< [bytes]
     RunState shownState = RunState::Paused; ///< what the newest snapshot says
     std::vector<BreakHit> hits;
+    std::vector<EnergyRise> rises;
 
     std::int64_t frame() const { return newest ? newest->frame : -1; }
 
@@ -94,7 +95,12 @@ class Player {
                                    if (hit) hits.push_back(*hit);
                                    m_changed.notify_all();
                                },
-                               [] {}}};
+                               [] {},
+                               [this](std::uint64_t, const EnergyRise& rise) {
+                                   const std::lock_guard lock(m_mutex);
+                                   rises.push_back(rise);
+                                   m_changed.notify_all();
+                               }}};
     std::jthread m_collector;
 };
 
@@ -111,6 +117,30 @@ bool areSame(const Snapshot& snapshot, const World& world) {
 class SimulationThreadTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    void aRunThatGainsEnergyPausesThereUnlessItIsToGoOn() {
+        // Euler's scheme blows a spring up; its frames come once, whether one goes back or not.
+        const std::shared_ptr<const Pipeline> swings =
+            build("simulation { method contacts  integrator euler }\ngravity { accel 0, 0, 0 }\n"
+                  "sphere bob { radius 0.1  mass 1  centre 1.1, 0, 0 }\n"
+                  "spring { from world  to bob  stiffness 1000  length 1 }\n")
+                .pipeline;
+        Player player;
+        player.post(LoadCommand{swings, 1, 0});
+        player.post(RunCommand{});
+        QVERIFY(player.waitFor([&] { return player.rises.size() == 1 && player.state == RunState::Paused; }));
+        const std::int64_t frame = player.rises.front().frame;
+        QVERIFY(player.waitFor([&] { return player.frame() == frame; }));
+        player.post(RunCommand{}); // from there on it is no news
+        QVERIFY(player.waitFor([&] { return player.frame() > frame + 5; }));
+        player.post(GuardCommand{false});
+        player.post(ResetCommand{2});
+        player.post(RunCommand{});
+        QVERIFY(player.waitFor([&] { return player.rises.size() == 2 && player.frame() > frame + 5; }));
+        QCOMPARE(player.rises.back().frame, frame);
+        player.post(PauseCommand{});
+        QVERIFY(player.waitFor([&] { return player.state != RunState::Running; }));
+    }
+
     void everyFrameOfARunArrivesAndItsStatesAreTheWorlds() {
         const std::shared_ptr<const Pipeline> pipeline = threeBalls();
         Player player;

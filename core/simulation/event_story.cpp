@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/event_story.h"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace carom {
+namespace {
+
+/// A body whose misfit is larger explains nothing.
+constexpr double worst = 0.9;
+/// What a direction that is wrong by a right angle weighs against a momentum that is wrong by half.
+constexpr double immobileShare = 0.5;
+/// Changes of a momentum below this part of it are rounding.
+constexpr double unnoticed = 1e-9;
+
+struct Neighbour {
+    BodyIndex body = noBody;
+    double misfit = std::numeric_limits<double>::infinity();
+    Vec3 at = Vec3::Zero(); ///< [m]
+};
+
+class Search {
+  public:
+    Search(const Bodies& bodies, const Snapshot& before, const Snapshot& after,
+           const std::vector<Vec3>& given, BodyIndex body)
+        : m_bodies(bodies), m_before(before), m_after(after), m_given(given), m_body(body),
+          m_place(before.pose[body].position), m_radius(bodies.boundingRadius[body]) {}
+
+    Neighbour find() const {
+        Neighbour best;
+        for (BodyIndex other = 0; other < m_bodies.count(); ++other) {
+            if (other == m_body) continue;
+            const Wall* wall = std::get_if<Wall>(&m_bodies.shape[other]);
+            const Neighbour here = wall != nullptr ? ofWall(other, *wall) : ofBody(other);
+            if (here.misfit < best.misfit) best = here;
+        }
+        return best.misfit < worst ? best : Neighbour{};
+    }
+
+  private:
+    /// How far the two can have come towards each other [m].
+    double reach(BodyIndex other) const {
+        const double h = m_after.time - m_before.time;
+        const auto fastest = [&](BodyIndex body) {
+            return std::max(m_before.velocity[body].norm(), m_after.velocity[body].norm());
+        };
+        return 2 * h * (fastest(m_body) + fastest(other)) + 0.05 * m_radius;
+    }
+
+    Neighbour ofWall(BodyIndex other, const Wall& wall) const {
+        const double gap = distanceTo(wall, m_place) - m_radius;
+        if (gap > reach(other)) return {};
+        const double aside = 1 - m_given[m_body].normalized().dot(wall.normal);
+        return {other, immobileShare * aside + 0.1 * std::max(gap, 0.0) / m_radius,
+                m_place - m_radius * wall.normal};
+    }
+
+    Neighbour ofBody(BodyIndex other) const {
+        const Vec3 apart = m_place - m_before.pose[other].position;
+        const double sum = m_radius + m_bodies.boundingRadius[other];
+        if (apart.norm() > sum + reach(other)) return {};
+        const Vec3 at = m_place - m_radius / sum * apart;
+        if (m_bodies.mobile[other] != 0)
+            return {other, (m_given[m_body] + m_given[other]).norm() / m_given[m_body].norm(), at};
+        if (apart.isZero()) return {};
+        return {other, immobileShare * (1 - m_given[m_body].normalized().dot(apart.normalized())), at};
+    }
+
+    const Bodies& m_bodies;
+    const Snapshot &m_before, &m_after;
+    const std::vector<Vec3>& m_given; // [N s]
+    BodyIndex m_body;
+    Vec3 m_place;
+    double m_radius;
+};
+
+} // namespace
+
+EventStory storyOf(const Pipeline& pipeline, const Snapshot& before, const Snapshot& after) {
+    const Bodies& bodies = pipeline.bodies();
+    const auto energyOf = [](const Snapshot& one) {
+        return one.statistics.kinetic + one.statistics.potential;
+    };
+    EventStory story{.frame = after.frame, .energyLost = energyOf(before) - energyOf(after)};
+    const Vec3 fallen = (after.time - before.time) * pipeline.scene().gravity.acceleration;
+    std::vector<Vec3> given(bodies.count(), Vec3::Zero());
+    for (const BodyIndex i : bodies.mobileBodies) {
+        given[i] = bodies.mass[i] * (after.velocity[i] - before.velocity[i] - fallen);
+        const double rounding = unnoticed * bodies.mass[i] * (before.velocity[i].norm() + fallen.norm());
+        if (!(given[i].norm() > std::max(story.impulse, rounding))) continue;
+        story.impulse = given[i].norm();
+        story.a = i;
+    }
+    if (story.a == noBody) return story;
+    const Neighbour other = Search(bodies, before, after, given, story.a).find();
+    story.b = other.body;
+    story.at = other.body == noBody ? after.pose[story.a].position : other.at;
+    return story;
+}
+
+} // namespace carom

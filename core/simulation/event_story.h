@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/index.h"
+#include "core/simulation/pipeline.h"
+#include "core/simulation/snapshot.h"
+
+#include <cstdint>
+
+// What happened in a frame, seen from outside, whichever method moved the bodies: the body whose momentum
+// changed the most beside gravity, and the one it got that momentum from.
+//
+//     p_i = m (v2 − v1 − g h)      [N s], of each mobile body; h the frame
+//     a   = the body with the largest |p|
+//     b   = of the bodies within reach of a in this frame, the one that explains p_a best: a mobile body by
+//           |p_a + p_b| / |p_a|, a wall or immobile body by the angle between p_a and the direction away from
+//           it
+//
+// Limits: springs give momentum, too; where nothing is in reach, b is noBody. Of several impacts in one frame
+// the largest is told.
+
+namespace carom {
+
+struct EventStory {
+    std::int64_t frame = 0;
+    BodyIndex a = noBody, b = noBody;
+    double impulse = 0;     ///< on a [N s]
+    double energyLost = 0;  ///< of the whole scene in this frame [J]
+    Vec3 at = Vec3::Zero(); ///< between the two [m]
+};
+
+/// Of the frame between two snapshots of one run.
+EventStory storyOf(const Pipeline& pipeline, const Snapshot& before, const Snapshot& after);
+
+} // namespace carom
