@@ -8,10 +8,10 @@
 #include "app/timed_session.h"
 #include "app/version.h"
 #include "ui/base/failures.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 #include "ui/window/help_commands.h"
 #include "ui/window/main_window.h"
-#include "ui/window/settings.h"
+#include "ui/base/settings.h"
 #include "ui/window/translation.h"
 #include "ui/window/workbench.h"
 

@@ -5,7 +5,7 @@
 #include "app/files.h"
 #include "core/math/statistics.h"
 #include "ui/base/file_output.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 

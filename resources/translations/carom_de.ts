@@ -431,8 +431,8 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>Nichts in der Szene kann sich bewegen</translation>
     </message>
     <message>
-        <source>looking for the truth</source>
-        <translation>sucht die Wahrheit</translation>
+        <source>computing the reference solution</source>
+        <translation>berechnet die Referenzlösung</translation>
     </message>
     <message>
         <source>%1 %, about %2 s left</source>
@@ -1167,6 +1167,82 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>All shortcuts and what they do</source>
         <translation>Alle Tastenkürzel und was sie tun</translation>
     </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Blicken von</translation>
+    </message>
+    <message>
+        <source>&amp;Why did this happen?</source>
+        <translation>&amp;Warum geschah das?</translation>
+    </message>
+    <message>
+        <source>Name and show the two bodies of the largest impact in the frame on screen (a click on a mark of the timeline does it, too)</source>
+        <translation>Die zwei Körper des größten Stoßes im gezeigten Bild nennen und zeigen (auch ein Klick auf eine Marke der Zeitleiste)</translation>
+    </message>
+    <message>
+        <source>Stop where energy rises</source>
+        <translation>Anhalten, wo die Energie steigt</translation>
+    </message>
+    <message>
+        <source>Pause a run whose energy rises from nowhere, as it does where a step is too long for what it has to follow</source>
+        <translation>Einen Lauf anhalten, dessen Energie aus dem Nichts steigt, wie bei einem Schritt, der für das zu lang ist, dem er folgen soll</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look from above (7 of the number pad in the viewport)</source>
+        <translation>Von oben blicken (7 des Ziffernblocks im Bild)</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Look from below</source>
+        <translation>Von unten blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look along the z axis (1 of the number pad in the viewport)</source>
+        <translation>Entlang der z-Achse blicken (1 des Ziffernblocks im Bild)</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Look along the z axis from behind</source>
+        <translation>Von hinten entlang der z-Achse blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from the right (3 of the number pad in the viewport)</source>
+        <translation>Von rechts entlang der x-Achse blicken (3 des Ziffernblocks im Bild)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Look along the x axis from the left</source>
+        <translation>Von links entlang der x-Achse blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>O&amp;rthografisch</translation>
+    </message>
+    <message>
+        <source>Show the scene without perspective (5 of the number pad in the viewport)</source>
+        <translation>Die Szene ohne Perspektive zeigen (5 des Ziffernblocks im Bild)</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -1376,6 +1452,14 @@ Die Simulation oben geht dabei weiter.</translation>
     <message>
         <source>there are no single frames; compare all on this scene first</source>
         <translation>es gibt keine einzelnen Bilder; zuerst auf dieser Szene alle vergleichen</translation>
+    </message>
+    <message>
+        <source>%1 frames from the start: no clear difference between the fastest, %2.</source>
+        <translation>%1 Bilder von Anfang an: kein klarer Unterschied zwischen den schnellsten, %2.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
     </message>
 </context>
 <context>
@@ -1982,6 +2066,22 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <source>inertia about %1</source>
         <translation>Trägheit um %1</translation>
     </message>
+    <message>
+        <source>position at the start</source>
+        <translation>Ort am Anfang</translation>
+    </message>
+    <message>
+        <source>velocity at the start</source>
+        <translation>Geschwindigkeit am Anfang</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>A double click chooses another one</source>
+        <translation>Ein Doppelklick wählt eine andere</translation>
+    </message>
 </context>
 <context>
     <name>carom::LanguageCommands</name>
@@ -2067,10 +2167,6 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
 <context>
     <name>carom::ManualWindow</name>
     <message>
-        <source>Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc back to the text. In the picture: the left button turns, the right one moves, the wheel zooms, F frames the selection, Home everything, Space plays.</source>
-        <translation>Jede Taste lässt sich in den Einstellungen ändern. Alt mit 1 bis 9 geht zu einem Feld, Esc zurück zum Text. Im Bild: die linke Taste dreht, die rechte schiebt, das Rad zoomt, F rahmt die Auswahl ein, Pos1 alles, Leertaste spielt ab.</translation>
-    </message>
-    <message>
         <source>command</source>
         <translation>Befehl</translation>
     </message>
@@ -2113,6 +2209,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc back to the text. In the picture: the left button turns, the right one moves, the wheel zooms, F frames the selection, Home everything, Space plays. At the start the left button moves bodies, and the handles of a selected one move and turn it, with Ctrl in round steps; a right click opens a menu.</source>
+        <translation>Jede Taste lässt sich in den Einstellungen ändern. Alt mit 1 bis 9 geht zu einem Feld, Esc zurück zum Text. Im Bild: die linke Taste dreht, die rechte verschiebt, das Rad vergrößert, F zeigt die Auswahl, Pos1 alles, die Leertaste spielt ab. Am Anfang bewegt die linke Taste Körper, und die Griffe eines gewählten bewegen und drehen ihn, mit Strg in runden Schritten; ein Rechtsklick öffnet ein Menü.</translation>
     </message>
 </context>
 <context>
@@ -2257,6 +2357,56 @@ Strg+J fügt eine Deklaration ein.</translation>
     <message>
         <source>&amp;Save this text</source>
         <translation>Diesen Text &amp;speichern</translation>
+    </message>
+</context>
+<context>
+    <name>carom::OverlayLegend</name>
+    <message>
+        <source>Length of the arrows</source>
+        <translation>Länge der Pfeile</translation>
+    </message>
+    <message>
+        <source>velocity: the way of %1 s</source>
+        <translation>Geschwindigkeit: der Weg von %1 s</translation>
+    </message>
+    <message>
+        <source>contact and its normal</source>
+        <translation>Kontakt und seine Normale</translation>
+    </message>
+    <message>
+        <source>contact force, at most %1 N</source>
+        <translation>Kontaktkraft, höchstens %1 N</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+</context>
+<context>
+    <name>carom::OverlayTip</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>force %1 N, impulse %2 N s a frame</source>
+        <translation>Kraft %1 N, Kraftstoß %2 N s je Bild</translation>
+    </message>
+    <message>
+        <source>no friction</source>
+        <translation>keine Reibung</translation>
+    </message>
+    <message>
+        <source>slides; friction %1 N of %2 N</source>
+        <translation>gleitet; Reibung %1 N von %2 N</translation>
+    </message>
+    <message>
+        <source>sticks; friction %1 N of %2 N</source>
+        <translation>haftet; Reibung %1 N von %2 N</translation>
+    </message>
+    <message>
+        <source>%1: %2 m/s</source>
+        <translation>%1: %2 m/s</translation>
     </message>
 </context>
 <context>
@@ -2603,6 +2753,10 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
         <source>Code</source>
         <translation>Kennung</translation>
     </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
 </context>
 <context>
     <name>carom::ProgressStrip</name>
@@ -2711,6 +2865,26 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
         <source>Stopped at frame %1 by an error inside the program</source>
         <translation>Angehalten bei Bild %1 durch einen Fehler im Programm</translation>
     </message>
+    <message>
+        <source>Frame %1: nothing met in it</source>
+        <translation>Bild %1: nichts stieß darin zusammen</translation>
+    </message>
+    <message>
+        <source>impulse %1 N s, %2 J lost</source>
+        <translation>Kraftstoß %1 N s, %2 J verloren</translation>
+    </message>
+    <message>
+        <source>Frame %1: %2 changed its motion most, %3</source>
+        <translation>Bild %1: am meisten änderte sich die Bewegung von %2, %3</translation>
+    </message>
+    <message>
+        <source>Frame %1: %2 met %3, %4</source>
+        <translation>Bild %1: %2 traf auf %3, %4</translation>
+    </message>
+    <message>
+        <source>The run %1; shorter steps or more substeps may hold it</source>
+        <translation>Der Lauf: %1; kürzere Schritte oder mehr Teilschritte können das verhindern</translation>
+    </message>
 </context>
 <context>
     <name>carom::RunComparison</name>
@@ -2773,6 +2947,30 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     <message>
         <source>step</source>
         <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>There are not enough frames yet to tell the two apart.</source>
+        <translation>Noch gibt es nicht genug Bilder, um die beiden zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>%1 ms (%2 to %3)</source>
+        <translation>%1 ms (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>Medians at 95 %: %1 and %2</source>
+        <translation>Mediane bei 95 %: %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: no clear difference.</source>
+        <translation>%1: kein klarer Unterschied.</translation>
+    </message>
+    <message>
+        <source>%1: the second takes %2 % less.</source>
+        <translation>%1: der zweite braucht %2 % weniger.</translation>
+    </message>
+    <message>
+        <source>%1: the second takes %2 % more.</source>
+        <translation>%1: der zweite braucht %2 % mehr.</translation>
     </message>
 </context>
 <context>
@@ -2944,12 +3142,6 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     </message>
     <message>
         <source>
-the run stopped here: a number was no longer finite</source>
-        <translation>
-der Lauf hielt hier an: eine Zahl war nicht mehr endlich</translation>
-    </message>
-    <message>
-        <source>
 a breakpoint held</source>
         <translation>
 ein Haltepunkt traf zu</translation>
@@ -2967,6 +3159,12 @@ ein Haltepunkt traf zu</translation>
 up to %1 new contacts a frame</source>
         <translation>
 bis zu %1 neue Kontakte je Bild</translation>
+    </message>
+    <message>
+        <source>
+the run went wrong here</source>
+        <translation>
+hier ging im Lauf etwas schief</translation>
     </message>
 </context>
 <context>
@@ -3056,10 +3254,6 @@ bis zu %1 neue Kontakte je Bild</translation>
         <translation>Erstes Bild: %1 ms (für sich)</translation>
     </message>
     <message>
-        <source>Of the last %1 frames, without the first; rendering of those that were shown</source>
-        <translation>Von den letzten %1 Bildern, ohne das erste; Zeichnen von denen, die gezeigt wurden</translation>
-    </message>
-    <message>
         <source>Where the time of each frame goes</source>
         <translation>Wohin die Zeit jedes Bildes geht</translation>
     </message>
@@ -3078,6 +3272,12 @@ bis zu %1 neue Kontakte je Bild</translation>
     <message>
         <source>Leave the time of drawing out of the graph</source>
         <translation>Die Zeit des Zeichnens im Diagramm weglassen</translation>
+    </message>
+    <message>
+        <source>Of the last %1 frames, without the first; rendering of those that were shown.
+The boxes say what is in the graph, whose columns Ctrl+wheel widens and the wheel moves</source>
+        <translation>Der letzten %1 Bilder, ohne das erste; Zeichnen derer, die gezeigt wurden.
+Die Kästchen sagen, was im Diagramm steht; Strg+Rad verbreitert seine Spalten, das Rad verschiebt sie</translation>
     </message>
 </context>
 <context>
@@ -3152,6 +3352,44 @@ bis zu %1 neue Kontakte je Bild</translation>
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ViewCommands</name>
+    <message>
+        <source>Go to its &amp;declaration</source>
+        <translation>Zur &amp;Deklaration</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Inspektor</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ViewCube</name>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +3483,14 @@ bis zu %1 neue Kontakte je Bild</translation>
     <message>
         <source>that failed: %1</source>
         <translation>das ist fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>%1 does not look like a scene: it is no text</source>
+        <translation>%1 sieht nicht wie eine Szene aus: es ist kein Text</translation>
+    </message>
+    <message>
+        <source>%1 does not look like a scene: it has more than %2 errors</source>
+        <translation>%1 sieht nicht wie eine Szene aus: mehr als %2 Fehler</translation>
     </message>
 </context>
 </TS>

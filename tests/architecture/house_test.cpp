@@ -28,7 +28,11 @@ const std::vector<QStringList> floors = {
     {"core/simulation"},
     {"core/expectations"},
     {"core/study", "core/player"},
-    {"ui"},
+    {"ui/base"},
+    {"ui/widgets"},
+    {"ui/editor", "ui/viewport", "ui/player"},
+    {"ui/docks"},
+    {"ui/window"},
     {"app"},
 };
 
@@ -130,6 +134,12 @@ class HouseTest : public QObject {
                             << "core/shapes/shape.h" << true << false;
         QTest::newRow("sibling") << "core/language/x.cpp"
                                  << "core/broadphase/broadphase.h" << true << false;
+        QTest::newRow("up in ui") << "ui/editor/x.cpp"
+                                  << "ui/window/main_window.h" << true << false;
+        QTest::newRow("sibling in ui") << "ui/viewport/x.cpp"
+                                       << "ui/editor/scene_editor.h" << true << false;
+        QTest::newRow("down in ui") << "ui/docks/x.cpp"
+                                    << "ui/base/theme.h" << true << true;
         QTest::newRow("Qt in core") << "core/base/x.h"
                                     << "QString" << false << false;
         QTest::newRow("Qt in ui") << "ui/window/x.h"

@@ -5,8 +5,8 @@
 #include "tests/support/test_class.h"
 
 #include "ui/editor/scene_editor.h"
-#include "ui/simulation/simulation.h"
-#include "ui/window/actions.h"
+#include "ui/player/simulation.h"
+#include "ui/base/actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workbench.h"
 

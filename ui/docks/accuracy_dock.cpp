@@ -66,7 +66,7 @@ bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
 } // namespace
 
 AccuracyDock::AccuracyDock(QWidget* parent)
-    : QDockWidget(tr("Accuracy"), parent), m_start(new QPushButton),
+    : Panel(tr("Accuracy"), parent), m_start(new QPushButton),
       m_knobs(wordButton("accuracyKnobs", tr("Vary"), tr("Which methods and integrators are compared"))),
       m_duration(new QDoubleSpinBox), m_progress(new QProgressBar), m_state(new QLabel),
       m_keep(wordButton("accuracyKeep", tr("Keep"), tr("Show this study together with the next one"))),
@@ -221,7 +221,7 @@ void AccuracyDock::startOrStop() {
     m_studiedName = m_name;
     m_chosen.reset();
     m_progress->setValue(0);
-    m_state->setText(tr("looking for the truth"));
+    m_state->setText(tr("computing the reference solution"));
     m_runner.start([this, known, build = m_build, plan = chosenPlan()](const std::stop_token& stop) {
         return run(stop, build, plan, known);
     });

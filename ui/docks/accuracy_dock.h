@@ -5,8 +5,7 @@
 #include "ui/base/study_runner.h"
 #include "ui/editor/live_build.h"
 #include "ui/widgets/accuracy_chart.h"
-
-#include <QDockWidget>
+#include "ui/base/panel.h"
 
 #include <memory>
 #include <optional>
@@ -28,7 +27,7 @@ class ExportMenu;
 /// grows with it, a click on a point runs that setting in the viewport or writes it into the text. A study
 /// can be kept and shown together with the next one. Stopped early, it shows what was computed, and goes on
 /// from there as long as the scene and the simulated time stay the same.
-class AccuracyDock : public QDockWidget {
+class AccuracyDock : public Panel {
     Q_OBJECT
   public:
     explicit AccuracyDock(QWidget* parent = nullptr);
@@ -46,8 +45,6 @@ class AccuracyDock : public QDockWidget {
     void runWanted(const std::shared_ptr<const carom::Pipeline>& pipeline);
     /// Put these settings into the text.
     void settingWanted(const carom::SimulationSettings& settings);
-    /// What was studied or written, or why not: one sentence.
-    void reported(const QString& sentence);
 
   private:
     void startOrStop();

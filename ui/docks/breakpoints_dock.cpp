@@ -23,7 +23,7 @@ constexpr int formWidth = 300; // [px]
 } // namespace
 
 BreakpointsDock::BreakpointsDock(QWidget* parent)
-    : QDockWidget(tr("Breakpoints"), parent), m_kind(new QComboBox),
+    : Panel(tr("Breakpoints"), parent), m_kind(new QComboBox),
       m_a(new BodyBox(tr("any body"), BodyBox::Offers::All)),
       m_b(new BodyBox(tr("any body"), BodyBox::Offers::All)), m_axis(new QComboBox), m_limitName(new QLabel),
       m_limit(new QDoubleSpinBox),

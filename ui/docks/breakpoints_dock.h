@@ -3,8 +3,7 @@
 
 #include "core/simulation/breakpoint.h"
 #include "core/simulation/pipeline.h"
-
-#include <QDockWidget>
+#include "ui/base/panel.h"
 
 #include <memory>
 #include <vector>
@@ -23,7 +22,7 @@ class EmptyState;
 
 /// The events at which a run stops: a contact, a depth, a drift of energy, a speed, a plane crossed. Each can
 /// be switched off. Bodies are remembered by name, so breakpoints survive an edit.
-class BreakpointsDock : public QDockWidget {
+class BreakpointsDock : public Panel {
     Q_OBJECT
 
   public:

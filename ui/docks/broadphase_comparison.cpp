@@ -192,16 +192,19 @@ void BroadphaseComparison::finish(const Benchmark& result, double seconds) {
 }
 
 QString BroadphaseComparison::sentenceOf(const Benchmark& result) const {
-    const BroadphaseRow* fastest = fastestBroadphase(result);
-    if (!fastest) return tr("Stopped before there was anything to compare.");
+    const std::vector<const BroadphaseRow*> fastest = fastestBroadphases(result);
+    if (fastest.empty()) return tr("Stopped before there was anything to compare.");
     QString sentence;
     if (!result.plan.scenes.empty()) {
         sentence = result.complete ? tr("Median time of a step [ms] against the number of bodies N.")
                                    : tr("Stopped; median time of a step [ms] as far as it went.");
     } else {
-        sentence = tr("%1 frames from the start: %2 was fastest.")
-                       .arg(result.plan.frames)
-                       .arg(textOf(fastest->title));
+        QStringList names;
+        for (const BroadphaseRow* one : fastest) names += textOf(one->title);
+        sentence = (fastest.size() == 1
+                        ? tr("%1 frames from the start: %2 was fastest.")
+                        : tr("%1 frames from the start: no clear difference between the fastest, %2."))
+                       .arg(QString::number(result.plan.frames), names.join(tr(" and ")));
         if (!result.complete) sentence = tr("Stopped. ") + sentence;
         if (m_compared != m_pipeline) sentence += tr(" The scene has changed since.");
     }

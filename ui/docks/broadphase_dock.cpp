@@ -115,7 +115,7 @@ constexpr std::array figures = {
 } // namespace
 
 BroadphaseDock::BroadphaseDock(QWidget* parent)
-    : QDockWidget(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel),
+    : Panel(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel),
       m_comparison(new BroadphaseComparison) {
     setObjectName(QStringLiteral("broadphase"));
     m_algorithm->setObjectName(QStringLiteral("algorithm"));

@@ -5,8 +5,8 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/simulation/pipeline.h"
+#include "ui/base/panel.h"
 
-#include <QDockWidget>
 #include <QElapsedTimer>
 
 #include <memory>
@@ -22,7 +22,7 @@ class BroadphaseComparison;
 
 /// What the broad-phase does in the running scene, and which one does it; beside it, all of them compared.
 /// Figures are those of the newest frame, refreshed a few times a second so that they can be read.
-class BroadphaseDock : public QDockWidget {
+class BroadphaseDock : public Panel {
     Q_OBJECT
   public:
     explicit BroadphaseDock(QWidget* parent = nullptr);
@@ -35,8 +35,6 @@ class BroadphaseDock : public QDockWidget {
 
   Q_SIGNALS:
     void algorithmChosen(const carom::BroadphaseRow* row);
-    /// What was compared or written, or why not: one sentence.
-    void reported(const QString& sentence);
 
   private:
     void refresh();

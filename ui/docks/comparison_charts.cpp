@@ -108,10 +108,31 @@ std::vector<NamedChart> comparisonCharts(const Benchmark& benchmark) {
     return charts;
 }
 
-const BroadphaseRow* fastestBroadphase(const Benchmark& benchmark) {
-    const std::vector<BenchmarkPoint>::const_iterator best =
-        std::ranges::min_element(benchmark.points, {}, &BenchmarkPoint::broadphase);
-    return best == benchmark.points.end() ? nullptr : best->algorithm;
+std::vector<const BroadphaseRow*> fastestBroadphases(const Benchmark& benchmark) {
+    struct Measured {
+        const BroadphaseRow* algorithm;
+        double median; ///< [ms]
+        Interval interval;
+    };
+    std::vector<Measured> all;
+    for (const BenchmarkTrace& trace : benchmark.traces) {
+        std::vector<double> times;
+        for (const FrameStatistics& frame : trace.frames)
+            if (frame.frame > 1) times.push_back(frame.broadphase); // the first pays for what is made once
+        if (const std::optional<Interval> interval = medianInterval(times))
+            all.push_back({trace.algorithm, summarise(times).median, *interval});
+    }
+    if (all.empty()) {
+        const std::vector<BenchmarkPoint>::const_iterator best =
+            std::ranges::min_element(benchmark.points, {}, &BenchmarkPoint::broadphase);
+        return best == benchmark.points.end() ? std::vector<const BroadphaseRow*>()
+                                              : std::vector{best->algorithm};
+    }
+    std::ranges::stable_sort(all, {}, &Measured::median);
+    std::vector<const BroadphaseRow*> fastest;
+    for (const Measured& one : all)
+        if (one.interval.overlaps(all.front().interval)) fastest.push_back(one.algorithm);
+    return fastest;
 }
 
 } // namespace carom

@@ -27,7 +27,9 @@ ComparisonTable comparisonTable(const Benchmark& benchmark);
 /// figures, as chartsOf() draws them.
 std::vector<NamedChart> comparisonCharts(const Benchmark& benchmark);
 
-/// The algorithm with the least mean time in the broad-phase; null without points.
-const BroadphaseRow* fastestBroadphase(const Benchmark& benchmark);
+/// The algorithm with the least median time in the broad-phase, and behind it those that cannot be told apart
+/// from it: their medians' intervals at 95 % overlap. Empty without points; of fewer frames than that takes,
+/// and without traces, the one with the least mean.
+std::vector<const BroadphaseRow*> fastestBroadphases(const Benchmark& benchmark);
 
 } // namespace carom

@@ -37,7 +37,7 @@ constexpr std::size_t framesCounted = 60; ///< a second's, at the usual step
 } // namespace
 
 EffectsDock::EffectsDock(const Theme& theme, QWidget* parent)
-    : QDockWidget(tr("Effects"), parent), m_theme(theme), m_text(new QTextBrowser),
+    : Panel(tr("Effects"), parent), m_theme(theme), m_text(new QTextBrowser),
       m_state(new EmptyState(m_text, tr("The scene is empty.\nOnce there are bodies in it, this says which "
                                         "effects they call for, and why."))) {
     setObjectName(QStringLiteral("effects"));

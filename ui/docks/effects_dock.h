@@ -3,9 +3,9 @@
 
 #include "ui/editor/live_build.h"
 #include "core/player/sample_queue.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
+#include "ui/base/panel.h"
 
-#include <QDockWidget>
 #include <QTimer>
 
 #include <deque>
@@ -20,7 +20,7 @@ class EmptyState;
 /// Which effects the scene is simulated with, and the sentence why or why not; a link goes to the line that
 /// calls for it. Below them what a frame takes: effects share its passes, and those that are absent take
 /// none.
-class EffectsDock : public QDockWidget {
+class EffectsDock : public Panel {
     Q_OBJECT
   public:
     explicit EffectsDock(const Theme& theme, QWidget* parent = nullptr);
@@ -29,7 +29,7 @@ class EffectsDock : public QDockWidget {
     void addSamples(std::span<const FrameSample> samples);
     /// Another run begins: its frames count anew.
     void clear();
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
 
   Q_SIGNALS:
     void placeActivated(carom::SourceRange range);

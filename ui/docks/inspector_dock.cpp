@@ -1,28 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/inspector_dock.h"
 
+#include "core/base/text.h"
 #include "core/simulation/quantities.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/text_of.h"
 
+#include <QColorDialog>
 #include <QHeaderView>
+#include <QPainter>
+#include <QPolygonF>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace carom {
 namespace {
 
-enum Column : int { Name, Value };
+/// The curve stands between the other two.
+enum Column : int { Name, Value, Curve };
 
 /// Of the value's cell: the figure without its unit, and the unit.
 constexpr int figureRole = Qt::UserRole, unitRole = Qt::UserRole + 1;
+/// Of a value that can be written: its parameter, and all its digits.
+constexpr int parameterRole = Qt::UserRole + 2, literalRole = Qt::UserRole + 3;
+/// Of the curve's cell: the last figures, oldest first.
+constexpr int curveRole = Qt::UserRole + 4;
+constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
+constexpr int curveWidth = 56;         // [px]
+constexpr int leastWidth = 250;        // [px] of a panel that has room for curves
 
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
 
 const QString nothing = QStringLiteral("–");
+const QString colourParameter = QStringLiteral("colour");
+
+QColor shownColour(const Vec3& colour) {
+    return QColor::fromRgbF(static_cast<float>(colour.x()), static_cast<float>(colour.y()),
+                            static_cast<float>(colour.z()));
+}
 
 QString figure(double value) { return std::isfinite(value) ? QString::number(value, 'g', digits) : nothing; }
 
@@ -35,6 +59,71 @@ void setFigure(QTreeWidgetItem& row, const QString& value) {
     row.setToolTip(Value, words);
 }
 
+/// Numbers with commas between them, as the scene language writes them.
+bool isValue(const QString& text) {
+    static const QRegularExpression numbers(QStringLiteral(
+        R"(^\s*-?\s*(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(\s*,\s*-?\s*(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?){0,2}\s*$)"));
+    return numbers.match(text).hasMatch();
+}
+
+/// A field where a value of the declaration stands, with all digits it has.
+class ValueField : public QStyledItemDelegate {
+  public:
+    using Take = std::function<void(const QString& parameter, const QString& text)>;
+    ValueField(Take take, std::function<void()> pickColour, QObject* parent)
+        : QStyledItemDelegate(parent), m_take(std::move(take)), m_pickColour(std::move(pickColour)) {}
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                          const QModelIndex& index) const override {
+        const QVariant parameter = index.data(parameterRole);
+        if (parameter.toString() == colourParameter) m_pickColour();
+        if (!parameter.isValid() || parameter.toString() == colourParameter) return nullptr;
+        QLineEdit* field = new QLineEdit(parent);
+        field->setObjectName(QStringLiteral("valueField"));
+        field->setAlignment(Qt::AlignRight);
+        field->setFrame(false);
+        return field;
+    }
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        static_cast<QLineEdit*>(editor)->setText(index.data(literalRole).toString());
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const override {
+        const QString text = static_cast<QLineEdit*>(editor)->text();
+        if (text != index.data(literalRole).toString()) m_take(index.data(parameterRole).toString(), text);
+    }
+
+  private:
+    Take m_take;
+    std::function<void()> m_pickColour;
+};
+
+/// The last figures as a line, from their least to their greatest.
+class CurveCell : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        const QList<double> figures = index.data(curveRole).value<QList<double>>();
+        if (figures.size() < 2) return;
+        const auto [least, most] = std::minmax_element(figures.begin(), figures.end());
+        const QRectF place = QRectF(option.rect).adjusted(3, 3.5, -3, -3.5);
+        const double range = *most - *least;
+        QPolygonF line;
+        for (qsizetype i = 0; i < figures.size(); ++i) {
+            const double across = static_cast<double>(i) / static_cast<double>(figures.size() - 1);
+            const double up = range > 0 ? (figures[i] - *least) / range : 0.5;
+            line += QPointF(place.left() + across * place.width(), place.bottom() - up * place.height());
+        }
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(option.palette.color(QPalette::Highlight), 1.2));
+        painter->drawPolyline(line);
+        painter->restore();
+    }
+};
+
 QString triple(const Vec3& v) {
     return QStringLiteral("%1, %2, %3").arg(figure(v.x()), figure(v.y()), figure(v.z()));
 }
@@ -42,21 +131,30 @@ QString triple(const Vec3& v) {
 } // namespace
 
 InspectorDock::InspectorDock(QWidget* parent)
-    : QDockWidget(tr("Inspector"), parent), m_tree(new QTreeWidget),
+    : Panel(tr("Inspector"), parent), m_tree(new QTreeWidget),
       m_state(new EmptyState(m_tree, tr("The scene is empty.\nClick a body, or put the caret into its "
                                         "declaration, to see its values here."))) {
     setObjectName(QStringLiteral("inspector"));
-    m_tree->setHeaderLabels({tr("Quantity"), tr("Value")});
+    m_tree->setHeaderLabels({tr("Quantity"), tr("Value"), QString()});
+    m_tree->setItemDelegateForColumn(Curve, new CurveCell(m_tree));
     m_tree->headerItem()->setTextAlignment(Value, Qt::AlignRight | Qt::AlignVCenter);
     m_tree->setRootIsDecorated(false);
     m_tree->setIndentation(10);
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);
     m_tree->setAccessibleName(tr("Values of the selected body"));
+    m_tree->setItemDelegateForColumn(
+        Value,
+        new ValueField([this](const QString& parameter, const QString& text) { take(parameter, text); },
+                       [this] { pickColour(); }, m_tree));
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     // In a narrow panel the names are cut, never the values; the mouse tells both.
     m_tree->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_tree->header()->setSectionResizeMode(Value, QHeaderView::ResizeToContents);
     m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionResizeMode(Curve, QHeaderView::Fixed);
+    m_tree->header()->resizeSection(Curve, curveWidth);
+    m_tree->header()->moveSection(Curve, Value);
     setWidget(m_state);
     setFocusProxy(m_tree);
     m_refresh.setSingleShot(true);
@@ -92,6 +190,16 @@ QString InspectorDock::valueOf(const QString& name) const {
     return {};
 }
 
+void InspectorDock::edit(const QString& name, const QString& text) {
+    for (const QTreeWidgetItem* item : m_tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, Name))
+        if (item->data(Value, parameterRole).isValid())
+            take(item->data(Value, parameterRole).toString(), text);
+}
+
+void InspectorDock::take(const QString& parameter, const QString& text) {
+    if (isValue(text)) Q_EMIT valueWanted(m_body, parameter, text.trimmed());
+}
+
 QTreeWidgetItem* InspectorDock::addGroup(const QString& title) {
     QTreeWidgetItem* group = new QTreeWidgetItem(m_tree, {title});
     QFont bold = m_tree->font();
@@ -102,13 +210,28 @@ QTreeWidgetItem* InspectorDock::addGroup(const QString& title) {
     return group;
 }
 
-void InspectorDock::addRow(QTreeWidgetItem* group, const QString& name, const QString& value,
-                           const QString& unit) {
+QTreeWidgetItem* InspectorDock::addRow(QTreeWidgetItem* group, const QString& name, const QString& value,
+                                       const QString& unit) {
     QTreeWidgetItem* row = new QTreeWidgetItem(group, {name});
     row->setToolTip(Name, name);
     row->setData(Value, unitRole, unit);
     setFigure(*row, value);
     row->setTextAlignment(Value, Qt::AlignRight | Qt::AlignVCenter);
+    return row;
+}
+
+/// A value that can be written, by a double click or F2.
+void InspectorDock::addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                             std::initializer_list<double> values, const QString& unit) {
+    QStringList shown, whole;
+    for (const double value : values) {
+        shown += figure(value);
+        whole += QString::fromStdString(shortest(value));
+    }
+    QTreeWidgetItem* row = addRow(group, name, shown.join(QStringLiteral(", ")), unit);
+    row->setFlags(row->flags() | Qt::ItemIsEditable);
+    row->setData(Value, parameterRole, QString::fromLatin1(parameter));
+    row->setData(Value, literalRole, whole.join(QStringLiteral(", ")));
 }
 
 void InspectorDock::rebuild() {
@@ -122,7 +245,7 @@ void InspectorDock::rebuild() {
     if (!wall) {
         m_live = addGroup(whole ? tr("The whole scene now") : tr("Now"));
         for (const QuantityRow& row : whole ? wholeQuantities() : bodyQuantities())
-            if (!row.booked) // the run on screen keeps no ledger
+            if (!row.booked) // what one frame books says little
                 addRow(m_live, textOf(row.name), {}, textOf(row.unit));
     }
     m_tree->expandAll();
@@ -140,32 +263,87 @@ void InspectorDock::addInertia(QTreeWidgetItem* group, const Vec3& inertia) {
         addRow(group, tr("inertia about %1").arg(QChar(u'x' + axis)), figure(inertia[axis]), unit);
 }
 
+void InspectorDock::addColour(QTreeWidgetItem* group, const Vec3& colour) {
+    addField(group, tr("colour"), "colour", {colour.x(), colour.y(), colour.z()}, {});
+    QPixmap square(12, 12);
+    square.fill(shownColour(colour));
+    QTreeWidgetItem* row = group->child(group->childCount() - 1);
+    row->setIcon(Value, QIcon(square));
+    row->setToolTip(Value, tr("A double click chooses another one"));
+}
+
+void InspectorDock::pickColour() {
+    if (m_body == noBody) return;
+    QColorDialog* dialog = new QColorDialog(shownColour(m_pipeline->scene().bodies[m_body].colour), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QColorDialog::colorSelected, this, [this, body = m_body](const QColor& chosen) {
+        const auto part = [](double value) { return QString::number(std::round(1000 * value) / 1000); };
+        Q_EMIT valueWanted(body, colourParameter,
+                           QStringLiteral("%1, %2, %3")
+                               .arg(part(chosen.redF()), part(chosen.greenF()), part(chosen.blueF())));
+    });
+    dialog->open();
+}
+
 void InspectorDock::addDeclared() {
     const Scene& scene = m_pipeline->scene();
     const Body& body = scene.bodies[m_body];
     const Bodies& bodies = m_pipeline->bodies();
     QTreeWidgetItem* group = addGroup(bodyTitle(scene, m_body));
+    const QString metres = QStringLiteral("m");
     if (const Sphere* sphere = std::get_if<Sphere>(&body.shape))
-        addRow(group, tr("radius"), figure(sphere->radius), QStringLiteral("m"));
+        addField(group, tr("radius"), "radius", {sphere->radius}, metres);
     if (const Cylinder* cylinder = std::get_if<Cylinder>(&body.shape)) {
-        addRow(group, tr("radius"), figure(cylinder->radius), QStringLiteral("m"));
-        addRow(group, tr("height"), figure(2 * cylinder->halfHeight), QStringLiteral("m"));
+        addField(group, tr("radius"), "radius", {cylinder->radius}, metres);
+        addField(group, tr("height"), "height", {2 * cylinder->halfHeight}, metres);
     }
-    if (const Cuboid* cuboid = std::get_if<Cuboid>(&body.shape))
-        addRow(group, tr("size"), triple(2 * cuboid->halfSize), QStringLiteral("m"));
+    if (const Cuboid* cuboid = std::get_if<Cuboid>(&body.shape)) {
+        const Vec3 size = 2 * cuboid->halfSize;
+        addField(group, tr("size"), "size", {size.x(), size.y(), size.z()}, metres);
+    }
     if (const Wall* wall = std::get_if<Wall>(&body.shape)) {
         addRow(group, tr("normal"), triple(wall->normal), {});
-        addRow(group, tr("distance from the origin"), figure(wall->offset), QStringLiteral("m"));
+        addRow(group, tr("distance from the origin"), figure(wall->offset), metres);
+    } else {
+        const Vec3 &at = body.pose.position, &moving = body.velocity;
+        addField(group, tr("position at the start"), "centre", {at.x(), at.y(), at.z()}, metres);
+        addField(group, tr("velocity at the start"), "vel", {moving.x(), moving.y(), moving.z()},
+                 QStringLiteral("m/s"));
     }
     if (bodies.mobile[m_body] != 0) {
-        addRow(group, tr("mass"), figure(bodies.mass[m_body]), QStringLiteral("kg"));
+        addField(group, tr("mass"), "mass", {bodies.mass[m_body]}, QStringLiteral("kg"));
         addInertia(group, bodies.inertia[m_body]);
     } else {
         addRow(group, tr("mass"), tr("immobile"), {});
     }
-    addRow(group, tr("elasticity"), figure(body.elastic), {});
-    addRow(group, tr("friction"), figure(body.friction), {});
-    addRow(group, tr("rolling resistance"), figure(body.rolling), QStringLiteral("m"));
+    addColour(group, body.colour);
+    addField(group, tr("elasticity"), "elastic", {body.elastic}, {});
+    addField(group, tr("friction"), "friction", {body.friction}, {});
+    addField(group, tr("rolling resistance"), "rolling", {body.rolling}, metres);
+}
+
+/// Each frame once; one that lies before the last begins anew.
+void InspectorDock::addToCurve(QTreeWidgetItem& item, std::int64_t frame, double value) const {
+    QList<double> figures = item.data(Curve, curveRole).value<QList<double>>();
+    if (frame < m_curveFrame) figures.clear();
+    if (!figures.isEmpty() && frame == m_curveFrame) return;
+    if (!std::isfinite(value)) return;
+    if (figures.size() == mostFigures) figures.removeFirst();
+    figures += value;
+    item.setData(Curve, curveRole, QVariant::fromValue(figures));
+}
+
+std::vector<double> InspectorDock::curveOf(const QString& name) const {
+    for (const QTreeWidgetItem* item : m_tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, Name)) {
+        const QList<double> figures = item->data(Curve, curveRole).value<QList<double>>();
+        return {figures.begin(), figures.end()};
+    }
+    return {};
+}
+
+void InspectorDock::resizeEvent(QResizeEvent* event) {
+    Panel::resizeEvent(event);
+    m_tree->setColumnHidden(Curve, width() < leastWidth);
 }
 
 void InspectorDock::refresh() {
@@ -184,8 +362,15 @@ void InspectorDock::refresh() {
     }
     const std::span<const QuantityRow> rows = m_body == noBody ? wholeQuantities() : bodyQuantities();
     int child = 0;
-    for (const QuantityRow& row : rows)
-        if (!row.booked) setFigure(*m_live->child(child++), figure(row.measure(moment, m_body)));
+    const std::int64_t frame = m_snapshot ? m_snapshot->frame : 0;
+    for (const QuantityRow& row : rows) {
+        if (row.booked) continue;
+        QTreeWidgetItem& item = *m_live->child(child++);
+        const double value = row.measure(moment, m_body);
+        setFigure(item, figure(value));
+        addToCurve(item, frame, value);
+    }
+    m_curveFrame = frame;
 }
 
 } // namespace carom

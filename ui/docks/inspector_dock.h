@@ -3,11 +3,13 @@
 
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
+#include "ui/base/panel.h"
 
-#include <QDockWidget>
 #include <QTimer>
 
+#include <initializer_list>
 #include <memory>
+#include <vector>
 
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -17,8 +19,9 @@ namespace carom {
 class EmptyState;
 
 /// Every value of the selected body with its unit: what the scene says of it, and what it has at the moment,
-/// as the run goes on. Of the whole scene where no body is selected.
-class InspectorDock : public QDockWidget {
+/// as the run goes on. Of the whole scene where no body is selected. What the scene says can be written here,
+/// too.
+class InspectorDock : public Panel {
     Q_OBJECT
 
   public:
@@ -33,17 +36,37 @@ class InspectorDock : public QDockWidget {
     /// The text in the row of that name, empty where there is none: "position x" → "1.25".
     QString valueOf(const QString& name) const;
 
+    /// The last figures of that row, oldest first: what its curve shows.
+    std::vector<double> curveOf(const QString& name) const;
+    /// Puts a value into its field, as one does by typing it there.
+    void edit(const QString& name, const QString& text);
+
+  Q_SIGNALS:
+    /// The user has written another value for a parameter of the body's declaration.
+    void valueWanted(carom::BodyIndex body, const QString& parameter, const QString& value);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
+    void addToCurve(QTreeWidgetItem& item, std::int64_t frame, double value) const;
     void rebuild();
     void refresh();
     void addDeclared();
     void addInertia(QTreeWidgetItem* group, const Vec3& inertia);
     QTreeWidgetItem* addGroup(const QString& title);
-    void addRow(QTreeWidgetItem* group, const QString& name, const QString& value, const QString& unit);
+    QTreeWidgetItem* addRow(QTreeWidgetItem* group, const QString& name, const QString& value,
+                            const QString& unit);
+    void addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                  std::initializer_list<double> values, const QString& unit);
+    void addColour(QTreeWidgetItem* group, const Vec3& colour);
+    void pickColour();
+    void take(const QString& parameter, const QString& text);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::shared_ptr<const Snapshot> m_snapshot, m_before; ///< shown, and the one before it
     BodyIndex m_body = noBody;
+    std::int64_t m_curveFrame = 0; ///< of the last figures in the curves
     QTreeWidget* m_tree;
     EmptyState* m_state;
     QTreeWidgetItem* m_live = nullptr; ///< the group whose rows are the quantities in order

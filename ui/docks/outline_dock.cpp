@@ -15,7 +15,7 @@
 namespace carom {
 
 OutlineDock::OutlineDock(const Theme& theme, QWidget* parent)
-    : QDockWidget(tr("Outline"), parent), m_model(new OutlineModel(theme, this)),
+    : Panel(tr("Outline"), parent), m_model(new OutlineModel(theme, this)),
       m_filtered(new QSortFilterProxyModel(this)), m_filter(new QLineEdit), m_view(new QTreeView),
       m_state(nullptr) {
     setObjectName(QStringLiteral("outline"));

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "ui/docks/outline_model.h"
-
-#include <QDockWidget>
+#include "ui/base/panel.h"
 
 class QLineEdit;
 class QSortFilterProxyModel;
@@ -15,13 +14,13 @@ class EmptyState;
 
 /// Every declaration of the text, with its label; choosing one goes to it. The row of the declaration at the
 /// caret is marked. A line above narrows the list to what contains the words written there.
-class OutlineDock : public QDockWidget {
+class OutlineDock : public Panel {
     Q_OBJECT
   public:
     explicit OutlineDock(const Theme& theme, QWidget* parent = nullptr);
 
     void show(const SharedBuild& result);
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
     void followCaret(std::uint32_t offset);
 
   Q_SIGNALS:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/editor/live_build.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include "core/language/navigation.h"
 

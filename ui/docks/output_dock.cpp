@@ -11,8 +11,7 @@ namespace {
 constexpr int keptLines = 5000;
 }
 
-OutputDock::OutputDock(QWidget* parent)
-    : QDockWidget(tr("Output"), parent), m_text(new QPlainTextEdit(this)) {
+OutputDock::OutputDock(QWidget* parent) : Panel(tr("Output"), parent), m_text(new QPlainTextEdit(this)) {
     setObjectName(QStringLiteral("output"));
     m_text->setReadOnly(true);
     m_text->setAccessibleName(tr("Output"));

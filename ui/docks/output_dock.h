@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDockWidget>
+#include "ui/base/panel.h"
 
 class QPlainTextEdit;
 
 namespace carom {
 
 /// What was done, each line with the time of day.
-class OutputDock : public QDockWidget {
+class OutputDock : public Panel {
     Q_OBJECT
   public:
     explicit OutputDock(QWidget* parent = nullptr);

@@ -31,9 +31,9 @@ constexpr std::int64_t worthSaying = 240; // frames that curves are behind the r
 } // namespace
 
 PlotsDock::PlotsDock(QWidget* parent)
-    : QDockWidget(tr("Plots"), parent),
-      m_bodies(new BodyBox(tr("the whole scene"), BodyBox::Offers::Bounded)), m_quantities(new QComboBox),
-      m_list(new QListWidget), m_add(wordButton("plotAdd", tr("Add"), tr("Draw this quantity over time"))),
+    : Panel(tr("Plots"), parent), m_bodies(new BodyBox(tr("the whole scene"), BodyBox::Offers::Bounded)),
+      m_quantities(new QComboBox), m_list(new QListWidget),
+      m_add(wordButton("plotAdd", tr("Add"), tr("Draw this quantity over time"))),
       m_remove(wordButton("plotRemove", tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
       m_plot(new PlotWidget),
       m_state(new EmptyState(m_plot, tr("Choose a body and a quantity at the left and "

@@ -3,10 +3,10 @@
 
 #include "core/math/bounded_series.h"
 #include "core/simulation/quantities.h"
-#include "ui/simulation/probe_run.h"
+#include "ui/player/probe_run.h"
 #include "ui/widgets/plot.h"
+#include "ui/base/panel.h"
 
-#include <QDockWidget>
 #include <QTimer>
 
 #include <cstdint>
@@ -28,7 +28,7 @@ class EmptyState;
 /// come, also when they are asked for late: then they are filled in in the background. Bodies are remembered
 /// by name, so curves survive an edit. A long run's curves keep the least and the greatest figure of each
 /// stretch of frames, so that memory does not grow with it.
-class PlotsDock : public QDockWidget {
+class PlotsDock : public Panel {
     Q_OBJECT
 
   public:
@@ -55,8 +55,6 @@ class PlotsDock : public QDockWidget {
   Q_SIGNALS:
     /// A click in the chart, at the time of this frame.
     void framePicked(std::int64_t frame);
-    /// What was written where, or why not: one sentence.
-    void reported(const QString& sentence);
 
   private:
     struct Curve {

@@ -10,7 +10,7 @@
 namespace carom {
 
 ProblemsDock::ProblemsDock(const Theme& theme, QWidget* parent)
-    : QDockWidget(tr("Problems"), parent), m_model(new ProblemsModel(theme, this)),
+    : Panel(tr("Problems"), parent), m_model(new ProblemsModel(theme, this)),
       m_sorted(new QSortFilterProxyModel(this)), m_view(new QTreeView),
       m_state(new EmptyState(m_view, tr("No problems.\nWhat is wrong in the text is listed here as you type; "
                                         "F8 goes from one to the next."))) {
@@ -29,7 +29,11 @@ ProblemsDock::ProblemsDock(const Theme& theme, QWidget* parent)
     for (const int column : {ProblemsModel::Line, ProblemsModel::Column, ProblemsModel::Code})
         m_view->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     const auto activate = [this](const QModelIndex& index) {
-        Q_EMIT placeActivated(m_model->rangeAt(m_sorted->mapToSource(index).row()));
+        const int row = m_sorted->mapToSource(index).row();
+        if (const std::optional<std::int64_t> frame = m_model->frameAt(row))
+            Q_EMIT frameActivated(*frame);
+        else
+            Q_EMIT placeActivated(m_model->rangeAt(row));
     };
     connect(m_view, &QTreeView::clicked, this, activate);
     connect(m_view, &QTreeView::activated, this, activate);
@@ -39,6 +43,15 @@ ProblemsDock::ProblemsDock(const Theme& theme, QWidget* parent)
 
 void ProblemsDock::show(const SharedBuild& result) {
     m_model->show(result);
+    showCount();
+}
+
+void ProblemsDock::showRun(const std::optional<RunProblem>& problem) {
+    m_model->showRun(problem);
+    showCount();
+}
+
+void ProblemsDock::showCount() {
     const int count = m_model->rowCount();
     m_state->setEmpty(count == 0);
     setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));

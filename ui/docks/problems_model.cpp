@@ -3,6 +3,8 @@
 
 #include "ui/widgets/text_of.h"
 
+#include <limits>
+
 namespace carom {
 namespace {
 
@@ -24,6 +26,16 @@ void ProblemsModel::show(const SharedBuild& result) {
     endResetModel();
 }
 
+void ProblemsModel::showRun(const std::optional<RunProblem>& problem) {
+    beginResetModel();
+    m_run = problem;
+    endResetModel();
+}
+
+std::optional<std::int64_t> ProblemsModel::frameAt(int row) const {
+    return m_run && row == ofText() ? std::optional(m_run->frame) : std::nullopt;
+}
+
 void ProblemsModel::setTheme(const Theme& theme) {
     const QString icon = QStringLiteral("problems");
     m_error = theme.icon(icon, theme.error);
@@ -37,13 +49,30 @@ SourceRange ProblemsModel::rangeAt(int row) const {
 }
 
 int ProblemsModel::rowCount(const QModelIndex& parent) const {
-    if (parent.isValid() || !m_result) return 0;
-    return static_cast<int>(m_result->build.diagnostics.size());
+    return parent.isValid() ? 0 : ofText() + (m_run ? 1 : 0);
+}
+
+/// Rows about the text.
+int ProblemsModel::ofText() const {
+    return m_result ? static_cast<int>(m_result->build.diagnostics.size()) : 0;
+}
+
+/// The row about the run has no place in the text.
+QVariant ProblemsModel::ofRun(int column, int role) const {
+    if (role == SortRole)
+        return column == Message ? QVariant(static_cast<int>(Severity::Warning))
+                                 : QVariant(std::numeric_limits<std::uint32_t>::max());
+    if (role == Qt::ToolTipRole) return m_run->message;
+    if (role == Qt::DecorationRole) return column == Message ? QVariant(m_warning) : QVariant();
+    if (role == Qt::TextAlignmentRole) return alignmentOf(column);
+    if (role != Qt::DisplayRole) return {};
+    return column == Message ? m_run->message : column == Code ? tr("frame %1").arg(m_run->frame) : QString();
 }
 
 int ProblemsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    if (index.row() >= ofText()) return ofRun(index.column(), role);
     const Diagnostic& diagnostic = m_result->build.diagnostics[static_cast<std::size_t>(index.row())];
     switch (role) {
     case Qt::DisplayRole:

@@ -25,9 +25,14 @@ namespace {
 constexpr std::size_t wholeStep = framePartCount; // of RunTimes::parts
 enum Column : int { First, Second, Ratio };
 
-double medianOf(std::vector<double> times) {
+std::vector<double> measured(std::vector<double> times) {
     std::erase_if(times, [](double time) { return std::isnan(time); });
-    return times.empty() ? NAN : summarise(times).median;
+    return times;
+}
+
+double medianOf(const std::vector<double>& times) {
+    const std::vector<double> there = measured(times);
+    return there.empty() ? NAN : summarise(there).median;
 }
 
 } // namespace
@@ -51,7 +56,7 @@ RunTimes timesOf(const QString& name, std::span<const FrameSample> samples) {
 RunComparison::RunComparison(const TimingStrip& onScreen, QWidget* parent)
     : QWidget(parent), m_onScreen(onScreen), m_runs{new QComboBox, new QComboBox}, m_part(new QComboBox),
       m_forget(wordButton("forgetRun", tr("Forget"), tr("Take the first run off the list"))),
-      m_plot(new PlotWidget) {
+      m_verdict(new QLabel), m_plot(new PlotWidget) {
     QHBoxLayout* bar = new QHBoxLayout;
     for (QComboBox* box : m_runs) {
         box->addItem(tr("the run on screen"));
@@ -89,6 +94,10 @@ RunComparison::RunComparison(const TimingStrip& onScreen, QWidget* parent)
     QVBoxLayout* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(bar);
+    m_verdict->setObjectName(QStringLiteral("comparisonVerdict"));
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column->addWidget(m_verdict);
     column->addLayout(sideBySide, 1);
 }
 
@@ -133,6 +142,7 @@ void RunComparison::refresh() {
         m_chart.series.push_back(std::move(series));
     }
     m_plot->setChart(m_chart);
+    m_verdict->setText(verdict(part));
     for (std::size_t row = 0; row <= wholeStep; ++row) {
         const double first = medianOf(m_shown[First].parts[row]);
         const double second = medianOf(m_shown[Second].parts[row]);
@@ -140,6 +150,26 @@ void RunComparison::refresh() {
         m_table->setValue(static_cast<int>(row), Second, second);
         m_table->setValue(static_cast<int>(row), Ratio, first > 0 ? second / first : NAN, 2);
     }
+}
+
+/// Medians with their intervals at 95 %; where these overlap the two cannot be told apart.
+QString RunComparison::verdict(std::size_t part) const {
+    const std::vector<double> first = measured(m_shown[First].parts[part]),
+                              second = measured(m_shown[Second].parts[part]);
+    const std::optional<Interval> a = medianInterval(first), b = medianInterval(second);
+    if (!a || !b) return tr("There are not enough frames yet to tell the two apart.");
+    const auto told = [](double median, const Interval& interval) {
+        return tr("%1 ms (%2 to %3)")
+            .arg(median, 0, 'f', 3)
+            .arg(interval.low, 0, 'f', 3)
+            .arg(interval.high, 0, 'f', 3);
+    };
+    const double before = summarise(first).median, after = summarise(second).median;
+    const QString both = tr("Medians at 95 %: %1 and %2").arg(told(before, *a), told(after, *b));
+    if (a->overlaps(*b)) return tr("%1: no clear difference.").arg(both);
+    const double change = 100 * std::abs(after - before) / before;
+    return (after < before ? tr("%1: the second takes %2 % less.") : tr("%1: the second takes %2 % more."))
+        .arg(both, QString::number(change, 'g', 2));
 }
 
 QString RunComparison::writeCsv(const QString& path) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 class QComboBox;
+class QLabel;
 class QToolButton;
 
 namespace carom {
@@ -53,6 +54,7 @@ class RunComparison : public QWidget {
   private:
     RunTimes chosen(const QComboBox& box) const;
     void forget();
+    QString verdict(std::size_t part) const;
     QString writeCsv(const QString& path) const;
 
     const TimingStrip& m_onScreen;
@@ -63,6 +65,7 @@ class RunComparison : public QWidget {
     QComboBox* m_part;
     QToolButton* m_forget;
     ValueTable* m_table;
+    QLabel* m_verdict; ///< which of the two is faster in the chosen part, or that it cannot be told
     PlotWidget* m_plot;
 };
 

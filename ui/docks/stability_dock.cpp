@@ -26,12 +26,20 @@ enum Column { Case, Answer, FirstVerdict };
 
 constexpr int caseRole = Qt::UserRole;
 
+/// "eulers_disk", as commands and files call it, as a reader says it: "Euler's disk".
+QString spoken(std::string_view name) {
+    QString words = textOf(name).replace(u'_', u' ');
+    words.replace(QStringLiteral("eulers"), QStringLiteral("Euler's"));
+    words[0] = words[0].toUpper();
+    return words;
+}
+
 int columnOf(StudyColumn column) { return FirstVerdict + static_cast<int>(column); }
 
 } // namespace
 
 StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
-    : QDockWidget(tr("Stability"), parent), m_theme(theme), m_button(new QPushButton),
+    : Panel(tr("Stability"), parent), m_theme(theme), m_button(new QPushButton),
       m_export(new QPushButton(tr("Export…"))), m_long(new QCheckBox(tr("long forms"))),
       m_progress(new QProgressBar), m_state(new QLabel), m_table(new QTreeWidget) {
     setObjectName(QStringLiteral("stability"));
@@ -80,7 +88,7 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
 void StabilityDock::fillCases() {
     for (const HardCase& row : hardCases()) {
         QTreeWidgetItem* item = new QTreeWidgetItem(m_table);
-        item->setText(Case, QStringLiteral("%1 %2").arg(row.number, 2).arg(textOf(row.name)));
+        item->setText(Case, QStringLiteral("%1 %2").arg(row.number, 2).arg(spoken(row.name)));
         item->setToolTip(Case, textOf(row.title));
         item->setText(Answer, textOf(row.answer));
         item->setToolTip(Answer, textOf(row.title) + QStringLiteral(": ") + textOf(row.answer));
@@ -146,7 +154,7 @@ StudyRunner::Finish StabilityDock::work(const std::stop_token& stop, const Stabi
     StabilityListener listener;
     listener.goOn = [&stop] { return !stop.stop_requested(); };
     listener.starts = [this](const HardCase& hardCase, StudyColumn column) {
-        const QString text = tr("%1, %2").arg(textOf(hardCase.name), textOf(nameOf(column)));
+        const QString text = tr("%1, %2").arg(spoken(hardCase.name), textOf(nameOf(column)));
         QMetaObject::invokeMethod(
             this, [this, text] { m_state->setText(text); }, Qt::QueuedConnection);
     };

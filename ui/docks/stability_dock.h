@@ -3,9 +3,8 @@
 
 #include "core/study/stability.h"
 #include "ui/base/study_runner.h"
-#include "ui/window/theme.h"
-
-#include <QDockWidget>
+#include "ui/base/theme.h"
+#include "ui/base/panel.h"
 
 #include <optional>
 
@@ -21,12 +20,12 @@ namespace carom {
 /// The hard cases in a table: what is right, and in every column the verdict with the figure that decides;
 /// below a case all its figures. They run on a thread of their own, all or those selected, and can be
 /// stopped; what was measured stays. Activating a case opens it as a scene.
-class StabilityDock : public QDockWidget {
+class StabilityDock : public Panel {
     Q_OBJECT
   public:
     explicit StabilityDock(const Theme& theme, QWidget* parent = nullptr);
 
-    void setTheme(const Theme& theme);
+    void setTheme(const Theme& theme) override;
     /// Runs these cases; nothing happens while others run.
     void run(std::vector<const HardCase*> cases);
     bool isRunning() const { return m_runner.isRunning(); }
@@ -36,8 +35,6 @@ class StabilityDock : public QDockWidget {
   Q_SIGNALS:
     /// A case is to be looked at: the text of its scene.
     void sceneWanted(const QString& name, const QByteArray& text);
-    /// What was measured or written, or why not: one sentence.
-    void reported(const QString& sentence);
 
   private:
     void fillCases();

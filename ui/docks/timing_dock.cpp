@@ -43,7 +43,7 @@ std::span<const FrameSample> withoutFirst(const std::vector<FrameSample>& sample
 } // namespace
 
 TimingDock::TimingDock(QWidget* parent)
-    : QDockWidget(tr("Timing"), parent), m_strip(new TimingStrip), m_comparison(new RunComparison(*m_strip)),
+    : Panel(tr("Timing"), parent), m_strip(new TimingStrip), m_comparison(new RunComparison(*m_strip)),
       m_pages(new QStackedWidget),
       m_compare(wordButton("timingCompare", tr("Compare"),
                            tr("Show two runs in one chart: one that was kept, and this one or another"))),
@@ -58,6 +58,9 @@ TimingDock::TimingDock(QWidget* parent)
         new ValueTable(rows, {tr("now [ms]"), tr("mean"), tr("median"), tr("p95"), tr("p99"), tr("max")});
     for (std::size_t i = 0; i < framePartCount; ++i)
         m_table->setRowColour(static_cast<int>(i), frameParts()[i].colour);
+    for (std::size_t i = 0; i < framePartCount; ++i) m_table->makeCheckable(static_cast<int>(i));
+    connect(m_table, &ValueTable::checked, this,
+            [this](int row, bool shown) { m_strip->showPart(static_cast<std::size_t>(row), shown); });
     m_table->setObjectName(QStringLiteral("frameTimes"));
     m_table->setAccessibleName(tr("Statistics of frame times"));
 
@@ -101,7 +104,10 @@ QWidget* TimingDock::makeBar() {
     QToolButton* only = wordButton("timingSimulationOnly", tr("Simulation only"),
                                    tr("Leave the time of drawing out of the graph"));
     only->setCheckable(true);
-    connect(only, &QToolButton::toggled, m_strip, &TimingStrip::showSimulationOnly);
+    connect(only, &QToolButton::toggled, this, [this](bool simulationOnly) {
+        for (std::size_t i = 0; i < framePartCount; ++i)
+            if (frameParts()[i].ofShownFrames) m_table->setChecked(static_cast<int>(i), !simulationOnly);
+    });
     QToolButton* fit = wordButton("timingFit", tr("Fit"),
                                   tr("Fill the height with the frames shown, instead of always showing the "
                                      "lines of 1/60 and 1/30 s"));
@@ -173,7 +179,9 @@ void TimingDock::updateStatistics() {
 
     const std::span<const FrameSample> later = withoutFirst(samples);
     const std::span<const FrameSample> frames = later.last(std::min(later.size(), framesCounted));
-    m_table->setToolTip(tr("Of the last %1 frames, without the first; rendering of those that were shown")
+    m_table->setToolTip(tr("Of the last %1 frames, without the first; rendering of those that were shown.\n"
+                           "The boxes say what is in the graph, whose columns Ctrl+wheel widens and the "
+                           "wheel moves")
                             .arg(frames.size()));
     std::vector<double> values;
     const auto fill = [&](int row, double (*milliseconds)(const FrameSample&), Frames shown) {
@@ -221,7 +229,9 @@ ChartSpec TimingDock::chart() const {
     spec.y = {tr("time"), QStringLiteral("ms"), false};
     std::vector<double> x;
     for (const FrameSample& sample : shown) x.push_back(static_cast<double>(sample.statistics.frame));
-    for (const FramePart& part : frameParts()) {
+    for (std::size_t i = 0; i < framePartCount; ++i) {
+        const FramePart& part = frameParts()[i];
+        if (!m_table->isChecked(static_cast<int>(i))) continue; // as in the graph on screen
         ChartSeries series{nameOf(part), x, {}, SeriesStyle::Stacked, part.colour};
         for (const FrameSample& sample : shown) series.y.push_back(part.milliseconds(sample));
         spec.series.push_back(std::move(series));

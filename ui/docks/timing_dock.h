@@ -3,8 +3,8 @@
 
 #include "ui/widgets/plot.h"
 #include "ui/widgets/timing_strip.h"
+#include "ui/base/panel.h"
 
-#include <QDockWidget>
 #include <QTimer>
 
 #include <span>
@@ -20,7 +20,7 @@ class ValueTable;
 
 /// Where the time of every frame goes: the live graph, its statistics with the first frame apart, the parts
 /// of the frame that was picked, and all of it as a file. A run can be kept and compared with a later one.
-class TimingDock : public QDockWidget {
+class TimingDock : public Panel {
     Q_OBJECT
 
   public:
@@ -43,8 +43,6 @@ class TimingDock : public QDockWidget {
   Q_SIGNALS:
     /// A frame of the run was picked in the graph.
     void framePicked(std::int64_t frame);
-    /// What was written where, or why not: one sentence.
-    void reported(const QString& sentence);
 
   private:
     QWidget* makeBar();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/call_tip_box.h"
 
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include "core/language/call_tip.h"
 

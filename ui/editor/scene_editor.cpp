@@ -3,7 +3,7 @@
 
 #include "ui/editor/rectangle_drag.h"
 #include "ui/editor/scene_lexer.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QDragEnterEvent>
 #include <QFontDatabase>

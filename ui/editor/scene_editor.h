@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/editor/scintilla.h"
-#include "ui/window/document.h"
+#include "ui/base/document.h"
 
 #include "core/base/source.h"
 

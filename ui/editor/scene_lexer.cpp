@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/scene_lexer.h"
 
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include "core/base/diagnostic_list.h"
 #include "core/language/lexer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/snippet_fields.h"
 
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include "core/language/completion.h"
 #include "core/language/navigation.h"

@@ -20,6 +20,7 @@ constexpr std::size_t trailLength = 120, mostTrails = 1000;
 void Explanations::clear() {
     m_structure.clear();
     m_passed.clear();
+    m_partner = noBody;
     m_ghost = {};
 }
 
@@ -46,7 +47,9 @@ std::vector<std::vector<Vec3>> Explanations::trails() const {
 
 std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snapshot* snapshot) const {
     const std::vector<BodyIndex>& warned = pipeline.warnedBodies();
-    if (m_overlays == 0 && !m_ghost.snapshot && warned.empty() && pipeline.scene().springs.empty()) return {};
+    if (m_overlays == 0 && !m_ghost.snapshot && warned.empty() && m_partner == noBody &&
+        pipeline.scene().springs.empty())
+        return {};
     State state = pipeline.initialState();
     if (snapshot != nullptr) {
         state.pose = snapshot->pose;
@@ -75,7 +78,9 @@ std::vector<LineVertex> Explanations::lines(const Pipeline& pipeline, const Snap
                      .ghost = ghost,
                      .boxes = pipeline.bodies().boxes,
                      .warned = warned,
-                     .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm()});
+                     .size = boundsOf(pipeline.scene(), pipeline.initialState().pose).size().norm(),
+                     .arrows = m_arrows,
+                     .partner = m_partner});
 }
 
 void paintLabels(QPainter& painter, const Scene& scene, std::span<const Pose> poses, const Camera& camera,

@@ -26,6 +26,11 @@ class Explanations {
     void setOverlays(Overlays overlays) { m_overlays = overlays; }
     void setStructure(std::vector<Aabb> boxes) { m_structure = std::move(boxes); }
     void setGhost(Ghost ghost) { m_ghost = std::move(ghost); }
+    /// A second body that is outlined: what the selected one met.
+    void setPartner(BodyIndex body) { m_partner = body; }
+    /// How much longer arrows are than usual.
+    void setArrows(double scale) { m_arrows = scale; }
+    double arrows() const { return m_arrows; }
 
     Overlays overlays() const { return m_overlays; }
     /// Of the snapshot, or of the start where it is null.
@@ -39,6 +44,8 @@ class Explanations {
     std::vector<std::vector<Vec3>> trails() const;
 
     Overlays m_overlays = 0;
+    double m_arrows = 1;
+    BodyIndex m_partner = noBody;
     std::vector<Aabb> m_structure;
     Ghost m_ghost;
     std::deque<Passed> m_passed; ///< ascending

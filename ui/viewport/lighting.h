@@ -22,7 +22,8 @@ struct PictureOptions {
     BodyIndex selected = noBody;
     bool dimmed = false;
     bool shadows = true;
-    bool smooth = false; ///< several samples a pixel, for the edges of meshes: spheres are smooth without
+    double lineWidth = 2; ///< of wide lines and marks [device pixels]
+    bool smooth = false;  ///< several samples a pixel, for the edges of meshes: spheres are smooth without
 };
 
 /// Towards the first light, a unit vector; it stands over the left shoulder of the usual camera.

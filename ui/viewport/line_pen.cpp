@@ -19,6 +19,7 @@ constexpr int circleSegments = 32;
 void LinePen::line(const Vec3& from, const Vec3& to, const Vec3& colour) {
     for (const Vec3* end : {&from, &to}) {
         LineVertex vertex{};
+        vertex.kind = m_kind;
         for (int axis = 0; axis < 3; ++axis) {
             vertex.position[axis] = static_cast<float>((*end)[axis]);
             vertex.colour[axis] = static_cast<float>(colour[axis]);

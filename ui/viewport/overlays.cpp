@@ -16,9 +16,11 @@ namespace {
 const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contactColour(0.90, 0.25, 0.55),
     pairColour(0.95, 0.85, 0.20), structureColour(0.35, 0.75, 0.45), ghostColour(0.60, 0.66, 0.80),
     trailColour(0.40, 0.70, 0.90), centreColour(1.00, 0.45, 0.30), warningColour(1.00, 0.70, 0.15),
-    springColour(0.75, 0.77, 0.80), forceColour(0.55, 0.95, 0.85);
+    partnerColour(1.00, 0.55, 0.10), springColour(0.16, 0.60, 0.66),
+    forceColour(0.10, 0.72, 0.62); // to be seen on dark and light grounds
 
-constexpr double forceReach = 3; ///< half thicknesses of a body that the largest contact force is long
+constexpr double normalReach = 0.7; ///< radii of the body, of the ball that holds it, that a normal is long
+constexpr double forceReach = 1.5;  ///< and the largest contact force
 
 /// Two states of one body that differ less than this, relative to its size, are one picture.
 constexpr double sameWithin = 1e-6;
@@ -65,18 +67,36 @@ void drawGhost(LinePen& pen, const GhostState& ghost, const OverlayState& state)
     }
 }
 
-/// The largest force as long as the bodies in contact are thick, the others in proportion: so it can be seen
-/// who bears whom, under any gravity.
-void drawForces(LinePen& pen, const OverlayState& state) {
+/// Points, normals and forces. The largest force is longer than the bodies in contact, the others in
+/// proportion: so it can be seen who bears whom, under any gravity. Where the method solves for forces they
+/// say where contacts are, also those that hold bodies a rounding apart; elsewhere touching says it.
+void drawContacts(LinePen& pen, const OverlayState& state) {
+    // Of the smaller one: cards are too thin to measure by.
+    const auto sizeOf = [&](const BodyPair& pair) {
+        const Shape& a = state.scene.bodies[pair.a].shape;
+        const Shape& b = state.scene.bodies[pair.b].shape;
+        if (isWall(a) || isWall(b)) return boundingRadiusOf(isWall(a) ? b : a);
+        return std::min(boundingRadiusOf(a), boundingRadiusOf(b));
+    };
+    std::vector<BodyPair> solved;
+    for (const ContactForce& one : state.forces) {
+        if (one.normal.isZero()) continue;
+        solved.push_back(one.pair);
+        pen.arrow(one.at, normalReach * sizeOf(one.pair) * one.normal, contactColour);
+    }
     double largest = 0, reach = 0;
     for (const ContactForce& one : state.forces) largest = std::max(largest, one.force.norm());
-    if (!(largest > 0) || !std::isfinite(largest)) return;
     for (const TouchingPair& touching : state.touching) {
-        const Shape& a = state.scene.bodies[touching.pair.a].shape;
-        const Shape& b = state.scene.bodies[touching.pair.b].shape;
-        reach = std::max(reach, forceReach * halfThicknessOf(isWall(a) ? b : a));
+        reach = std::max(reach, forceReach * sizeOf(touching.pair));
+        if (std::binary_search(solved.begin(), solved.end(), touching.pair)) continue; // ascending
+        for (const ContactPoint& point : touching.manifold)
+            pen.arrow(point.onB, normalReach * sizeOf(touching.pair) * touching.manifold.normal,
+                      contactColour);
     }
-    for (const ContactForce& one : state.forces) pen.arrow(one.at, reach / largest * one.force, forceColour);
+    for (const BodyPair& pair : solved) reach = std::max(reach, forceReach * sizeOf(pair));
+    if (!(largest > 0) || !std::isfinite(largest)) return;
+    for (const ContactForce& one : state.forces)
+        pen.arrow(one.at, state.arrows * reach / largest * one.force, forceColour);
 }
 
 /// The centre of mass of all mobile bodies, as a star as large as a body.
@@ -96,14 +116,20 @@ void drawCentreOfMass(LinePen& pen, const OverlayState& state) {
 
 } // namespace
 
+Vec3 colourOfVelocities() { return velocityColour; }
+Vec3 colourOfContacts() { return contactColour; }
+Vec3 colourOfForces() { return forceColour; }
+
 std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& state) {
     std::vector<LineVertex> lines;
     LinePen pen(lines);
     const auto endOf = [&](BodyIndex body, const Vec3& at) {
         return body == noBody ? at : state.poses[body].toWorld(at);
     };
+    pen.setKind(LineKind::Wide);
     for (const Spring& spring : state.scene.springs)
         drawSpring(pen, endOf(spring.from, spring.fromAt), endOf(spring.to, spring.toAt));
+    pen.setKind(LineKind::Fine);
     if (holds(overlays, Overlay::Axes))
         for (int axis = 0; axis < 3; ++axis) {
             // Lighter than the pure colours, of which blue would drown in the dark theme.
@@ -115,18 +141,15 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
         if (isWall(body.shape) || !state.poses[i].position.allFinite()) continue;
         if (holds(overlays, Overlay::Boxes))
             pen.box(boxOf(body.shape, state.poses[i], state.boxes), boxColour);
-        if (holds(overlays, Overlay::Velocities) && i < state.velocities.size())
-            pen.arrow(state.poses[i].position, velocityTime * state.velocities[i], velocityColour);
+        if (!holds(overlays, Overlay::Velocities) || i >= state.velocities.size()) continue;
+        pen.setKind(LineKind::Mark);
+        pen.arrow(state.poses[i].position, state.arrows * velocityTime * state.velocities[i], velocityColour);
+        pen.setKind(LineKind::Fine);
     }
     if (holds(overlays, Overlay::Contacts)) {
-        for (const TouchingPair& touching : state.touching) {
-            const Shape& a = state.scene.bodies[touching.pair.a].shape;
-            const Shape& b = state.scene.bodies[touching.pair.b].shape;
-            const double reach = 2 * halfThicknessOf(isWall(a) ? b : a);
-            for (const ContactPoint& point : touching.manifold)
-                pen.arrow(point.onB, reach * touching.manifold.normal, contactColour);
-        }
-        drawForces(pen, state);
+        pen.setKind(LineKind::Mark);
+        drawContacts(pen, state);
+        pen.setKind(LineKind::Fine);
     }
     // After the boxes of all bodies: of two lines in one place the later shows. The line from centre to
     // centre alone is often inside the bodies.
@@ -144,6 +167,11 @@ std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& stat
     for (const BodyIndex i : state.warned)
         if (!isWall(state.scene.bodies[i].shape) && state.poses[i].position.allFinite())
             pen.outline(state.scene.bodies[i].shape, state.poses[i], warningColour);
+    if (state.partner < state.scene.bodies.size() && !isWall(state.scene.bodies[state.partner].shape)) {
+        pen.setKind(LineKind::Mark);
+        pen.outline(state.scene.bodies[state.partner].shape, state.poses[state.partner], partnerColour);
+        pen.setKind(LineKind::Fine);
+    }
     if (holds(overlays, Overlay::Structure))
         for (const Aabb& box : state.structure) pen.box(box, structureColour);
     return lines;

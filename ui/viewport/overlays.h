@@ -19,8 +19,8 @@ namespace carom {
 enum class Overlay : std::uint16_t {
     Axes = 1,       ///< the world's, at its origin: x red, y green, z blue
     Boxes = 2,      ///< what the broad-phase sees of each body
-    Velocities = 4, ///< where each body would be after a tenth of a second
-    Contacts = 8,   ///< touching pairs: the points, the normal as long as a ball is thick, and the forces
+    Velocities = 4, ///< where each body would be after a tenth of a second, times the scale
+    Contacts = 8,   ///< of touching pairs: the points, the normals and the forces
     Labels = 16,
     Pairs = 32,         ///< boxes that overlap, and a line from centre to centre of their bodies
     Structure = 64,     ///< the broad-phase's grid cells or tree nodes
@@ -56,7 +56,14 @@ struct OverlayState {
     BoxKind boxes = BoxKind::Tight;                 ///< that the broad-phase works on
     std::span<const BodyIndex> warned = {};         ///< drawn in the colour of warnings
     double size = 1;                                ///< of the scene [m]: axes are a quarter of it long
+    double arrows = 1;          ///< how much longer the arrows of velocities and forces are than usual
+    BodyIndex partner = noBody; ///< outlined as what the selected body met
 };
+
+/// Of the legend: colours as displayed, 0..1.
+Vec3 colourOfVelocities();
+Vec3 colourOfContacts();
+Vec3 colourOfForces();
 
 std::vector<LineVertex> overlayLines(Overlays overlays, const OverlayState& state);
 

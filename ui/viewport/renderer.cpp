@@ -24,6 +24,32 @@ struct WallVertex {
     float position[3], normal[3], colour[3], along[2];
 };
 
+/// Attributes of line.vert.
+struct FineVertex {
+    float position[3], colour[3];
+};
+
+/// Attributes of ribbon.vert.
+struct RibbonVertex {
+    float position[3], other[3], colour[3], side;
+};
+
+FineVertex fineVertex(const LineVertex& from) {
+    FineVertex made{};
+    std::copy_n(from.position, 3, made.position);
+    std::copy_n(from.colour, 3, made.colour);
+    return made;
+}
+
+RibbonVertex ribbonVertex(const LineVertex& from, const LineVertex& to, float side) {
+    RibbonVertex made{};
+    std::copy_n(from.position, 3, made.position);
+    std::copy_n(to.position, 3, made.other);
+    std::copy_n(from.colour, 3, made.colour);
+    made.side = side;
+    return made;
+}
+
 /// The next root of a power of two, so that the depths of a picture do not change with every step of a body.
 double roundedUp(double x) { return std::exp2(std::ceil(2 * std::log2(x)) / 2); }
 double roundedDown(double x) { return std::exp2(std::floor(2 * std::log2(x)) / 2); }
@@ -64,6 +90,8 @@ bool Renderer::initialise() {
     m_walls.create(*this, {3, 3, 3, 2});
     m_shadowed.create(*this, {3});
     m_lines.create(*this, {3, 3});
+    m_wideLines.create(*this, {3, 3, 3, 1});
+    m_marks.create(*this, {3, 3, 3, 1});
     m_noVertices.create();
     glGenBuffers(1, &m_frameBuffer);
     createShadowMap();
@@ -125,7 +153,7 @@ void Renderer::useFrame(const FrameUniforms& frame) {
 void Renderer::draw(const PictureJob& job) {
     const PictureOptions& options = job.options;
     if (std::exchange(m_stage, job.stage) != job.stage) show(*m_stage);
-    if (std::exchange(m_shownLines, job.lines) != job.lines) m_lines.upload<LineVertex>(*m_shownLines);
+    if (std::exchange(m_shownLines, job.lines) != job.lines) takeLines(*m_shownLines);
     m_table.place(job.poses(), options.camera, options.size, lightCamera());
     m_instances.bind();
     m_instances.allocate(m_table.all().data(), static_cast<int>(m_table.all().size_bytes()));
@@ -183,6 +211,7 @@ void Renderer::drawPicture(const PictureOptions& options) {
     drawBodies(Pass::SphereLit, Pass::MeshLit, {.features = features});
     drawWalls(true, features);
     drawLines();
+    drawRibbons(options.lineWidth);
     drawOutline(options);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
@@ -362,6 +391,40 @@ void Renderer::drawBodies(Pass spheres, Pass meshes, const BodyStyle& style) {
     QOpenGLShaderProgram& sphere = m_shaders.use(spheres, style.features);
     sphere.setUniformValue("growth", style.growth);
     m_square.draw(*this, sphere, part(m_table.spheres()));
+}
+
+/// Fine lines are OpenGL's own; it knows no wider ones, so those are bands of two triangles.
+void Renderer::takeLines(std::span<const LineVertex> lines) {
+    std::vector<FineVertex> fine;
+    std::vector<RibbonVertex> wide, marks;
+    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+        const LineVertex &from = lines[i], &to = lines[i + 1];
+        if (from.kind == LineKind::Fine) {
+            fine.push_back(fineVertex(from));
+            fine.push_back(fineVertex(to));
+            continue;
+        }
+        std::vector<RibbonVertex>& ribbons = from.kind == LineKind::Mark ? marks : wide;
+        const RibbonVertex corners[] = {ribbonVertex(from, to, 1), ribbonVertex(from, to, -1),
+                                        ribbonVertex(to, from, -1), ribbonVertex(to, from, 1)};
+        for (const int corner : {0, 1, 2, 1, 3, 2}) ribbons.push_back(corners[corner]);
+    }
+    m_lines.upload<FineVertex>(fine);
+    m_wideLines.upload<RibbonVertex>(wide);
+    m_marks.upload<RibbonVertex>(marks);
+}
+
+void Renderer::drawRibbons(double width) {
+    if (m_wideLines.isEmpty() && m_marks.isEmpty()) return;
+    QOpenGLShaderProgram& program = m_shaders.use(Pass::Ribbon);
+    program.setUniformValue("halfWidth", static_cast<float>(width / 2));
+    program.setUniformValue("opacity", 1.0F);
+    glDepthMask(GL_FALSE);
+    m_wideLines.draw(*this, GL_TRIANGLES);
+    glDisable(GL_DEPTH_TEST);
+    m_marks.draw(*this, GL_TRIANGLES);
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
 }
 
 void Renderer::drawLines() {

@@ -28,7 +28,7 @@
 //     meshes                          cylinders and cuboids
 //     spheres                         one quad each, ray-cast, back to front: smooth edges by coverage
 //     walls seen from behind          a breath of colour, so they never hide the scene
-//     overlays                        lines; what bodies hide of them shows faintly
+//     overlays                        lines; what bodies hide of them shows faintly, but for marks
 //     outline of the selection        by stencil, through everything
 //
 // All bodies come from one buffer of instances that is rewritten for every picture.
@@ -83,7 +83,9 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     void drawWalls(bool fromBehind, Feature features);
     void drawWallShadows();
     void drawContactShadows();
+    void takeLines(std::span<const LineVertex> lines);
     void drawLines();
+    void drawRibbons(double width);
     void drawOutline(const PictureOptions& options);
     void drawBodies(Pass spheres, Pass meshes, const BodyStyle& style);
     Feature featuresOf(const PictureOptions& options) const;
@@ -94,6 +96,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     QOpenGLBuffer m_instances{QOpenGLBuffer::VertexBuffer};
     GLuint m_instanceTexture = 0; ///< shaders read m_instances through it
     GlStream m_walls, m_lines;
+    GlStream m_wideLines, m_marks;
     GlStream m_shadowed; ///< the polygon of a wall under the shadow map
     QOpenGLVertexArrayObject m_noVertices;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth; ///< several samples a pixel; made when first wanted

@@ -44,6 +44,7 @@ const std::array<PassRow, passCount>& passRows() {
          Feature::Shadows | Feature::Dimmed},
         {Pass::MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}},
         {Pass::Line, {"frame.glsl", "line.vert"}, {"line.frag"}},
+        {Pass::Ribbon, {"frame.glsl", "ribbon.vert"}, {"line.frag"}},
     }};
     return rows;
 }

@@ -21,8 +21,9 @@ enum class Pass : std::size_t {
     MeshLit,
     MeshFlat,
     Line,
+    Ribbon, ///< lines of any width
 };
-inline constexpr std::size_t passCount = 10;
+inline constexpr std::size_t passCount = 11;
 
 /// What a picture may do without: a software rasteriser pays for every line of a shader, also for those
 /// behind an `if` that no fragment takes.

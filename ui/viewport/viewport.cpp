@@ -5,27 +5,22 @@
 #include "ui/viewport/instances.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/opengl_screen.h"
+#include "ui/viewport/overlay_legend.h"
+#include "ui/viewport/overlay_tips.h"
 
-#include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace carom {
 
 namespace {
 
-constexpr double orbitPerPixel = 0.008; ///< [rad]
-constexpr double zoomPerNotch = 0.86;   ///< of the distance; a notch of a wheel is 120 units
-constexpr double pixelsPerNotch = 30;   ///< [px] of a drag that zooms
-constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
-constexpr int restAfter = 250;          ///< [ms] without a change
-constexpr double selectionRadii = 5;    ///< a framed body is shown with this much around it
+constexpr int restAfter = 250;       ///< [ms] without a change
+constexpr double selectionRadii = 5; ///< a framed body is shown with this much around it
 
 bool same(const CameraSettings& a, const CameraSettings& b) {
     return a.position == b.position && a.target == b.target && a.fieldOfView == b.fieldOfView;
@@ -36,15 +31,24 @@ bool declared(const CameraSettings& camera) { return camera.position || camera.t
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QWidget(parent), m_badge(new QLabel(this)), m_navigation(&navigationPresets().front()) {
+    : QWidget(parent), m_badge(new QLabel(this)), m_legend(new OverlayLegend(this)),
+      m_navigation(&navigationPresets().front()) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setContextMenuPolicy(Qt::PreventContextMenu); // a right drag moves the view; a click asks for the menu
     setMinimumSize(120, 90);
     setAccessibleName(tr("Viewport"));
     m_badge->setObjectName(QStringLiteral("viewportBadge"));
     m_badge->setProperty("role", QStringLiteral("badge"));
     m_badge->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_badge->hide();
+    connect(m_legend, &OverlayLegend::scaleChanged, this, [this](double scale) {
+        m_explanations.setArrows(scale);
+        m_lines.reset();
+        showLegend();
+        redraw();
+    });
     m_rest.setSingleShot(true);
     m_rest.setInterval(restAfter);
     connect(&m_rest, &QTimer::timeout, this, [this] {
@@ -70,8 +74,8 @@ void Viewport::drawIn(DrawingPlace place) {
     if (inWindow == drawsInWindow()) return;
     delete std::exchange(m_screen, nullptr);
     if (!inWindow) return;
-    m_screen = new OpenGLScreen(
-        [this](QPainter& painter, const PictureJob& job) { paintLabelsOf(painter, job); }, this);
+    m_screen =
+        new OpenGLScreen([this](QPainter& painter, const PictureJob& job) { paintOver(painter, job); }, this);
     m_screen->setGeometry(rect());
     m_screen->lower(); // the badge stays above it
     connect(m_screen, &OpenGLScreen::drawn, this, &Viewport::takePicture);
@@ -113,6 +117,7 @@ void Viewport::showSnapshot(std::shared_ptr<const Snapshot> snapshot) {
     m_snapshot = std::move(snapshot);
     m_explanations.note(*m_stage->pipeline, *m_snapshot);
     m_lines.reset();
+    if (m_legend->isVisible()) showLegend();
     redraw();
 }
 
@@ -131,6 +136,24 @@ void Viewport::showGhost(const Ghost& ghost) {
 void Viewport::setSelectedBody(BodyIndex body) {
     if (m_selected == body) return;
     m_selected = body;
+    m_explanations.setPartner(noBody);
+    m_lines.reset();
+    redraw();
+}
+
+void Viewport::showPair(BodyIndex first, BodyIndex second, const Vec3& point) {
+    if (!hasScene() || first >= scene().bodies.size()) return;
+    m_selected = first;
+    m_explanations.setPartner(second);
+    m_lines.reset();
+    // Where it can be seen already the camera stays.
+    const std::optional<Eigen::Vector2d> at = projected(m_camera, pictureSize(), point);
+    const QRectF middle =
+        QRectF(rect()).adjusted(width() * 0.1, height() * 0.1, -width() * 0.1, -height() * 0.1);
+    if (point.allFinite() && (!at || !middle.contains(at->x(), at->y()))) {
+        m_camera.target = point;
+        m_cameraMoved = true;
+    }
     redraw();
 }
 
@@ -145,6 +168,7 @@ void Viewport::setDimmed(bool dimmed, const QString& badge) {
 void Viewport::setOverlays(Overlays overlays) {
     m_explanations.setOverlays(overlays);
     m_lines.reset();
+    showLegend();
     redraw();
 }
 
@@ -155,6 +179,7 @@ void Viewport::setOverlay(Overlay overlay, bool shown) {
 
 void Viewport::setDarkTheme(bool dark) {
     m_dark = dark;
+    showLegend();
     redraw();
 }
 
@@ -197,6 +222,7 @@ PictureJob Viewport::screenJob() {
             hasScene() ? m_explanations.lines(*m_stage->pipeline, m_snapshot.get())
                        : std::vector<LineVertex>());
     made.lines = m_lines;
+    made.options.lineWidth *= scale;
     made.options.smooth = !isMoving();
     return made;
 }
@@ -271,10 +297,16 @@ void Viewport::frameAll() {
     if (hasScene()) frameBox(boundsOf(scene(), poses()));
 }
 
-void Viewport::lookFrom(double yaw, double pitch) {
-    m_camera.yaw = yaw;
-    m_camera.pitch = pitch;
+void Viewport::lookFrom(ViewSide side) {
+    carom::lookFrom(m_camera, side);
     moveCamera();
+}
+
+void Viewport::setOrthographic(bool orthographic) {
+    if (m_camera.orthographic == orthographic) return;
+    m_camera.orthographic = orthographic;
+    moveCamera();
+    Q_EMIT orthographicChanged(orthographic);
 }
 
 PictureJob Viewport::view(const QSize& pixels) const {
@@ -300,7 +332,7 @@ QImage Viewport::shownPicture() {
     if (image.isNull()) return image;
     image.setDevicePixelRatio(devicePixelRatioF());
     QPainter painter(&image);
-    paintLabelsOf(painter, made);
+    paintOver(painter, made);
     return image;
 }
 
@@ -319,7 +351,59 @@ void Viewport::paintEvent(QPaintEvent*) {
     }
     // After a change of size the last picture is stretched until the next has come.
     painter.drawImage(rect(), m_shown.image);
-    paintLabelsOf(painter, m_shown.job);
+    paintOver(painter, m_shown.job);
+}
+
+/// What lies over the picture and is of the widget, not of the scene: handles, labels, the cube.
+void Viewport::paintOver(QPainter& painter, const PictureJob& job) const {
+    paintLabelsOf(painter, job);
+    const GizmoPart held = m_grab ? m_grab->part : m_lit;
+    paintGizmo(painter, gizmo(job), held);
+    paintViewCube(painter, job.options.camera, cubePlace(pictureSize()), m_dark, m_litSide);
+    paintBeside(painter, m_lastAt, m_told, rect(), m_dark);
+}
+
+/// Of the selected body, while it may be dragged.
+std::vector<GizmoHandle> Viewport::gizmo(const PictureJob& job) const {
+    const BodyIndex body = job.options.selected;
+    if (body == noBody || body != m_selected || job.stage != m_stage || !m_mayDrag) return {};
+    const bool held = m_grab && m_dragging && m_grab->body == body;
+    if (isWall(scene().bodies[body].shape) || (!held && !m_mayDrag(body, BodyHandle::Centre))) return {};
+    return gizmoOf(job.options.camera, pictureSize(), job.poses()[body].position, mayTurn(body));
+}
+
+/// Shapes that look different when they are turned.
+bool Viewport::mayTurn(BodyIndex body) const {
+    const Shape& shape = scene().bodies[body].shape;
+    return std::holds_alternative<Cuboid>(shape) || std::holds_alternative<Cylinder>(shape);
+}
+
+QString Viewport::tipAtPoint(const QPointF& position) const {
+    if (!hasScene() || !m_snapshot) return {};
+    return tipAt({.scene = scene(),
+                  .snapshot = *m_snapshot,
+                  .overlays = overlays(),
+                  .frame = m_stage->pipeline->settings().step,
+                  .arrowTime = m_explanations.arrows() * velocityTime},
+                 m_camera, pictureSize(), {position.x(), position.y()});
+}
+
+void Viewport::showLegend() {
+    double largest = 0;
+    if (m_snapshot)
+        for (const ContactForce& contact : m_snapshot->contactForces)
+            largest = std::max(largest, contact.force.norm());
+    constexpr int leastHeight = 240; // [px] of a picture that has room for it
+    m_legend->show(height() < leastHeight ? 0 : overlays(), largest, m_dark);
+    placeBadge();
+}
+
+/// The picture is as it was; what lies over it is not.
+void Viewport::repaintOver() {
+    if (m_screen)
+        m_screen->update();
+    else
+        update();
 }
 
 void Viewport::showEvent(QShowEvent* event) {
@@ -327,154 +411,10 @@ void Viewport::showEvent(QShowEvent* event) {
     redraw();
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) {
-    const bool another = event->buttons() != Qt::MouseButtons(event->button());
-    if (m_grab) letGo();
-    if (another && m_letGo) return;
-    m_letGo = false;
-    m_pressedAt = m_lastAt = event->position();
-    m_dragging = false;
-    const bool turns = event->button() != Qt::LeftButton || event->modifiers().testFlag(Qt::ShiftModifier);
-    if (!turns) m_grab = grabAt(event->position());
-}
-
-/// The tips of velocities lie over the bodies, where they are shown.
-std::optional<BodyGrab> Viewport::grabAt(const QPointF& position) const {
-    if (!hasScene() || !m_mayDrag) return std::nullopt;
-    const Eigen::Vector2d pixel(position.x(), position.y());
-    if (holds(overlays(), Overlay::Velocities)) {
-        const std::span<const Vec3> velocities =
-            m_snapshot ? m_snapshot->velocity : m_stage->pipeline->initialState().velocity;
-        const std::optional<BodyGrab> tip = grabTip(m_camera, pictureSize(), pixel, poses(), velocities);
-        if (tip && m_mayDrag(tip->body, tip->handle)) return tip;
-    }
-    const Hit hit = hitAt(position);
-    if (!hit || isWall(scene().bodies[hit.body].shape)) return std::nullopt;
-    if (!m_mayDrag(hit.body, BodyHandle::Centre)) return std::nullopt;
-    const Vec3& centre = poses()[hit.body].position;
-    return BodyGrab{hit.body, BodyHandle::Centre, centre, centre, pixel};
-}
-
-void Viewport::dragBody(const QPointF& position, bool level) {
-    const Vec3 value = draggedValue(*m_grab, m_camera, pictureSize(), {position.x(), position.y()}, level);
-    // Shown at once; the scene itself follows when the text has been built.
-    if (!std::exchange(m_moved, true)) m_beforeDrag = m_snapshot;
-    Snapshot moved;
-    if (m_snapshot) {
-        moved = *m_snapshot;
-    } else {
-        const State& start = m_stage->pipeline->initialState();
-        moved.pose = start.pose;
-        moved.velocity = start.velocity;
-        moved.angularVelocity = start.angularVelocity;
-    }
-    if (m_grab->handle == BodyHandle::Centre)
-        moved.pose[m_grab->body].position = value;
-    else
-        moved.velocity[m_grab->body] = value;
-    showSnapshot(std::make_shared<const Snapshot>(std::move(moved)));
-    Q_EMIT dragged(value);
-}
-
-void Viewport::letGo() {
-    const bool held = std::exchange(m_grab, std::nullopt).has_value();
-    m_letGo = held;
-    if (std::exchange(m_dragging, false) && held) Q_EMIT dragEnded();
-}
-
-void Viewport::forgetDrag() {
-    if (!std::exchange(m_moved, false)) return;
-    m_snapshot = std::exchange(m_beforeDrag, nullptr);
-    m_lines.reset();
-    redraw();
-}
-
-void Viewport::focusOutEvent(QFocusEvent* event) {
-    letGo();
-    QWidget::focusOutEvent(event);
-}
-
-void Viewport::hideEvent(QHideEvent* event) {
-    letGo();
-    QWidget::hideEvent(event);
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    if (m_letGo) return;
-    const QPointF moved = event->position() - m_lastAt;
-    if (!m_dragging && (event->position() - m_pressedAt).manhattanLength() < dragStarts) return;
-    if (m_grab && !m_dragging) Q_EMIT dragBegan(m_grab->body, m_grab->handle);
-    m_dragging = true;
-    m_lastAt = event->position();
-    if (m_grab) {
-        dragBody(event->position(), event->modifiers().testFlag(Qt::ControlModifier));
-        return;
-    }
-    switch (m_navigation->gesture(event->buttons(), event->modifiers())) {
-    case Gesture::Orbit:
-        orbit(m_camera, -orbitPerPixel * moved.x(), orbitPerPixel * moved.y());
-        break;
-    case Gesture::Pan:
-        pan(m_camera, pictureSize(), {moved.x(), moved.y()});
-        break;
-    case Gesture::Zoom:
-        zoomAt(m_camera, m_camera.target, std::pow(zoomPerNotch, -moved.y() / pixelsPerNotch));
-        break;
-    case Gesture::None:
-        return;
-    }
-    moveCamera();
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_letGo) {
-        m_letGo = event->buttons() != Qt::NoButton;
-        return;
-    }
-    const bool held = std::exchange(m_grab, std::nullopt).has_value();
-    if (m_dragging && held) Q_EMIT dragEnded();
-    if (m_dragging || event->button() != Qt::LeftButton) return;
-    const Hit hit = hitAt(event->position());
-    setSelectedBody(hit.body);
-    Q_EMIT bodyClicked(hit.body);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-    const Ray ray = rayAt(event->position());
-    const Hit hit = hitAt(event->position());
-    // Over the sky, the plane through the target square to the line of sight takes the place of a surface.
-    const Vec3 forward = m_camera.forward();
-    const double toPlane = (m_camera.target - ray.origin).dot(forward) / ray.direction.dot(forward);
-    const Vec3 point = ray.origin + (hit ? hit.distance : toPlane) * ray.direction;
-    zoomAt(m_camera, point, std::pow(zoomPerNotch, event->angleDelta().y() / 120.0));
-    moveCamera();
-    event->accept();
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event) {
-    constexpr double quarter = std::numbers::pi / 2;
-    const bool pad = event->modifiers().testFlag(Qt::KeypadModifier);
-    if (event->key() == Qt::Key_F && event->modifiers() == Qt::NoModifier)
-        frameSelection();
-    else if (event->key() == Qt::Key_Home)
-        frameAll();
-    else if (pad && event->key() == Qt::Key_7)
-        lookFrom(0, quarter);
-    else if (pad && event->key() == Qt::Key_1)
-        lookFrom(0, 0);
-    else if (pad && event->key() == Qt::Key_3)
-        lookFrom(quarter, 0);
-    else if (pad && event->key() == Qt::Key_5) {
-        m_camera.orthographic = !m_camera.orthographic;
-        moveCamera();
-    } else
-        QWidget::keyPressEvent(event);
-}
-
 void Viewport::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (m_screen) m_screen->setGeometry(rect());
-    placeBadge();
+    showLegend();
     if (!m_cameraMoved) frameAll();
     redraw();
 }
@@ -482,6 +422,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 void Viewport::placeBadge() {
     m_badge->adjustSize();
     m_badge->move((width() - m_badge->width()) / 2, 12);
+    m_legend->move(10, height() - m_legend->height() - 10);
 }
 
 } // namespace carom

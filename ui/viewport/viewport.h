@@ -7,8 +7,10 @@
 #include "ui/viewport/drawing_place.h"
 #include "ui/viewport/drawing_thread.h"
 #include "ui/viewport/explanations.h"
+#include "ui/viewport/gizmo.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/picture_pace.h"
+#include "ui/viewport/view_cube.h"
 
 #include <QImage>
 #include <QPointF>
@@ -28,11 +30,13 @@ namespace carom {
 
 struct NavigationRow;
 class OpenGLScreen;
+class OverlayLegend;
 
-/// Shows one scene in its newest state. Left drag orbits, or moves a body
-/// where that is allowed (with Ctrl at its height); right or middle drag pans, the wheel zooms at the cursor,
-/// a click selects; F frames the selection, Home everything; 7, 1, 3 of the number pad look from the top, the
-/// front, the right, and 5 changes between perspective and orthographic.
+/// Shows one scene in its newest state. Left drag orbits, or moves a body where that is allowed: at its
+/// height, or as the handles of its gizmo say where it is selected; with Ctrl in round steps. Right or middle
+/// drag pans, the wheel zooms at the cursor, a click selects, a right click asks for the menu; F frames the
+/// selection, Home everything; a click on the cube in the corner looks from that side, as do 7, 1, 3 of the
+/// number pad (top, front, right), and 5 changes between perspective and orthographic.
 class Viewport : public QWidget {
     Q_OBJECT
 
@@ -56,6 +60,8 @@ class Viewport : public QWidget {
     /// Outlines a body; noBody clears.
     void setSelectedBody(BodyIndex body);
     BodyIndex selectedBody() const { return m_selected; }
+    /// Selects the first body, outlines the second one, too, and brings the point between them [m] into view.
+    void showPair(BodyIndex first, BodyIndex second, const Vec3& point);
     /// Greys the picture and shows why, while the text does not build.
     void setDimmed(bool dimmed, const QString& badge);
     void setDarkTheme(bool dark);
@@ -73,6 +79,8 @@ class Viewport : public QWidget {
     double pixelSize() const { return m_camera.pixelSize(pictureSize()); }
     /// Asked before a drag takes hold of a body instead of turning the view; by default nothing can be taken.
     void setMayDrag(std::function<bool(BodyIndex, BodyHandle)> mayDrag) { m_mayDrag = std::move(mayDrag); }
+    /// What the overlays show at a point of the widget [px], in words.
+    QString tipAtPoint(const QPointF& position) const;
     /// What a click at a point of the widget would select [px].
     Hit hitAt(const QPointF& position) const;
 
@@ -99,16 +107,22 @@ class Viewport : public QWidget {
 
     /// Ends a drag of a body, if one is under way, where it is.
     void letGo();
+    void lookFrom(carom::ViewSide side);
+    void setOrthographic(bool orthographic);
     /// Shows again what a drag has moved since the scene was shown: it has come to nothing.
     void forgetDrag();
 
   Q_SIGNALS:
     /// noBody: the background.
     void bodyClicked(carom::BodyIndex body);
-    /// A body, or the tip of its velocity, follows the mouse: its new position [m] or velocity [m/s].
+    /// The menu is wanted there, on the screen; noBody: of the background.
+    void menuWanted(const QPoint& place, carom::BodyIndex body);
+    /// A body, or the tip of its velocity, follows the mouse.
     void dragBegan(carom::BodyIndex body, carom::BodyHandle handle);
-    void dragged(const carom::Vec3& value);
+    void dragged(const carom::DraggedBody& now);
     void dragEnded();
+    /// Between perspective and orthographic.
+    void orthographicChanged(bool orthographic);
     /// A new picture is about to be on screen.
     void frameRendered(double milliseconds);
     /// The picture cannot be drawn, and why.
@@ -123,6 +137,7 @@ class Viewport : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
@@ -131,10 +146,16 @@ class Viewport : public QWidget {
     std::span<const Pose> poses() const;
     Ray rayAt(const QPointF& position) const;
     void frameBox(const Aabb& box);
-    void lookFrom(double yaw, double pitch);
     void placeBadge();
     std::optional<BodyGrab> grabAt(const QPointF& position) const;
-    void dragBody(const QPointF& position, bool level);
+    std::optional<BodyGrab> grabGizmo(const QPointF& position) const;
+    std::vector<GizmoHandle> gizmo(const PictureJob& job) const;
+    bool mayTurn(BodyIndex body) const;
+    void dragBody(const QPointF& position, bool snaps);
+    void follow(const QPointF& position);
+    void paintOver(QPainter& painter, const PictureJob& job) const;
+    void repaintOver();
+    void showLegend();
     void moveCamera();
     bool hasScene() const { return m_stage->pipeline != nullptr; }
     const Scene& scene() const { return m_stage->pipeline->scene(); }
@@ -178,6 +199,10 @@ class Viewport : public QWidget {
     QPointF m_pressedAt, m_lastAt;
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
     std::optional<BodyGrab> m_grab; ///< between press and release
+    QString m_told;                 ///< what the drag has come to, or the overlays show under the mouse
+    OverlayLegend* m_legend;
+    GizmoPart m_lit = GizmoPart::None; ///< under the mouse
+    std::optional<ViewSide> m_litSide; ///< of the cube, likewise
     bool m_dragging = false;
     bool m_letGo = false;              ///< a drag has ended with a button down: nothing more until it is up
     const NavigationRow* m_navigation; ///< never null

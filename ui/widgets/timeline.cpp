@@ -105,6 +105,40 @@ void Timeline::seekTo(std::int64_t frame) {
     Q_EMIT seeked(wanted);
 }
 
+/// The nearest bar above the line or mark below it, within reach of the mouse.
+std::optional<std::int64_t> Timeline::eventAt(const QPointF& position) const {
+    constexpr double reach = 5, lineHeight = 5; // [px]
+    const double below = position.y() - lineY;
+    if (std::abs(below) < lineHeight) return std::nullopt;
+    std::optional<std::int64_t> nearest;
+    double least = reach;
+    const auto look = [&](std::int64_t frame) {
+        const double distance = std::abs(xOf(frame) - position.x());
+        if (distance >= least) return;
+        least = distance;
+        nearest = frame;
+    };
+    if (below > 0) {
+        for (const std::vector<std::int64_t>* marks : {&m_warnings, &m_hits})
+            for (const std::int64_t frame : *marks) look(frame);
+    } else {
+        for (const SeriesStretch& stretch : m_impacts.stretches())
+            if (stretch.high > 0) look(stretch.highAt + 1);
+    }
+    return nearest;
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+    const std::optional<std::int64_t> mark =
+        event->button() == Qt::LeftButton ? eventAt(event->position()) : std::nullopt;
+    if (!mark) {
+        ScrubStrip::mousePressEvent(event);
+        return;
+    }
+    showFrame(*mark);
+    Q_EMIT eventClicked(*mark);
+}
+
 void Timeline::keyPressEvent(QKeyEvent* event) {
     switch (event->key()) {
     case Qt::Key_Left:
@@ -131,8 +165,7 @@ QString Timeline::tellOf(double x) const {
     if (impactsIn(frame) > 0)
         text += (m_impacts.length() > 1 ? tr("\nup to %1 new contacts a frame") : tr("\n%1 new contacts"))
                     .arg(impactsIn(frame));
-    if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0)
-        text += tr("\nthe run stopped here: a number was no longer finite");
+    if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0) text += tr("\nthe run went wrong here");
     if (std::count(m_hits.begin(), m_hits.end(), frame) > 0) text += tr("\na breakpoint held");
     return text;
 }

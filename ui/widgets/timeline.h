@@ -4,7 +4,7 @@
 #include "core/math/bounded_series.h"
 #include "core/simulation/statistics.h"
 #include "ui/widgets/scrub_strip.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <cstdint>
 #include <optional>
@@ -53,8 +53,11 @@ class Timeline : public ScrubStrip {
 
   Q_SIGNALS:
     void seeked(std::int64_t frame);
+    /// A bar or a mark was clicked, off the line.
+    void eventClicked(std::int64_t frame);
 
   protected:
+    void mousePressEvent(QMouseEvent* event) override;
     void goTo(double x) override { seekTo(frameAt(x)); }
     QString tellOf(double x) const override;
     void paintEvent(QPaintEvent* event) override;
@@ -62,6 +65,7 @@ class Timeline : public ScrubStrip {
 
   private:
     void seekTo(std::int64_t frame);
+    std::optional<std::int64_t> eventAt(const QPointF& position) const;
     void paintImpacts(QPainter& painter) const;
     void paintMarks(QPainter& painter, const std::vector<std::int64_t>& frames, const QColor& colour) const;
 

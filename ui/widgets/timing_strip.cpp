@@ -121,8 +121,8 @@ void TimingStrip::setScale(Scale scale) {
     update();
 }
 
-void TimingStrip::showSimulationOnly(bool only) {
-    for (std::size_t i = 0; i < framePartCount; ++i) m_hidden[i] = only && frameParts()[i].ofShownFrames;
+void TimingStrip::showPart(std::size_t part, bool shown) {
+    m_hidden[part] = !shown;
     rescale();
     update();
 }

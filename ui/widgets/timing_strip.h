@@ -48,8 +48,8 @@ class TimingStrip : public ScrubStrip {
     std::optional<int> cursor() const;
     void setScale(Scale scale);
     void setColumnWidth(int pixels); ///< of one frame, 1 to 16
-    /// Leaves out what it took to show a frame.
-    void showSimulationOnly(bool only);
+    /// Whether a part of the frame is in the graph.
+    void showPart(std::size_t part, bool shown);
 
     const std::vector<FrameSample>& samples() const { return m_samples; }
     double fullScale() const { return m_fullScale; } ///< [ms] at the upper edge

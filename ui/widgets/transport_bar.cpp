@@ -2,7 +2,7 @@
 #include "ui/widgets/transport_bar.h"
 
 #include "core/player/simulation_thread.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -59,6 +59,7 @@ TransportBar::TransportBar(const Actions& actions, QWidget* parent)
     m_speed->setToolTip(tr("Speed of the presentation, 0.01× to 100×; the step itself stays"));
     m_speed->setAccessibleName(tr("Speed"));
     m_status->setMinimumWidth(m_status->fontMetrics().horizontalAdvance(tr("running")) + 8);
+    m_notice->setObjectName(QStringLiteral("transportNotice"));
     m_notice->setMinimumWidth(0);
     m_notice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
@@ -137,7 +138,10 @@ void TransportBar::tellSpeed() {
         m_speedText->setText(written(*asked));
 }
 
-void TransportBar::showNotice(const QString& notice) { m_notice->setText(notice); }
+void TransportBar::showNotice(const QString& notice) {
+    m_notice->setText(notice);
+    m_notice->setToolTip(notice); // where it is cut off
+}
 
 std::optional<double> TransportBar::speed() const {
     if (m_unlimited->isChecked()) return std::nullopt;

@@ -33,6 +33,10 @@ ValueTable::ValueTable(const QStringList& rows, const QStringList& columns, QWid
         }
     }
     setEditTriggers(NoEditTriggers);
+    connect(this, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+        if (item->column() == names && item->data(Qt::CheckStateRole).isValid())
+            Q_EMIT checked(item->row(), item->checkState() == Qt::Checked);
+    });
     setAlternatingRowColors(true);
     setShowGrid(false);
     setTabKeyNavigation(false);
@@ -64,6 +68,17 @@ void ValueTable::setRowColour(int row, const QColor& colour) {
     square.fill(colour);
     item(row, names)->setIcon(QIcon(square));
 }
+
+void ValueTable::makeCheckable(int row) {
+    item(row, names)->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item(row, names)->setCheckState(Qt::Checked);
+}
+
+void ValueTable::setChecked(int row, bool checked) {
+    item(row, names)->setCheckState(checked ? Qt::Checked : Qt::Unchecked);
+}
+
+bool ValueTable::isChecked(int row) const { return item(row, names)->checkState() == Qt::Checked; }
 
 QString ValueTable::asText() const {
     const bool some = selectedItems().size() > 1;

@@ -21,11 +21,18 @@ class ValueTable : public QTableWidget {
     void setColumnTitle(int column, const QString& title);
     /// A square of colour in front of a row's name.
     void setRowColour(int row, const QColor& colour);
+    /// Puts a box before a row's name that says whether what it counts is shown elsewhere.
+    void makeCheckable(int row);
+    void setChecked(int row, bool checked);
+    bool isChecked(int row) const;
     /// The selected cells, or the whole table, with the names of rows and columns; tabs between them.
     QString asText() const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+
+  Q_SIGNALS:
+    void checked(int row, bool checked);
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -3,7 +3,7 @@
 
 #include "core/base/line_difference.h"
 #include "ui/widgets/text_of.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QFontDatabase>
 #include <QTextBlock>

@@ -4,10 +4,10 @@
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/editor/find_bar.h"
 #include "ui/viewport/viewport.h"
-#include "ui/window/actions.h"
-#include "ui/window/document.h"
+#include "ui/base/actions.h"
+#include "ui/base/document.h"
 #include "ui/window/main_window.h"
-#include "ui/window/settings.h"
+#include "ui/base/settings.h"
 
 #include <QInputDialog>
 

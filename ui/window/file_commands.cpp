@@ -4,12 +4,12 @@
 #include "ui/base/file_output.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/widgets/save_dialog.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/new_scene_dialog.h"
 #include "ui/window/outside_dialog.h"
-#include "ui/window/settings.h"
-#include "ui/window/theme.h"
+#include "ui/base/settings.h"
+#include "ui/base/theme.h"
 
 #include <QDir>
 #include <QFileDialog>

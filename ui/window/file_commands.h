@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/document.h"
+#include "ui/base/document.h"
 
 #include <QObject>
 

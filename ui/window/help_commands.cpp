@@ -3,9 +3,9 @@
 
 #include "ui/editor/scene_editor.h"
 #include "ui/widgets/resources.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 #include "ui/window/command_finder.h"
-#include "ui/window/document.h"
+#include "ui/base/document.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/window/manual_window.h"

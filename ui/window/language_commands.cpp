@@ -7,7 +7,7 @@
 #include "ui/editor/number_scrubber.h"
 #include "ui/editor/rename_box.h"
 #include "ui/editor/snippet_fields.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 #include "ui/window/main_window.h"
 
 #include "core/language/formatter.h"

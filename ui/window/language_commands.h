@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include "core/base/source.h"
 

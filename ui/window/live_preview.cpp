@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/live_preview.h"
 
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>

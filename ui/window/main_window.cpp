@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
 
-#include "ui/docks/accuracy_dock.h"
-#include "ui/docks/breakpoints_dock.h"
-#include "ui/docks/broadphase_dock.h"
-#include "ui/docks/effects_dock.h"
-#include "ui/docks/outline_dock.h"
-#include "ui/docks/inspector_dock.h"
-#include "ui/docks/output_dock.h"
-#include "ui/docks/plots_dock.h"
-#include "ui/docks/problems_dock.h"
-#include "ui/docks/stability_dock.h"
-#include "ui/docks/timing_dock.h"
+#include "ui/docks/panels.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
-#include "ui/window/actions.h"
-#include "ui/window/settings.h"
+#include "ui/base/actions.h"
+#include "ui/base/settings.h"
 #include "ui/window/workspaces.h"
 
 #include <QApplication>
@@ -34,7 +24,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 
 namespace carom {
@@ -47,29 +39,49 @@ constexpr int bottomHeight = 230; // [px] of the docks below
 constexpr int statusRim = 12;     // [px] above and below the words of the status bar
 constexpr int rightWidth = 300;   // [px] of the docks at the right
 
+constexpr int noKey = -1;
+
+struct PanelRow {
+    Qt::DockWidgetArea place;
+    int key; ///< with Alt
+    const char* icon;
+};
+
+constexpr std::array panelRows = {
+#define CAROM_PANEL(name, Name, place, key, icon) PanelRow{Qt::place##DockWidgetArea, key, icon},
+#include "ui/docks/panels.def"
+#undef CAROM_PANEL
+};
+
+/// Some panels are made in the colours of the theme, others know none.
+template<class Dock>
+Dock* made(const Theme& theme) {
+    if constexpr (std::is_constructible_v<Dock, const Theme&>)
+        return new Dock(theme);
+    else
+        return new Dock;
+}
+
 } // namespace
 
 MainWindow::MainWindow(const Theme& theme, const Settings& settings)
     : m_actions(new Actions(this)), m_editor(new SceneEditor(theme)), m_findBar(new FindBar(*m_editor)),
       m_viewport(new Viewport), m_timeline(new Timeline), m_transport(new TransportBar(*m_actions)),
-      m_problems(new ProblemsDock(theme)), m_timing(new TimingDock), m_broadphase(new BroadphaseDock),
-      m_accuracy(new AccuracyDock), m_outline(new OutlineDock(theme)), m_effects(new EffectsDock(theme)),
-      m_inspector(new InspectorDock), m_plots(new PlotsDock), m_breakpoints(new BreakpointsDock),
-      m_output(new OutputDock), m_stability(new StabilityDock(theme)),
       m_buildProgress(new ProgressStrip(tr("Building"), (*m_actions)[ActionId::CancelBuild])),
       m_warning(new QLabel), m_memory(new QLabel), m_caret(new QLabel) {
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     placeCentre();
-    placeDocks();
+    makePanels(theme);
+    placePanels();
     m_actions->fill(*menuBar());
     QToolBar* toolbar = addToolBar(tr("Tools"));
     toolbar->setObjectName(QStringLiteral("tools"));
     toolbar->setIconSize({20, 20});
     toolbar->setMovable(false);
     m_actions->fill(*toolbar);
-    addDockToggles();
+    addPanelToggles();
     addWorkspaceButtons(*toolbar);
     m_caret->setObjectName(QStringLiteral("caret"));
     m_caret->setProperty("role", QStringLiteral("muted"));
@@ -124,32 +136,22 @@ void MainWindow::placeCentre() {
     setCentralWidget(centre);
 }
 
-void MainWindow::placeDocks() {
+void MainWindow::makePanels(const Theme& theme) {
+#define CAROM_PANEL(name, Name, place, key, icon)                                                            \
+    m_##name = made<Name##Dock>(theme);                                                                      \
+    m_panels.push_back(m_##name);
+#include "ui/docks/panels.def"
+#undef CAROM_PANEL
+}
+
+void MainWindow::placePanels() {
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    addDockWidget(Qt::BottomDockWidgetArea, m_problems);
-    addDockWidget(Qt::BottomDockWidgetArea, m_timing);
-    addDockWidget(Qt::BottomDockWidgetArea, m_broadphase);
-    addDockWidget(Qt::BottomDockWidgetArea, m_plots);
-    addDockWidget(Qt::BottomDockWidgetArea, m_accuracy);
-    addDockWidget(Qt::BottomDockWidgetArea, m_breakpoints);
-    addDockWidget(Qt::BottomDockWidgetArea, m_output);
-    addDockWidget(Qt::BottomDockWidgetArea, m_stability);
-    addDockWidget(Qt::RightDockWidgetArea, m_outline);
-    addDockWidget(Qt::RightDockWidgetArea, m_inspector);
-    addDockWidget(Qt::RightDockWidgetArea, m_effects);
-    for (QDockWidget* dock : std::initializer_list<QDockWidget*>{
-             m_problems, m_timing, m_broadphase, m_plots, m_accuracy, m_breakpoints, m_output, m_stability,
-             m_outline, m_inspector, m_effects})
-        dock->setTitleBarWidget(new QWidget(dock)); // the tab says the name already
-    tabifyDockWidget(m_problems, m_timing);
-    tabifyDockWidget(m_timing, m_broadphase);
-    tabifyDockWidget(m_broadphase, m_plots);
-    tabifyDockWidget(m_plots, m_accuracy);
-    tabifyDockWidget(m_accuracy, m_breakpoints);
-    tabifyDockWidget(m_breakpoints, m_output);
-    tabifyDockWidget(m_output, m_stability);
-    tabifyDockWidget(m_outline, m_inspector);
-    tabifyDockWidget(m_inspector, m_effects);
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        addDockWidget(panelRows[i].place, m_panels[i]);
+        m_panels[i]->setTitleBarWidget(new QWidget(m_panels[i])); // the tab says the name already
+    }
+    for (std::size_t i = 1; i < m_panels.size(); ++i)
+        if (panelRows[i].place == panelRows[i - 1].place) tabifyDockWidget(m_panels[i - 1], m_panels[i]);
     m_problems->raise();
     m_outline->raise();
     resizeDocks({m_problems}, {bottomHeight}, Qt::Vertical);
@@ -158,28 +160,21 @@ void MainWindow::placeDocks() {
 
 /// Alt+1 to Alt+9 and Alt+0 show a panel and put the keyboard into it; where it is already, they hide the
 /// panel and go back to the text.
-void MainWindow::addDockToggles() {
-    const std::array<std::pair<QDockWidget*, const char*>, 10> docks = {{{m_problems, "problems"},
-                                                                         {m_timing, "timing"},
-                                                                         {m_broadphase, "broadphase"},
-                                                                         {m_plots, "plots"},
-                                                                         {m_accuracy, "accuracy"},
-                                                                         {m_output, "output"},
-                                                                         {m_outline, "outline"},
-                                                                         {m_inspector, "inspector"},
-                                                                         {m_effects, "effects"},
-                                                                         {m_stability, "stability"}}};
+void MainWindow::addPanelToggles() {
     QMenu& view = *m_actions->menu(MenuId::View).addMenu(tr("&Panels"));
-    int number = 0;
-    for (const auto& [dock, icon] : docks) {
-        QAction* action = view.addAction(dock->windowTitle());
-        action->setProperty(iconName, QString::fromLatin1(icon));
-        action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(++number % 10)));
+    for (int number = 1; number <= 10; ++number) {
+        const auto row = std::find_if(panelRows.begin(), panelRows.end(),
+                                      [&](const PanelRow& one) { return one.key == number % 10; });
+        if (row == panelRows.end()) continue;
+        Panel* panel = m_panels[static_cast<std::size_t>(row - panelRows.begin())];
+        QAction* action = view.addAction(panel->windowTitle());
+        action->setProperty(iconName, QString::fromLatin1(row->icon));
+        action->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(row->key)));
         action->setStatusTip(tr("Show or hide this panel"));
         addAction(action);
         action->setCheckable(true); // checked: in front
-        connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-        connect(action, &QAction::triggered, dock, [this, panel = dock, action] {
+        connect(panel, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+        connect(action, &QAction::triggered, panel, [this, panel, action] {
             const bool here = panel->isAncestorOf(QApplication::focusWidget());
             const bool takesFocus = panel->focusProxy() != nullptr;
             const bool wasInFront = panel->isVisible() && !panel->visibleRegion().isEmpty();
@@ -214,10 +209,7 @@ void MainWindow::setTheme(const Theme& theme) {
     m_editor->setTheme(theme);
     m_viewport->setDarkTheme(theme.dark);
     m_timeline->setTheme(theme);
-    m_problems->setTheme(theme);
-    m_outline->setTheme(theme);
-    m_effects->setTheme(theme);
-    m_stability->setTheme(theme);
+    for (Panel* panel : m_panels) panel->setTheme(theme);
     for (QAction* action : QWidget::actions())
         if (action->property(iconName).isValid())
             action->setIcon(theme.icon(action->property(iconName).toString()));

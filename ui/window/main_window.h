@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QMainWindow>
 
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QSplitter;
@@ -13,26 +14,19 @@ class QToolBar;
 
 namespace carom {
 
-class AccuracyDock;
 class Actions;
-class BreakpointsDock;
-class BroadphaseDock;
-class EffectsDock;
 class FindBar;
-class OutlineDock;
-class InspectorDock;
-class OutputDock;
-class PlotsDock;
+class Panel;
 class ProgressStrip;
-class ProblemsDock;
 class SceneEditor;
 class Settings;
 class Timeline;
-class StabilityDock;
-class TimingDock;
 class TransportBar;
 class Viewport;
 class Workspaces;
+#define CAROM_PANEL(name, Name, place, key, icon) class Name##Dock;
+#include "ui/docks/panels.def"
+#undef CAROM_PANEL
 
 /// The window: owns the widgets and places them, and nothing else. What they show and do is the Workbench's.
 ///
@@ -54,17 +48,11 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() const { return *m_viewport; }
     Timeline& timeline() const { return *m_timeline; }
     TransportBar& transport() const { return *m_transport; }
-    ProblemsDock& problems() const { return *m_problems; }
-    TimingDock& timing() const { return *m_timing; }
-    BroadphaseDock& broadphase() const { return *m_broadphase; }
-    AccuracyDock& accuracy() const { return *m_accuracy; }
-    OutlineDock& outline() const { return *m_outline; }
-    EffectsDock& effects() const { return *m_effects; }
-    InspectorDock& inspector() const { return *m_inspector; }
-    BreakpointsDock& breakpoints() const { return *m_breakpoints; }
-    PlotsDock& plots() const { return *m_plots; }
-    OutputDock& output() const { return *m_output; }
-    StabilityDock& stability() const { return *m_stability; }
+#define CAROM_PANEL(name, Name, place, key, icon)                                                            \
+    Name##Dock& name() const { return *m_##name; }
+#include "ui/docks/panels.def"
+#undef CAROM_PANEL
+    const std::vector<Panel*>& panels() const { return m_panels; }
     /// Of a build that takes its time.
     ProgressStrip& buildProgress() const { return *m_buildProgress; }
 
@@ -94,8 +82,9 @@ class MainWindow : public QMainWindow {
 
   private:
     void placeCentre();
-    void placeDocks();
-    void addDockToggles();
+    void makePanels(const Theme& theme);
+    void placePanels();
+    void addPanelToggles();
     void addWorkspaceButtons(QToolBar& toolbar);
 
     Actions* m_actions;
@@ -104,17 +93,10 @@ class MainWindow : public QMainWindow {
     Viewport* m_viewport;
     Timeline* m_timeline;
     TransportBar* m_transport;
-    ProblemsDock* m_problems;
-    TimingDock* m_timing;
-    BroadphaseDock* m_broadphase;
-    AccuracyDock* m_accuracy;
-    OutlineDock* m_outline;
-    EffectsDock* m_effects;
-    InspectorDock* m_inspector;
-    PlotsDock* m_plots;
-    BreakpointsDock* m_breakpoints;
-    OutputDock* m_output;
-    StabilityDock* m_stability;
+#define CAROM_PANEL(name, Name, place, key, icon) Name##Dock* m_##name = nullptr;
+#include "ui/docks/panels.def"
+#undef CAROM_PANEL
+    std::vector<Panel*> m_panels; ///< in the order of panels.def
     QSplitter* m_splitter = nullptr;
     Workspaces* m_workspaces = nullptr;
     ProgressStrip* m_buildProgress;

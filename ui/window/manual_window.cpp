@@ -2,7 +2,7 @@
 #include "ui/window/manual_window.h"
 
 #include "ui/widgets/resources.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QAction>
@@ -124,7 +124,9 @@ QString keysPage(const Actions& actions) {
     page +=
         ManualWindow::tr("Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc "
                          "back to the text. In the picture: the left button turns, the right one moves, the "
-                         "wheel zooms, F frames the selection, Home everything, Space plays.");
+                         "wheel zooms, F frames the selection, Home everything, Space plays. At the start "
+                         "the left button moves bodies, and the handles of a selected one move and turn it, "
+                         "with Ctrl in round steps; a right click opens a menu.");
     page += QStringLiteral("\n");
     MenuId menu = MenuId::File;
     bool first = true;

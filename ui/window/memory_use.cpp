@@ -3,7 +3,7 @@
 
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 #include "ui/widgets/timeline.h"
 #include "ui/window/main_window.h"
 

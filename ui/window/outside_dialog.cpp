@@ -2,7 +2,7 @@
 #include "ui/window/outside_dialog.h"
 
 #include "ui/window/difference_view.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

@@ -4,11 +4,11 @@
 #include "ui/base/file_output.h"
 #include "ui/editor/live_build.h"
 #include "ui/editor/scene_editor.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 #include "ui/viewport/film.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/save_dialog.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
 

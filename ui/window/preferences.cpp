@@ -3,8 +3,8 @@
 
 #include "ui/viewport/drawing_place.h"
 #include "ui/viewport/navigation.h"
-#include "ui/window/actions.h"
-#include "ui/window/settings.h"
+#include "ui/base/actions.h"
+#include "ui/base/settings.h"
 #include "ui/window/translation.h"
 
 #include <QComboBox>

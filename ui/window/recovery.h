@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/document.h"
+#include "ui/base/document.h"
+#include "ui/base/settings.h"
 
 #include <QDateTime>
 #include <QLockFile>
@@ -39,7 +40,7 @@ struct LostTexts {
 class Recovery : public QObject {
     Q_OBJECT
   public:
-    static constexpr int usualInterval = 2000; ///< [ms]
+    static constexpr int usualInterval = Settings::usualRecoveryInterval; ///< [ms]
 
     Recovery(const Document& document, const QString& folder, int interval = usualInterval,
              QObject* parent = nullptr);

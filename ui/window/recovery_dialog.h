@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/window/recovery.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QDialog>
 

@@ -6,14 +6,16 @@
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/inspector_dock.h"
 #include "ui/docks/plots_dock.h"
+#include "ui/docks/problems_dock.h"
 #include "ui/docks/timing_dock.h"
-#include "ui/simulation/frame_log.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/frame_log.h"
+#include "ui/player/simulation.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/body_title.h"
 #include "ui/widgets/text_of.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
 
@@ -64,6 +66,10 @@ void RunCommands::connectActions() {
         connect(&actions[row.first], &QAction::toggled, &viewport,
                 [&viewport, overlay = row.second](bool shown) { viewport.setOverlay(overlay, shown); });
     }
+    actions[ActionId::StopAtRise].setCheckable(true);
+    actions[ActionId::StopAtRise].setChecked(true);
+    connect(&actions[ActionId::StopAtRise], &QAction::toggled, &m_simulation,
+            &Simulation::stopWhereEnergyRises);
     connect(&actions[ActionId::ShowStructure], &QAction::toggled, &m_simulation, &Simulation::wantStructure);
     actions[ActionId::ShowGhost].setCheckable(true);
     actions[ActionId::ShowGhost].setChecked(true);
@@ -143,6 +149,8 @@ void RunCommands::connectPanels() {
     connect(&m_simulation, &Simulation::restarted, this, &RunCommands::describeRun);
     connect(&timing, &TimingDock::framePicked, &m_simulation, &Simulation::seek);
     connectBreakpoints();
+    connectGuard();
+    connectStories();
     InspectorDock& inspector = m_window.inspector();
     connect(&m_preview, &LivePreview::shownChanged, &inspector,
             [&inspector](const SharedBuild& shown) { inspector.showPipeline(shown->build.pipeline); });
@@ -200,9 +208,60 @@ void RunCommands::connectBreakpoints() {
                                          .arg(hit->frame)
                                          .arg(time, 0, 'f', 3)
                                          .arg(breakpoints.titleOf(hit->breakpoint));
+            m_hit = {hit->frame, sentence};
             m_window.transport().showNotice(sentence);
             Q_EMIT reported(sentence);
         });
+}
+
+/// "Why did this happen?": of a mark that was clicked, the frame on screen, or a breakpoint that held.
+void RunCommands::connectStories() {
+    const auto explain = [this](std::int64_t frame) { m_simulation.explain(frame); };
+    connect(&m_window.actions()[ActionId::Explain], &QAction::triggered, this,
+            [this] { m_simulation.explain(m_window.timeline().frame()); });
+    connect(&m_window.timeline(), &Timeline::eventClicked, this, explain);
+    connect(&m_simulation, &Simulation::broke, this, [explain](const std::optional<BreakHit>& hit) {
+        if (hit) explain(hit->frame);
+    });
+    connect(&m_simulation, &Simulation::explained, this, [this](const EventStory& story) {
+        const Scene& scene = m_simulation.pipeline()->scene();
+        if (story.a == noBody) {
+            m_window.transport().showNotice(tr("Frame %1: nothing met in it").arg(story.frame));
+            return;
+        }
+        const QString figures = tr("impulse %1 N s, %2 J lost")
+                                    .arg(QString::number(story.impulse, 'g', 4))
+                                    .arg(QString::number(story.energyLost, 'g', 3));
+        const QString a = bodyTitle(scene, story.a);
+        const QString sentence =
+            story.b == noBody
+                ? tr("Frame %1: %2 changed its motion most, %3").arg(QString::number(story.frame), a, figures)
+                : tr("Frame %1: %2 met %3, %4")
+                      .arg(QString::number(story.frame), a, bodyTitle(scene, story.b), figures);
+        Viewport& viewport = m_window.viewport();
+        Q_EMIT viewport.bodyClicked(story.a);
+        viewport.showPair(story.a, story.b, story.at);
+        const bool ofBreakpoint = m_hit && m_hit->first == story.frame;
+        m_window.transport().showNotice(ofBreakpoint ? m_hit->second + QStringLiteral(". ") + sentence
+                                                     : sentence);
+        Q_EMIT reported(sentence);
+    });
+}
+
+/// A run whose energy rises from nowhere is not to be believed from there on.
+void RunCommands::connectGuard() {
+    ProblemsDock& problems = m_window.problems();
+    for (const auto begins : {&Simulation::restarted, &Simulation::rewound})
+        connect(&m_simulation, begins, &problems, [&problems] { problems.showRun(std::nullopt); });
+    connect(&problems, &ProblemsDock::frameActivated, &m_simulation, &Simulation::seek);
+    connect(&m_simulation, &Simulation::energyRose, this, [this, &problems](const EnergyRise& rise) {
+        const QString sentence = tr("The run %1; shorter steps or more substeps may hold it")
+                                     .arg(QString::fromStdString(describe(rise)));
+        problems.showRun(RunProblem{rise.frame, sentence});
+        m_window.timeline().markWarning(rise.frame);
+        m_window.transport().showNotice(sentence);
+        Q_EMIT reported(sentence);
+    });
 }
 
 void RunCommands::showStatus(const RunStatus& status) {

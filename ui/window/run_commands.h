@@ -2,9 +2,14 @@
 #pragma once
 
 #include "core/player/speed_meter.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace carom {
 
@@ -31,6 +36,8 @@ class RunCommands : public QObject {
     void connectFrames();
     void connectPanels();
     void connectBreakpoints();
+    void connectGuard();
+    void connectStories();
     void stepUnlessHeld(void (Simulation::*step)());
     /// Notices whether a key is pressed or held.
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,6 +51,8 @@ class RunCommands : public QObject {
     FrameLog& m_log;
     LivePreview& m_preview;
     const BroadphaseRow* m_broadphase = nullptr; ///< chosen in its panel; null: what the scene asks for
+    std::optional<std::pair<std::int64_t, QString>>
+        m_hit; ///< frame and words of the last breakpoint that held
     SpeedMeter m_speed;
     bool m_keyHeld = false; ///< the last key came of its own, because it is held down
     Theme m_theme;

@@ -2,7 +2,7 @@
 #include "ui/window/welcome.h"
 
 #include "ui/widgets/resources.h"
-#include "ui/window/settings.h"
+#include "ui/base/settings.h"
 
 #include <QCheckBox>
 #include <QDir>

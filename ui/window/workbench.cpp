@@ -15,17 +15,19 @@
 #include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/diagnostic_marks.h"
-#include "ui/simulation/frame_log.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/frame_log.h"
+#include "ui/player/simulation.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/widgets/resources.h"
-#include "ui/window/actions.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/base/actions.h"
 #include "ui/window/body_drag.h"
 #include "ui/window/edit_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_commands.h"
+#include "ui/window/inspector_edits.h"
 #include "ui/window/language_commands.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"
@@ -36,7 +38,8 @@
 #include "ui/window/recovery_dialog.h"
 #include "ui/window/run_commands.h"
 #include "ui/window/selection.h"
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
+#include "ui/window/view_commands.h"
 
 #include <QApplication>
 #include <QShortcut>
@@ -62,6 +65,8 @@ Workbench::Workbench()
       m_memory(new MemoryUse(*m_window, *m_simulation)),
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
+    new ViewCommands(*m_window, *m_preview);
+    new InspectorEdits(m_window->inspector(), m_window->editor(), *m_builds, *m_preview);
     new BodyDrag(m_window->editor(), m_window->viewport(), *m_simulation, *m_builds, *m_preview);
     m_pictures = new PictureCommands(*m_window, *m_simulation, *m_builds, *m_preview);
     connectText();
@@ -196,10 +201,25 @@ void Workbench::showBuild(const SharedBuild& result) {
     m_preview->take(result);
     m_selection->followCaret();
     if (!result->fresh) return;
+    warnOfNoScene(*result);
     m_window->output().add(tr("%1: %2 bodies, %3 problems, built in %4 ms")
                                .arg(m_document->name(), QString::number(result->scene().bodies.size()),
                                     QString::number(result->build.diagnostics.size()),
                                     QString::number(result->milliseconds, 'f', 1)));
+}
+
+/// What is opened by mistake: a picture, a program, another language.
+void Workbench::warnOfNoScene(const BuildResult& result) {
+    constexpr std::uint64_t mostMistakes = 1000;
+    const Analysis& analysis = result.build.analysis;
+    const bool binary = analysis.text.find('\0') != std::string::npos;
+    if (!binary && analysis.mistakes <= mostMistakes) return;
+    const QString sentence = binary
+                                 ? tr("%1 does not look like a scene: it is no text").arg(m_document->name())
+                                 : tr("%1 does not look like a scene: it has more than %2 errors")
+                                       .arg(m_document->name(), QString::number(mostMistakes));
+    m_window->transport().showNotice(sentence);
+    m_window->output().add(sentence);
 }
 
 void Workbench::connectReports() {
@@ -211,11 +231,7 @@ void Workbench::connectReports() {
     connect(m_files, &FileCommands::reported, this, report);
     connect(m_runs, &RunCommands::reported, this, report);
     connect(m_pictures, &PictureCommands::reported, this, report);
-    connect(&m_window->timing(), &TimingDock::reported, this, report);
-    connect(&m_window->plots(), &PlotsDock::reported, this, report);
-    connect(&m_window->broadphase(), &BroadphaseDock::reported, this, report);
-    connect(&m_window->accuracy(), &AccuracyDock::reported, this, report);
-    connect(&m_window->stability(), &StabilityDock::reported, this, report);
+    for (const Panel* panel : m_window->panels()) connect(panel, &Panel::reported, this, report);
     connect(&m_window->stability(), &StabilityDock::sceneWanted, m_files, &FileCommands::openText);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
     connect(m_builds.get(), &LiveBuild::failed, this,

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/editor/live_build.h"
-#include "ui/window/document.h"
-#include "ui/window/settings.h"
+#include "ui/base/document.h"
+#include "ui/base/settings.h"
 
 #include <QObject>
 
@@ -60,6 +60,7 @@ class Workbench : public QObject {
     void connectProgress();
     void connectAccuracy();
     void connectReports();
+    void warnOfNoScene(const BuildResult& result);
     void showBuild(const SharedBuild& result);
     void connectPreferences();
     void showPreferences();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/window/actions.h"
-#include "ui/window/settings.h"
+#include "ui/base/actions.h"
+#include "ui/base/settings.h"
 
 #include <QByteArray>
 #include <QObject>

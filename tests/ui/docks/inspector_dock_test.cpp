@@ -56,6 +56,31 @@ class InspectorDockTest : public QObject {
         QVERIFY(dock.valueOf(QStringLiteral("contact force")).toDouble() < 1e-6); // it is falling
     }
 
+    void theLastFiguresAreACurveBesideTheValue() {
+        InspectorDock dock;
+        World world(build(scene).pipeline);
+        dock.showPipeline(world.sharedPipeline());
+        dock.showBody(1);
+        const Snapshot start = world.snapshot();
+        std::vector<double> heights;
+        const QString name = QStringLiteral("position y");
+        for (int frame = 0; frame < 5; ++frame) {
+            dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
+            heights.push_back(world.state().pose[1].position.y());
+            QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), heights, patience);
+            world.step();
+        }
+        dock.showSnapshot(std::make_shared<const Snapshot>(start)); // back at the start it begins anew
+        QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), std::vector<double>{5}, patience);
+        dock.resize(400, 300);
+        dock.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
+        QVERIFY(!tree->isColumnHidden(2));
+        dock.resize(200, 300);
+        QTRY_VERIFY_WITH_TIMEOUT(tree->isColumnHidden(2), patience);
+    }
+
     void aNarrowPanelCutsNamesAndNoValues() {
         InspectorDock dock;
         dock.showPipeline(build(scene).pipeline);

@@ -34,7 +34,7 @@ class StabilityDockTest : public QObject {
 
     void everyCaseHasARowWithItsAnswer() {
         QCOMPARE(m_table->topLevelItemCount(), static_cast<int>(hardCases().size()));
-        QVERIFY(m_table->topLevelItem(0)->text(0).contains(QStringLiteral("1 elastic_ball")));
+        QVERIFY(m_table->topLevelItem(0)->text(0).contains(QStringLiteral("1 Elastic ball")));
         QCOMPARE(m_table->topLevelItem(0)->text(1), QStringLiteral("its energy is constant"));
         QCOMPARE(m_table->topLevelItem(1)->text(2), QStringLiteral("–")); // exact only
     }

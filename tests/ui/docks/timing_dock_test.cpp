@@ -191,8 +191,51 @@ class TimingDockTest : public QObject {
         QCOMPARE(medians->text(respond, 0), QStringLiteral("50.500"));
         QCOMPARE(medians->text(respond, 1), QStringLiteral("4.000"));
         QCOMPARE(medians->text(respond, 2), QStringLiteral("0.08"));
+        const QLabel* verdict = dock.findChild<QLabel*>(QStringLiteral("comparisonVerdict"));
+        QVERIFY2(verdict->text().endsWith(QStringLiteral("the second takes 92 % less.")),
+                 qPrintable(verdict->text()));
         dock.findChild<QComboBox*>(QStringLiteral("comparedPart"))->setCurrentIndex(respond);
         QCOMPARE(comparison->chart().series[0].y.back(), 100.0);
+    }
+
+    void runsThatCannotBeToldApartAreNotSaidToDiffer() {
+        // Two runs of the same times in another order: a difference of their medians would be chance.
+        const auto scattered = [](int offset) {
+            std::vector<FrameSample> samples = countingSamples(120);
+            for (FrameSample& sample : samples) {
+                const int place = static_cast<int>(sample.statistics.frame) * 37 + offset;
+                sample.statistics.respond = sample.statistics.simulate = 1 + 0.01 * (place % 17);
+            }
+            return samples;
+        };
+        TimingDock dock;
+        dock.addSamples(scattered(0));
+        dock.findChild<QToolButton*>(QStringLiteral("timingKeep"))->click();
+        dock.clear();
+        dock.addSamples(scattered(5));
+        dock.findChild<QToolButton*>(QStringLiteral("timingCompare"))->click();
+        const QLabel* verdict = dock.findChild<QLabel*>(QStringLiteral("comparisonVerdict"));
+        QVERIFY2(verdict->text().endsWith(QStringLiteral("no clear difference.")),
+                 qPrintable(verdict->text()));
+        dock.clear();
+        dock.addSamples(countingSamples(5));
+        dock.findChild<RunComparison*>()->refresh();
+        QVERIFY2(verdict->text().contains(QStringLiteral("not enough frames")), qPrintable(verdict->text()));
+    }
+
+    void aPartThatIsUncheckedLeavesTheGraph() {
+        TimingDock dock;
+        dock.addSamples(countingSamples(30)); // respond up to 30 ms, drawing 0.25 ms
+        ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
+        dock.findChild<QToolButton*>(QStringLiteral("timingFit"))->click();
+        QVERIFY(dock.strip().fullScale() > 30);
+        constexpr int respond = 3, render = 5; // rows
+        table->setChecked(respond, false);
+        QVERIFY(dock.strip().fullScale() < 1);
+        table->setChecked(respond, true);
+        dock.findChild<QToolButton*>(QStringLiteral("timingSimulationOnly"))->click();
+        QVERIFY(!table->isChecked(render));
+        QVERIFY(table->isChecked(respond));
     }
 
     void aComparisonIsExportedAndARunForgotten() {

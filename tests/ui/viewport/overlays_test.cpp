@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/generators/generator.h"
+#include "core/simulation/build.h"
 #include "core/simulation/pipeline.h"
 #include "core/simulation/world.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 #include "tests/support/worlds.h"
+#include "ui/viewport/overlay_tips.h"
 #include "ui/viewport/overlays.h"
 
 #include <QTest>
+
+#include <set>
 
 namespace carom {
 namespace {
@@ -139,6 +144,83 @@ class OverlaysTest : public QObject {
             (at(lines[i]).x() < 0.5 ? longest : other) =
                 std::max(at(lines[i]).x() < 0.5 ? longest : other, at(lines[i]).y());
         QVERIFY(std::abs(longest - 4 * other) < inFloats * longest * 10);
+    }
+
+    void contactsAndVelocitiesAreMarksAndSpringsAreWide() {
+        Scene scene = sceneOf({sphere(1, 1, {0, 0.99, 0}, {1, 0, 0}), wall(Vec3::UnitY(), 0)});
+        for (const Overlay overlay : {Overlay::Contacts, Overlay::Velocities})
+            for (const LineVertex& vertex : linesOf(overlay, scene)) QCOMPARE(vertex.kind, LineKind::Mark);
+        for (const LineVertex& vertex : linesOf(Overlay::Boxes, scene)) QCOMPARE(vertex.kind, LineKind::Fine);
+        Spring spring;
+        spring.to = 0;
+        spring.fromAt = Vec3(0, 4, 0);
+        scene.springs.push_back(spring);
+        for (const LineVertex& vertex : linesOf(Overlay{}, scene)) QCOMPARE(vertex.kind, LineKind::Wide);
+    }
+
+    void aCardHouseAtRestShowsTheContactsThatBearIt() {
+        // Cards stand a rounding apart, so that hardly a pair of them touches by its distance.
+        World world(build(generate(*findGenerator("card_house"), {})).pipeline);
+        for (int frame = 0; frame < 60; ++frame) world.step();
+        const Snapshot now = world.snapshot();
+        std::set<BodyPair> bearing;
+        double onTheFloor = 0;
+        for (const ContactForce& contact : now.contactForces) {
+            bearing.insert(contact.pair);
+            QVERIFY(std::abs(contact.normal.norm() - 1) < inFloats);
+            if (isWall(world.pipeline().bodies().shape[contact.pair.a]) ||
+                isWall(world.pipeline().bodies().shape[contact.pair.b]))
+                onTheFloor += contact.force.y();
+        }
+        const std::vector<LineVertex> lines =
+            overlayLines(static_cast<Overlays>(Overlay::Contacts), {.scene = world.pipeline().scene(),
+                                                                    .poses = now.pose,
+                                                                    .velocities = {},
+                                                                    .touching = {},
+                                                                    .forces = now.contactForces,
+                                                                    .overlapping = {},
+                                                                    .structure = {}});
+        QCOMPARE(lines.size(), 2 * 10 * now.contactForces.size()); // a normal and a force each
+        for (std::size_t i = 0; i < lines.size(); i += 10 * now.contactForces.size()) // cards are 1 mm thick
+            QVERIFY((at(lines[i + 1]) - at(lines[i])).norm() > 0.01);
+        double weight = 0;
+        for (const Body& body : world.pipeline().scene().bodies)
+            if (body.mobile()) weight += 9.81 * body.mass;
+        QVERIFY2(std::abs(onTheFloor - weight) < 0.02 * weight,
+                 qPrintable(QString::number(onTheFloor / weight)));
+        // 15 cards in three storeys: 24 pairs, each on two corners of an edge.
+        QCOMPARE(bearing.size(), std::size_t{24});
+        QCOMPARE(now.contactForces.size(), std::size_t{48});
+    }
+
+    void theTipOfAContactSaysBodiesImpulseAndWhetherItSlides() {
+        Scene scene = sceneOf({wall(Vec3::UnitY(), 0), cuboid({1, 1, 1}, 2, {0, 0.5, 0})});
+        scene.gravity.acceleration = Vec3(0, -9.8, 0);
+        scene.bodies[0].friction = scene.bodies[1].friction = 0.5;
+        scene.bodies[1].label = "crate";
+        World world(std::make_shared<const Pipeline>(scene));
+        for (int frame = 0; frame < 30; ++frame) world.step();
+        const Snapshot now = world.snapshot();
+        QVERIFY(!now.contactForces.empty());
+        Camera camera;
+        const PictureSize size{800, 600};
+        const Vec3 at = now.contactForces.front().at;
+        const TipRequest request{.scene = scene,
+                                 .snapshot = now,
+                                 .overlays = static_cast<Overlays>(Overlay::Contacts),
+                                 .frame = 1.0 / 60,
+                                 .arrowTime = velocityTime};
+        const QString tip = tipAt(request, camera, size, *projected(camera, size, at));
+        QVERIFY2(tip.contains(QStringLiteral("wall 0 and crate")), qPrintable(tip));
+        const QString force = QString::number(now.contactForces.front().force.norm(), 'g', 4);
+        QVERIFY2(tip.contains(QStringLiteral("force %1 N, impulse ").arg(force)), qPrintable(tip));
+        QVERIFY2(tip.contains(QStringLiteral("sticks; friction ")), qPrintable(tip));
+        QVERIFY(tipAt(request, camera, size, {2, 2}).isEmpty());
+
+        ContactForce sliding{.at = {}, .force = {2, 4, 0}, .normal = {0, 1, 0}, .friction = 0.5};
+        QVERIFY(sliding.slides());
+        sliding.force.x() = 1.9;
+        QVERIFY(!sliding.slides());
     }
 
     void trailsJoinThePlacesPassedAndTheCentreOfMassIsMarked() {

@@ -141,6 +141,7 @@ class ViewportTest : public QObject {
                 const double gap = (toCentre - along * ray.direction).norm();
                 const double pixel = camera.pixelSize(picture) * (orthographic ? 1 : along / camera.distance);
                 const bool changed = difference(image.pixel(column, row), background.pixel(column, row)) > 12;
+                if (cubePlace(picture).contains(column, row)) continue; // it lies over the scene
                 if (gap < radius - pixel)
                     QVERIFY2(changed, "a pixel inside the silhouette shows the background");
                 if (gap > radius + pixel)
@@ -478,7 +479,7 @@ class ViewportTest : public QObject {
         drawing.post(job);
         QTRY_VERIFY_WITH_TIMEOUT(drawer != nullptr, patience);
         QCOMPARE(drawer != QThread::currentThread(), QOpenGLContext::supportsThreadedOpenGL());
-        QCOMPARE(ready.size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(ready.size(), 1, patience); // told from the window's thread, later
         QCOMPARE(drawing.draw(job).size(), QSize(40, 30));
         job.options.size = {0, 30};
         QVERIFY(drawing.draw(job).isNull());

@@ -132,9 +132,9 @@ class TimingStripTest : public QObject {
         strip.setScale(TimingStrip::Scale::Fit);
         strip.addSamples({&sample, 1});
         QCOMPARE(strip.fullScale(), 50.0);
-        strip.showSimulationOnly(true);
+        strip.showPart(framePartCount - 1, false); // drawing
         QCOMPARE(strip.fullScale(), 0.5);
-        strip.showSimulationOnly(false);
+        strip.showPart(framePartCount - 1, true);
         QCOMPARE(strip.fullScale(), 50.0);
     }
 

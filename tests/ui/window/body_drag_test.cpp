@@ -2,9 +2,19 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "core/math/rotation.h"
+#include "ui/docks/inspector_dock.h"
+#include "ui/viewport/gizmo.h"
 #include "ui/window/live_preview.h"
 
+#include <QRegularExpression>
+
+#include <QColorDialog>
+#include <QMenu>
+#include <QTreeWidget>
 #include <QSettings>
+
+#include <numbers>
 
 using namespace carom;
 using namespace carom::test;
@@ -33,7 +43,38 @@ void drag(Ide& ide, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
     QTest::mouseRelease(&ide.viewport, Qt::LeftButton, keys, to);
 }
 
+void lookDown(Ide& ide) {
+    Camera above = ide.viewport.camera();
+    above.pitch = 0.7;
+    ide.viewport.setCamera(above);
+}
+
+/// A place of the selected body's gizmo at which a part of it is held.
+QPoint handleOf(const Ide& ide, GizmoPart part) {
+    const PictureSize size{double(ide.viewport.width()), double(ide.viewport.height())};
+    const Pose pose = ide.bench.preview().shown()->scene().bodies[ide.viewport.selectedBody()].pose;
+    const std::vector<GizmoHandle> handles = gizmoOf(ide.viewport.camera(), size, pose.position, true);
+    for (const GizmoHandle& handle : handles) {
+        if (handle.part != part) continue;
+        std::vector<Eigen::Vector2d> places = handle.line;
+        if (handle.closed) places = {(handle.line[0] + handle.line[2]) / 2};
+        if (isAxis(part)) places = {0.25 * handle.line.front() + 0.75 * handle.line.back()};
+        // Rings cross each other: a place at which this one is nearest, away from its ends.
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Eigen::Vector2d& at = places[(i + places.size() / 3) % places.size()];
+            const QPoint pixel(static_cast<int>(std::lround(at.x())), static_cast<int>(std::lround(at.y())));
+            if (partAt(handles, Eigen::Vector2d(pixel.x(), pixel.y())) == part) return pixel;
+        }
+    }
+    qFatal("no such handle");
+}
+
 const Body& ballOf(const Ide& ide) { return ide.bench.preview().shown()->scene().bodies[0]; }
+
+/// A cuboid's rotation [degrees].
+Vec3 turnOf(const Ide& ide) {
+    return 180 / std::numbers::pi * toRotationVector(ballOf(ide).pose.orientation);
+}
 
 /// [m], of what a drag by whole pixels can hit.
 constexpr double pixel = 0.02;
@@ -122,15 +163,111 @@ class BodyDragTest : public QObject {
         QVERIFY(ide.editor.bytes() != scene);
     }
 
-    void withCtrlABodyStaysAtItsHeight() {
+    void seenFromAboveABodyStaysAtItsHeight() {
         Ide ide(scene);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
-        Camera above = ide.viewport.camera();
-        above.pitch = 0.7;
-        ide.viewport.setCamera(above);
-        drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-2, 1, 0.5}), Qt::ControlModifier);
+        lookDown(ide);
+        drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-2, 1, 0.5}));
         QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-2, 1, 0.5)).norm() < 3 * pixel, patience);
         QCOMPARE(ballOf(ide).pose.position.y(), 1.0);
+    }
+
+    void withCtrlABodySnapsToRoundPlaces() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        lookDown(ide);
+        drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-1.87, 1, 0.53}), Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.x() < -1.5, patience);
+        const double step = snapStep(ide.viewport.pixelSize());
+        const Vec3 place = ballOf(ide).pose.position / step;
+        QVERIFY(std::abs(place.x() - std::round(place.x())) < 1e-9);
+        QVERIFY(std::abs(place.z() - std::round(place.z())) < 1e-9);
+        QVERIFY(step >= 10 * ide.viewport.pixelSize() && step <= 26 * ide.viewport.pixelSize());
+    }
+
+    void anArrowOfTheGizmoMovesAlongItsAxisOnly() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        lookDown(ide);
+        ide.viewport.setSelectedBody(0);
+        const QPoint arrow = handleOf(ide, GizmoPart::AxisY);
+        drag(ide, arrow, arrow - QPoint(3, 60));
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.3, patience);
+        QCOMPARE(ballOf(ide).pose.position.x(), -1.0);
+        QCOMPARE(ballOf(ide).pose.position.z(), 0.0);
+        QVERIFY2(ide.editor.bytes().contains("centre -1.00, # left, 1\n 1."), ide.editor.bytes().constData());
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), scene);
+    }
+
+    void aSquareOfTheGizmoMovesInItsPlane() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        lookDown(ide);
+        ide.viewport.setSelectedBody(0);
+        const QPoint square = handleOf(ide, GizmoPart::PlaneZ);
+        drag(ide, square, square + QPoint(40, -50));
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.1, patience);
+        QVERIFY(ballOf(ide).pose.position.x() > -0.9);
+        QCOMPARE(ballOf(ide).pose.position.z(), 0.0);
+    }
+
+    void aRingTurnsACuboidAndWritesItsRotation() {
+        // The second gives no rotation: it gets one behind its centre.
+        for (const char* rotation : {" rotation 0, 20.0, 0", ""}) {
+            Ide ide("camera { position 0,2,6 target 0,1,0 fov 40 }\n"
+                    "cuboid { size 1,1,1 mass 1 centre 0,1,0" +
+                    QByteArray(rotation) + " }\n");
+            QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+            ide.viewport.setSelectedBody(0);
+            const QPoint ring = handleOf(ide, GizmoPart::TurnY);
+            drag(ide, ring, ring + QPoint(50, 0), Qt::ControlModifier);
+            const double before = *rotation != 0 ? 20 : 0;
+            QTRY_VERIFY_WITH_TIMEOUT(turnOf(ide).y() > before + 10, patience);
+            const double turned = (turnOf(ide).y() - before) / 15;
+            QVERIFY2(std::abs(turned - std::round(turned)) < 1e-6, ide.editor.bytes().constData());
+            QVERIFY(std::abs(turnOf(ide).x()) < 1e-9 && std::abs(turnOf(ide).z()) < 1e-9);
+            QVERIFY2(ide.editor.bytes().contains("centre 0,1,0 rotation 0, "),
+                     ide.editor.bytes().constData());
+        }
+    }
+
+    void aCylinderTurnsByItsAxis() {
+        Ide ide("camera { position 0,2,6 target 0,1,0 fov 40 }\n"
+                "cylinder { radius .3 height 1 mass 1 centre 0,1,0 axis 0, 2, 0 }\n");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        ide.viewport.setSelectedBody(0);
+        const QPoint ring = handleOf(ide, GizmoPart::TurnZ);
+        drag(ide, ring, ring + QPoint(45, 45), Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && !ide.editor.bytes().contains("axis 0, 2, 0"), patience);
+        const Vec3 axis = ballOf(ide).pose.orientation * Vec3::UnitY();
+        QVERIFY2(std::abs(axis.z()) < 1e-3 && std::abs(axis.x()) > 0.2, ide.editor.bytes().constData());
+    }
+
+    void theDecimalsAreThoseOfTheText() {
+        Ide ide("camera { position 0,1,6 target 0,1,0 fov 40 }\n"
+                "sphere { radius .5 mass 1 centre 0.123456789, 1.0, 0 }\n");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        drag(ide, pixelOf(ide, {0.1, 1, 0}), pixelOf(ide, {0.1, 1.62, 0}));
+        const QByteArray text = ide.editor.bytes();
+        QVERIFY2(QRegularExpression(QStringLiteral("centre 0\\.123456789, 1\\.\\d, 0 "))
+                     .match(QString::fromUtf8(text))
+                     .hasMatch(),
+                 text.constData());
+    }
+
+    void theValueStandsBesideTheMouse() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        lookDown(ide);
+        ide.viewport.setSelectedBody(0);
+        const BodyGrab grab{.part = GizmoPart::AxisX, .start = {}};
+        DraggedBody now;
+        now.pose.position.x() = 1.25;
+        QCOMPARE(tellOf(grab, now, 0.01), QStringLiteral("x 1.25 m"));
+        const BodyGrab ring{.handle = BodyHandle::Turn, .part = GizmoPart::TurnY, .start = {}};
+        now.pose.orientation = fromRotationVector({0, std::numbers::pi / 6, 0});
+        QCOMPARE(tellOf(ring, now, 0.01), QStringLiteral("30°"));
     }
 
     void draggingTheTipOfAVelocityRewritesIt() {
@@ -142,6 +279,67 @@ class BodyDragTest : public QObject {
         QCOMPARE(ballOf(ide).pose.position, Vec3(-1, 1, 0));
         QVERIFY(ide.editor.bytes().contains("centre -1.00, # left, 1\n"
                                             " 1.00, 0 vel "));
+    }
+
+    void whatIsWrittenInTheInspectorStandsInTheText() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        placeCaretBehind(ide.editor, "sphere ball");
+        InspectorDock& inspector = ide.bench.window().inspector();
+        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
+                                  patience);
+        inspector.edit(QStringLiteral("radius"), QStringLiteral("0.25"));
+        QVERIFY(ide.editor.bytes().contains("sphere ball { radius 0.25 mass 1 centre -1.00, # left, 1\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.25"),
+                                  patience);
+        inspector.edit(QStringLiteral("friction"), QStringLiteral("0.5")); // which it does not give
+        QVERIFY2(ide.editor.bytes().contains("vel 0,3.0,0 friction 0.5 }\nsphere other"),
+                 ide.editor.bytes().constData());
+        inspector.edit(QStringLiteral("mass"), QStringLiteral("2 }")); // no number
+        // A double click on the colour opens a dialog; what is chosen there is written.
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        ide.bench.window().open(inspector);
+        QTreeWidget* tree = inspector.findChild<QTreeWidget*>();
+        QTreeWidgetItem* colour =
+            tree->findItems(QStringLiteral("colour"), Qt::MatchExactly | Qt::MatchRecursive).front();
+        tree->editItem(colour, 1);
+        QColorDialog* dialog = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((dialog = inspector.findChild<QColorDialog*>()) != nullptr, patience);
+        Q_EMIT dialog->colorSelected(QColor::fromRgbF(1, 0.5F, 0));
+        dialog->close();
+        QVERIFY2(ide.editor.bytes().contains("friction 0.5 colour 1, 0.5, 0 }"),
+                 ide.editor.bytes().constData());
+        ide.editor.undo();
+        ide.editor.undo();
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), scene);
+    }
+
+    void aRightClickOffersWhatOneDoesWithABodyAndWithTheView() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTest::mouseClick(&ide.viewport, Qt::RightButton, {}, pixelOf(ide, {1, 1, 0}));
+        QMenu* menu = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr,
+                                 patience);
+        QCOMPARE(menu->actions().front()->text(), QStringLiteral("other"));
+        QCOMPARE(ide.viewport.selectedBody(), BodyIndex{1});
+        const QList<QAction*> offered = menu->actions();
+        QVERIFY(offered.contains(&ide.bench.window().actions()[ActionId::FrameSelection]));
+        QVERIFY(offered.contains(&ide.bench.window().actions()[ActionId::Orthographic]));
+        menu->close();
+        ide.trigger(ActionId::ViewTop);
+        QVERIFY(std::abs(ide.viewport.camera().pitch - std::numbers::pi / 2) < 1e-9);
+        ide.trigger(ActionId::Orthographic);
+        QVERIFY(ide.viewport.camera().orthographic);
+        // A drag with the right button moves the view and opens nothing.
+        QTest::mousePress(&ide.viewport, Qt::RightButton, {}, ide.place(0.3, 0.8));
+        const QPoint to = ide.place(0.4, 0.8);
+        QMouseEvent move(QEvent::MouseMove, to, ide.viewport.mapToGlobal(to), Qt::NoButton, Qt::RightButton,
+                         {});
+        QApplication::sendEvent(&ide.viewport, &move);
+        QTest::mouseRelease(&ide.viewport, Qt::RightButton, {}, to);
+        QVERIFY(QApplication::activePopupWidget() == nullptr);
     }
 
     void laterInARunADragTurnsTheView() {

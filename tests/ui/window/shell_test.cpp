@@ -14,7 +14,7 @@
 #include "ui/window/new_scene_dialog.h"
 #include "ui/window/preferences.h"
 #include "ui/window/recovery_dialog.h"
-#include "ui/window/settings.h"
+#include "ui/base/settings.h"
 #include "ui/window/welcome.h"
 
 #include <QComboBox>

@@ -43,7 +43,7 @@ class ThemeTest : public QObject {
         QFETCH(bool, dark);
         const Theme theme = loadTheme(dark);
 #define CAROM_ROLE(name) QVERIFY2(theme.name.isValid(), #name);
-#include "ui/window/theme_roles.def"
+#include "ui/base/theme_roles.def"
 #undef CAROM_ROLE
         QVERIFY(!theme.styleSheet().contains(u'@'));
     }

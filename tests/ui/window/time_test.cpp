@@ -266,6 +266,48 @@ class TimeTest : public QObject {
         QVERIFY(label->toolTip().contains(QStringLiteral("states to go back to")));
     }
 
+    void aRunThatGainsEnergyStopsAndTheProblemsSayWhere() {
+        Ide ide("simulation { method contacts  integrator euler }\ngravity { accel 0, 0, 0 }\n"
+                "sphere bob { radius 0.1  mass 1  centre 1.1, 0, 0 }\n"
+                "spring { from world  to bob  stiffness 1000  length 1 }\n");
+        const int ofText = ide.problems();
+        ide.trigger(ActionId::Play);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), ofText + 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        const QAbstractItemModel& rows =
+            *ide.bench.window().problems().findChild<QAbstractItemView*>()->model();
+        QStringList messages;
+        for (int row = 0; row < rows.rowCount(); ++row) messages += rows.index(row, 0).data().toString();
+        const QStringList gained = messages.filter(QStringLiteral("The run gained "));
+        QCOMPARE(gained.size(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(gained.front().contains(QStringLiteral("by frame %1,").arg(ide.frame)),
+                                 patience);
+        ide.trigger(ActionId::StopAtRise); // a run may go on all the same
+        ide.trigger(ActionId::Reset);
+        QCOMPARE(ide.problems(), ofText);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.problems() == ofText + 1 && ide.frame > 30, patience);
+        ide.trigger(ActionId::Play);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+    }
+
+    void aClickOnAMarkOfTheTimelineSaysWhatMetWhat() {
+        Ide ide;
+        goTo(ide, 60);
+        Timeline& timeline = ide.bench.window().timeline();
+        std::int64_t landing = 1;
+        while (timeline.impactsIn(landing) == 0) ++landing;
+        const int x = static_cast<int>(std::lround(timeline.xOf(landing)));
+        QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(x, 10)); // above the line
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, landing, patience);
+        const QLabel* notice =
+            ide.bench.window().transport().findChild<QLabel*>(QStringLiteral("transportNotice"));
+        QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral(" met wall 0, impulse ")), patience);
+        QVERIFY2(notice->text().contains(QStringLiteral("Frame %1: ").arg(landing)),
+                 qPrintable(notice->text()));
+        QVERIFY(ide.viewport.selectedBody() != noBody);
+    }
+
     void aClickInThePlotsGoesThereAndEnergyIsPlottedBeforeAnyoneAsks() {
         Ide ide;
         goTo(ide, middle);

@@ -55,6 +55,20 @@ class WorkbenchTest : public QObject {
         QCOMPARE(ide.editor.send(Sci::SCI_INDICATOREND, 12, 0), 0L);
     }
 
+    void aFileThatIsNoSceneIsOpenedWithAWarning() {
+        for (const QByteArray& text : {QByteArray("\x7f"
+                                                  "ELF\0\1\2",
+                                                  7),
+                                       QByteArray("spere {} ").repeated(1200)}) {
+            Ide ide(text);
+            const QLabel* notice =
+                ide.bench.window().transport().findChild<QLabel*>(QStringLiteral("transportNotice"));
+            QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral("does not look like a scene")),
+                                     patience);
+            QCOMPARE(ide.editor.bytes(), text);
+        }
+    }
+
     void aClickInTheProblemsGoesToThePlace() {
         Ide ide(twoBalls + "spere { radius 1 }\n");
         QCOMPARE(ide.problems(), 1);

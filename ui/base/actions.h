@@ -22,12 +22,12 @@ struct Theme;
 enum class ActionId : std::uint8_t {
 #define CAROM_ACTION(id, menu, text, shortcuts, icon, tip) id,
 #define CAROM_SEPARATOR(menu)
-#include "ui/window/actions.def"
+#include "ui/base/actions.def"
 #undef CAROM_ACTION
 #undef CAROM_SEPARATOR
 };
 
-enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Drawn, Workspace, Help };
+enum class MenuId : std::uint8_t { File, Edit, Text, Simulation, View, Side, Drawn, Workspace, Help };
 
 struct ActionRow {
     ActionId id{};

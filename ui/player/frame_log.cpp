@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/simulation/frame_log.h"
+#include "ui/player/frame_log.h"
 
 #include <utility>
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/settings.h"
-
-#include "ui/window/recovery.h"
+#include "ui/base/settings.h"
 
 #include <QFileInfo>
 #include <QSettings>
@@ -101,7 +99,7 @@ int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt();
 void Settings::setThreads(int count) { QSettings().setValue(threadsKey, count); }
 int Settings::recoveryInterval() const {
     constexpr int shortest = 100; // [ms]: a disk is written that often while one types
-    return std::max(shortest, QSettings().value(recoveryKey, Recovery::usualInterval).toInt());
+    return std::max(shortest, QSettings().value(recoveryKey, usualRecoveryInterval).toInt());
 }
 bool Settings::welcomeAtStart() const { return QSettings().value(welcomeKey, true).toBool(); }
 void Settings::setWelcomeAtStart(bool shown) { QSettings().setValue(welcomeKey, shown); }

@@ -2,8 +2,8 @@
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
-#include "ui/simulation/frame_log.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/frame_log.h"
+#include "ui/player/simulation.h"
 
 #include "core/simulation/build.h"
 

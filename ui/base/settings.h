@@ -69,6 +69,8 @@ class Settings {
     int threads() const; ///< for simulating; 0: as many as the machine has
     void setThreads(int count);
     /// How far the copy of unsaved text may be behind [ms]; only in the file, no dialog asks for it.
+    /// Between two looks at unsaved text [ms].
+    static constexpr int usualRecoveryInterval = 2000;
     int recoveryInterval() const;
     bool welcomeAtStart() const;
     void setWelcomeAtStart(bool shown);

@@ -17,7 +17,7 @@ namespace carom {
 struct Theme {
     bool dark = true;
 #define CAROM_ROLE(name) QColor name;
-#include "ui/window/theme_roles.def"
+#include "ui/base/theme_roles.def"
 #undef CAROM_ROLE
 
     QPalette palette() const;

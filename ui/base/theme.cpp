@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/theme.h"
+#include "ui/base/theme.h"
 
 #include <QApplication>
 #include <QFile>
@@ -148,7 +148,7 @@ Theme loadTheme(bool dark) {
     theme.dark = dark;
 #define CAROM_ROLE(role)                                                                                     \
     theme.role = QColor(roles.value(QStringLiteral(#role)).toObject().value(variant).toString());
-#include "ui/window/theme_roles.def"
+#include "ui/base/theme_roles.def"
 #undef CAROM_ROLE
     return theme;
 }
@@ -181,7 +181,7 @@ QString Theme::styleSheet() const {
     filled.replace(QStringLiteral("@tick"),
                    dark ? QStringLiteral("tick_on_light") : QStringLiteral("tick_on_dark"));
 #define CAROM_ROLE(role) filled.replace(QRegularExpression(QStringLiteral("@" #role "\\b")), role.name());
-#include "ui/window/theme_roles.def"
+#include "ui/base/theme_roles.def"
 #undef CAROM_ROLE
     return filled;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/actions.h"
+#include "ui/base/actions.h"
 
-#include "ui/window/settings.h"
-#include "ui/window/theme.h"
+#include "ui/base/settings.h"
+#include "ui/base/theme.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -18,7 +18,7 @@ constexpr std::array rows = {
 #define CAROM_ACTION(id, menu, text, shortcuts, icon, tip)                                                   \
     ActionRow{ActionId::id, #id, MenuId::menu, text, shortcuts, icon, tip},
 #define CAROM_SEPARATOR(menu) ActionRow{{}, nullptr, MenuId::menu, nullptr, nullptr, nullptr, nullptr},
-#include "ui/window/actions.def"
+#include "ui/base/actions.def"
 #undef CAROM_ACTION
 #undef CAROM_SEPARATOR
 };
@@ -35,6 +35,7 @@ constexpr std::array menuRows = {
     MenuRow{MenuId::Text, QT_TRANSLATE_NOOP("carom::Actions", "&Text")},
     MenuRow{MenuId::Simulation, QT_TRANSLATE_NOOP("carom::Actions", "&Simulation")},
     MenuRow{MenuId::View, QT_TRANSLATE_NOOP("carom::Actions", "&View")},
+    MenuRow{MenuId::Side, QT_TRANSLATE_NOOP("carom::Actions", "&Look from"), MenuId::View},
     MenuRow{MenuId::Drawn, QT_TRANSLATE_NOOP("carom::Actions", "&Overlays"), MenuId::View},
     MenuRow{MenuId::Workspace, QT_TRANSLATE_NOOP("carom::Actions", "Wo&rkspace"), MenuId::View},
     MenuRow{MenuId::Help, QT_TRANSLATE_NOOP("carom::Actions", "&Help")},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 
 #include <QMetaObject>
 
@@ -28,6 +28,22 @@ Simulation::Simulation(QObject* parent)
                                              if (m_timer.isActive()) return;
                                              m_timer.start();
                                              collect();
+                                         },
+                                         Qt::QueuedConnection);
+                                 },
+                                 [this](std::uint64_t run, EnergyRise rise) {
+                                     QMetaObject::invokeMethod(
+                                         this,
+                                         [this, run, rise] {
+                                             if (run == m_run) Q_EMIT energyRose(rise);
+                                         },
+                                         Qt::QueuedConnection);
+                                 },
+                                 [this](std::uint64_t run, EventStory story) {
+                                     QMetaObject::invokeMethod(
+                                         this,
+                                         [this, run, story] {
+                                             if (run == m_run) Q_EMIT explained(story);
                                          },
                                          Qt::QueuedConnection);
                                  }}) {
@@ -90,6 +106,12 @@ void Simulation::seek(std::int64_t frame) {
     m_atStart = m_atStart && frame == 0;
     m_time = static_cast<double>(frame) * m_pipeline->settings().step;
     m_thread.post(SeekCommand{frame});
+}
+
+void Simulation::explain(std::int64_t frame) {
+    if (!m_pipeline || frame < 1) return;
+    m_atStart = false;
+    m_thread.post(ExplainCommand{frame});
 }
 
 void Simulation::reset() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/simulation/probe_run.h"
+#include "ui/player/probe_run.h"
 
 #include "ui/base/failures.h"
 

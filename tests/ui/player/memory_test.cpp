@@ -2,7 +2,7 @@
 #include "tests/support/failing_memory.h"
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
-#include "ui/simulation/simulation.h"
+#include "ui/player/simulation.h"
 
 #include "core/generators/generator.h"
 #include "core/simulation/build.h"

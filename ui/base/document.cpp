@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/document.h"
+#include "ui/base/document.h"
 
 #include "core/base/hash.h"
 #include "core/language/analysis.h"

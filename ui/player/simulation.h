@@ -65,6 +65,10 @@ class Simulation : public QObject {
     void setBreakpoints(std::vector<Breakpoint> breakpoints);
     /// To the last frame before at which a breakpoint held; broke() says where, or that there is none.
     void findBack() { m_thread.post(FindBackCommand{}); }
+    /// To a frame, paused there; explained() says what happened in it.
+    void explain(std::int64_t frame);
+    /// Whether a run that gains energy from nowhere pauses there.
+    void stopWhereEnergyRises(bool stops) { m_thread.post(GuardCommand{stops}); }
     /// What checkpoints may take [bytes].
     void setMemoryBudget(std::size_t bytes);
     /// What they take [bytes].
@@ -75,6 +79,9 @@ class Simulation : public QObject {
   Q_SIGNALS:
     void stateChanged(const carom::RunStatus& status);
     void broke(const std::optional<carom::BreakHit>& hit);
+    /// Energy has risen from nowhere, for the first time since load, exchange or reset.
+    void energyRose(const carom::EnergyRise& rise);
+    void explained(const carom::EventStory& story);
     /// A new run begins: after load and exchange.
     void restarted();
     /// The run is at its beginning again and what it sends comes anew.
