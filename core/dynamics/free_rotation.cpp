@@ -111,6 +111,18 @@ bool rotateExactly(const Vec3& inertia, const Vec3& momentum, double h, Quat& or
     return xy || yz || zx;
 }
 
+/// Three different moments: `stages` through all of h, in parts that turn by no more than partAngle each.
+void compose(const Vec3& inertia, const Vec3& momentum, double h, std::span<const double> stages,
+             Quat& orientation) {
+    const double angle = std::abs(h) * momentum.norm() / inertia.minCoeff();
+    const double parts = std::clamp(std::ceil(angle / partAngle), 1.0, mostParts);
+    Turned turned{orientation};
+    for (double part = 0; part < parts; ++part)
+        rotateAsymmetric(inertia, momentum, h / parts, stages, turned);
+    orientation = turned.orientation;
+    rotateAboutMomentum(inertia, momentum, h, orientation);
+}
+
 } // namespace
 
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
@@ -118,14 +130,16 @@ void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Qu
     if (!rotateExactly(inertia, angularMomentum, h, orientation)) {
         constexpr std::array<double, 7> sixthOrder = {yoshida[2], yoshida[1], yoshida[0], yoshidaMiddle,
                                                       yoshida[0], yoshida[1], yoshida[2]};
-        const double angle = std::abs(h) * angularMomentum.norm() / inertia.minCoeff();
-        const double parts = std::clamp(std::ceil(angle / partAngle), 1.0, mostParts);
-        Turned turned{orientation};
-        for (double part = 0; part < parts; ++part)
-            rotateAsymmetric(inertia, angularMomentum, h / parts, sixthOrder, turned);
-        orientation = turned.orientation;
-        rotateAboutMomentum(inertia, angularMomentum, h, orientation);
+        compose(inertia, angularMomentum, h, sixthOrder, orientation);
     }
+    orientation.normalize();
+}
+
+void rotateInParts(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
+    if (angularMomentum == Vec3::Zero()) return;
+    constexpr std::array<double, 1> whole = {1};
+    if (!rotateExactly(inertia, angularMomentum, h, orientation))
+        compose(inertia, angularMomentum, h, whole, orientation);
     orientation.normalize();
 }
 

@@ -161,6 +161,24 @@ class FreeRotationTest : public QObject {
         QVERIFY((once * Vec3::UnitY() - axis).norm() < 1e-14);
     }
 
+    /// Order 2 in parts of at most 1/20 rad: off by no more than what the parts add up to.
+    void partsOfOrderTwoAreAsCloseAsTheirSizeSays() {
+        const Vec3 inertia = inertiaOf(brick, mass);
+        for (const double speed : {0.5, 5.0, 50.0, 500.0}) {
+            Quat exact = Quat::Identity(), parts = exact;
+            const Vec3 momentum = angularMomentumFrom(inertia, exact, speed * Vec3(1, 2, 3));
+            const double step = 1.0 / 480, energy = energyOf(inertia, exact, momentum);
+            for (int i = 0; i < 480; ++i) {
+                rotateFreely(inertia, momentum, step, exact);
+                rotateInParts(inertia, momentum, step, parts);
+            }
+            const double angle = momentum.norm() / inertia.minCoeff(), part = std::min(0.05, angle * step);
+            const double off = angleBetween(exact, parts);
+            qInfo("%g rad/s: off by %.1e rad after a second", speed * std::sqrt(14.0), off);
+            QVERIFY(off < angle * part * part);
+            QVERIFY(std::abs(energyOf(inertia, parts, momentum) / energy - 1) < part * part);
+        }
+    }
     void timeRunsBackwardsToTheStart() {
         const Vec3 inertia(1, 2, 3);
         const Quat start = fromRotationVector(Vec3(1, 0.4, -0.3));
