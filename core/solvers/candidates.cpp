@@ -2,6 +2,8 @@
 #include "core/solvers/candidates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace carom {
 namespace {
@@ -12,25 +14,46 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 
 } // namespace
 
+Candidates::Candidates(const Bodies& bodies)
+    : m_isMember(bodies.count(), 0), m_reach(bodies.count(), 0.0), m_ball(bodies.count()) {
+    for (BodyIndex i = 0; i < bodies.count(); ++i) {
+        const bool wall = isWall(bodies.shape[i]);
+        m_ball[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
+    }
+}
+
+// boundingGap, of a member and what it is near, without looking at what shapes they have.
+double Candidates::gapOf(const Bodies& bodies, const State& state, BodyPair pair) const {
+    const Ball &a = m_ball[pair.a], &b = m_ball[pair.b];
+    const double radii = a.radius + b.radius;
+    return std::isfinite(radii) ? (b.centre - a.centre).norm() - radii : boundingGap(bodies, state, pair);
+}
+
 bool Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed, Neighbours& neighbours) {
     std::fill(m_isMember.begin(), m_isMember.end(), std::uint8_t{0});
     bool covered = true;
+    double farthest = 0;
+    for (const BodyIndex i : bodies.bounded) m_ball[i].centre = state.pose[i].position;
     for (const BodyIndex i : members) {
         m_isMember[i] = 1;
         m_reach[i] = neighbours.reach(i);
+        farthest = std::max(farthest, m_reach[i]);
         covered = neighbours.covers(i, roomFor(bodies, i, m_reach[i])) && covered;
     }
     if (!covered) return false;
     m_upward.clear();
     m_downward.clear();
+    for (std::vector<Near>* list : {&m_upward, &m_downward})
+        if (list->capacity() < neighbours.pairs().size()) list->reserve(2 * neighbours.pairs().size());
     for (const BodyIndex i : members) {
         if (placed[i] != 0) continue;
         for (const BodyIndex k : neighbours.around(i)) {
             const bool mobile = bodies.mobile[k] != 0;
             if (mobile && ((k < i && placed[k] == 0) || m_isMember[k] == 0)) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const Near near{pair, boundingGap(bodies, state, pair)};
+            const Near near{pair, gapOf(bodies, state, pair)};
+            if (near.gap > 2 * farthest && near.gap > leastMarginOf(pair)) continue;
             (i < k ? m_upward : m_downward).push_back(near);
             if (mobile) covered = shareReach(bodies, state, near, neighbours) && covered;
         }
@@ -58,7 +81,7 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
         chosen.clear();
         if (chosen.capacity() < from.size()) chosen.reserve(2 * from.size());
         for (const Near& near : from)
-            if (const double margin = marginOf(bodies, near.pair);
+            if (const double margin = marginOf(near.pair);
                 near.gap <= margin && areBoxesWithin(bodies, state, near.pair, margin))
                 chosen.push_back(near.pair);
     };
@@ -68,11 +91,12 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
     return m_pairs;
 }
 
-double Candidates::marginOf(const Bodies& bodies, BodyPair pair) const {
-    double size = std::max(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
-    if (!isWall(bodies.shape[pair.a]) && !isWall(bodies.shape[pair.b]))
-        size = std::min(bodies.boundingRadius[pair.a], bodies.boundingRadius[pair.b]);
-    return std::max(Neighbours::leastMargin * size, m_reach[pair.a] + m_reach[pair.b]);
+double Candidates::leastMarginOf(BodyPair pair) const {
+    return Neighbours::leastMargin * std::min(m_ball[pair.a].radius, m_ball[pair.b].radius);
+}
+
+double Candidates::marginOf(BodyPair pair) const {
+    return std::max(leastMarginOf(pair), m_reach[pair.a] + m_reach[pair.b]);
 }
 
 } // namespace carom

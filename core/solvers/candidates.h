@@ -16,7 +16,7 @@ namespace carom {
 
 class Candidates {
   public:
-    explicit Candidates(std::size_t bodies) : m_isMember(bodies, 0), m_reach(bodies, 0.0) {}
+    explicit Candidates(const Bodies& bodies);
 
     /// Takes note of how far the members come in the substep that the neighbours followed last, and of the
     /// pairs among them, without those of two that are `placed` (by body, not 0: its pairs with others that
@@ -31,17 +31,25 @@ class Candidates {
     /// Pairs that may touch, ascending.
     std::span<const BodyPair> find(const Bodies& bodies, const State& state);
     /// Up to which separation points of a pair are kept [m].
-    double marginOf(const Bodies& bodies, BodyPair pair) const;
+    double marginOf(BodyPair pair) const;
 
   private:
     struct Near {
         BodyPair pair;
         double gap = 0; // of the balls about them [m]
     };
+    /// The ball about a body; of walls the radius is infinite.
+    struct Ball {
+        Vec3 centre = Vec3::Zero(); // [m]
+        double radius = 0;          // [m]
+    };
+    double leastMarginOf(BodyPair pair) const;
+    double gapOf(const Bodies& bodies, const State& state, BodyPair pair) const;
     bool shareReach(const Bodies& bodies, const State& state, const Near& near, Neighbours& neighbours);
 
     std::vector<std::uint8_t> m_isMember; // by body
     std::vector<double> m_reach;          // by body [m]
+    std::vector<Ball> m_ball;             // by body: of members as they are now, of others as it was once
     std::vector<Near> m_upward;           // from a member to a larger index, ascending
     std::vector<Near> m_downward;         // from a member to something immobile or placed of smaller index
     std::vector<BodyPair> m_up, m_down, m_pairs;

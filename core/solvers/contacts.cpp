@@ -6,6 +6,7 @@
 #include "core/solvers/contacts/base_path.h"
 #include "core/solvers/contacts/calm.h"
 #include "core/solvers/contacts/found_contacts.h"
+#include "core/solvers/contacts/impulse_reach.h"
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/refinement.h"
 #include "core/solvers/contacts/work_budget.h"
@@ -14,6 +15,7 @@
 #include "core/solvers/islands.h"
 #include "core/solvers/local_solver.h"
 #include "core/solvers/neighbours.h"
+#include "core/solvers/pair_sort.h"
 #include "core/solvers/resting.h"
 #include "core/solvers/solver.h"
 
@@ -54,7 +56,7 @@ class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
         : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_resting(bodies.count()),
-          m_candidates(bodies.count()), m_refinement(bodies.count()),
+          m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
           m_base(bodies.count(), passesOf(settings)), m_brief(bodies.count(), passesOf(settings)),
           m_calm(bodies.count()), m_isOnSpring(bodies.count(), 0) {
         for (const SpringForce& spring : bodies.springs) {
@@ -86,7 +88,7 @@ class Contacts final : public Solver {
     void followMembers(const SolverInput& input);
     void coverMembers(const SolverInput& input);
     void findContacts(const SolverInput& input);
-    bool findJoining();
+    bool findJoining(const SolverInput& input);
     void enterBase(const SolverInput& input);
     void enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
                double skin);
@@ -124,6 +126,7 @@ class Contacts final : public Solver {
     Neighbours m_neighbours;
     Resting m_resting;
     Candidates m_candidates;
+    ImpulseReach m_reach;
     Refinement m_refinement;
     BasePath m_base;                  // for as long as it holds
     int m_stayed = 0, m_patience = 0; // how long that was, and is to be at most [substeps]
@@ -141,6 +144,7 @@ class Contacts final : public Solver {
     std::vector<BodyPair> m_pairs;
     std::span<Manifolds::Entry> m_known;
     std::vector<Manifolds::Entry> m_left; // of what has left the base path
+    PairSort<Manifolds::Entry> m_sort;
     std::vector<SteppedMotion::Entry> m_unused;
     Islands m_islands;
     IslandCrew m_crew;
@@ -157,16 +161,16 @@ SolverReport Contacts::advance(const SolverInput& input) {
 
     m_work = {};
     findContacts(input);
-    if (!findJoining()) { // an island touches two blocks: all is found anew
+    if (!findJoining(input)) { // an island touches two blocks: all is found anew
         m_found.dropDistant();
         leave(input, m_base);
         m_found.carryOn(m_left);
         coverMembers(input);
         findContacts(input);
-        findJoining();
+        findJoining(input);
     }
-    m_refinement.choose({input.bodies, input.state, m_islands, m_found.canMeet(), m_joins, input.gravity,
-                         input.substep, input.part, input.parts},
+    m_refinement.choose({input.bodies, input.state, m_islands, m_free, m_found.canMeet(), m_joins,
+                         input.gravity, input.substep, input.part, input.parts},
                         budget());
     m_work.islands = m_islands.count() + m_base.islands();
     for (const Refinement::Choice& choice : m_refinement.refined())
@@ -287,8 +291,10 @@ void Contacts::findContacts(const SolverInput& input) {
 
 // The islands of those that do not take the base path, and which of them touch some that do. False if one
 // touches two blocks.
-bool Contacts::findJoining() {
-    m_islands.find(m_bodies, m_free, m_found.set().pairs, m_links);
+bool Contacts::findJoining(const SolverInput& input) {
+    m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
+                  m_found.canMeet(), m_isOnSpring, m_base.blockOf()});
+    m_islands.find(m_bodies, m_free, m_found.set().pairs, m_links, m_reach.pairs());
     m_joins.assign(m_islands.count(), 0);
     if (m_base.isEmpty()) return true;
     const std::span<const std::uint8_t> blockOf = m_base.blockOf();
@@ -316,7 +322,8 @@ void Contacts::enterBase(const SolverInput& input) {
         m_found.makeManifolds(here(input), m_islands[island].pairs, m_work);
         const bool isBrief = m_joins[island] == 0 &&
                              (m_refinement.isTriedSoon(island) ||
-                              BasePath::areBusy(input.bodies, input.state, m_islands[island].bodies, time));
+                              (2 * m_islands[island].bodies.size() > m_islands[island].pairs.size() &&
+                               BasePath::areBusy(input.bodies, input.state, m_islands[island].bodies, time)));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         const std::span<const BodyIndex> bodies = m_islands[island].bodies;
         list.insert(list.end(), bodies.begin(), bodies.end());
@@ -346,7 +353,7 @@ void Contacts::leave(const SolverInput& input, BasePath& path) {
         for (const BodyIndex i : m_members)
             if (m_base.has(i)) m_refinement.waited(std::span(&i, 1), m_stayed);
     path.leave(stepped(input), m_found.manifolds(), m_left);
-    std::sort(m_left.begin(), m_left.end());
+    m_sort.sort(m_left, m_bodies.count());
 }
 
 void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
@@ -443,8 +450,7 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
     for (const std::uint32_t index : island.pairs) {
         Manifolds::Entry& entry = m_left[index];
         const PersistentManifold& manifold = m_found.manifolds()[entry.place];
-        const ContactPair pair =
-            pairOf(input.bodies, entry.pair, m_candidates.marginOf(input.bodies, entry.pair));
+        const ContactPair pair = pairOf(input.bodies, entry.pair, m_candidates.marginOf(entry.pair));
         if (!manifold.open) appendTo(m_contacts, here(input), pair, manifold);
         m_found.manifolds().remove(std::exchange(entry.place, Manifolds::none));
     }

@@ -29,9 +29,11 @@ void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, 
                       std::span<const Refinement::Choice> chosen, const ContactSet& found, ContactSet& kept) {
     share(islands, chosen);
     m_hands.resize(static_cast<std::size_t>(input.workers.threads()));
-    kept.makeRoom(found.pairs.size(), found.points.size());
+    const std::size_t points =
+        std::max(found.points.size(), found.pairs.size()); // those of balls may come later
+    kept.makeRoom(found.pairs.size(), points);
     for (Hand& hand : m_hands) {
-        hand.kept.makeRoom(found.pairs.size(), found.points.size());
+        hand.kept.makeRoom(found.pairs.size(), points);
         if (hand.places.capacity() < found.pairs.size()) hand.places.reserve(2 * found.pairs.size());
         hand.motion.report = {};
         hand.kept.clear();

@@ -25,7 +25,7 @@ void Islands::join(BodyIndex a, BodyIndex b) {
 
 template<class Pair>
 void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, const std::vector<Pair>& pairs,
-                   std::span<const BodyPair> links) {
+                   std::span<const BodyPair> links, std::span<const std::uint8_t> isUsed) {
     m_isMember.assign(bodies.count(), 0);
     m_parent.resize(bodies.count());
     m_island.resize(bodies.count());
@@ -34,7 +34,15 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
         m_parent[body] = body;
         m_island[body] = none;
     }
-    for (const Pair& pair : pairs) join(pair.a, pair.b);
+    const auto forEachPair = [&](const auto& visit) {
+        for (std::uint32_t i = 0; i < pairs.size(); ++i)
+            if (isUsed.empty() || isUsed[i] != 0) visit(pairs[i], i);
+    };
+    std::size_t used = 0;
+    forEachPair([&](const Pair& pair, std::uint32_t) {
+        join(pair.a, pair.b);
+        ++used;
+    });
     for (const BodyPair& link : links) join(link.a, link.b);
 
     // Counting sort by island: sizes, starts, places.
@@ -48,7 +56,7 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
         ++m_first[island + 1].body;
     }
     const auto islandOf = [&](BodyIndex a, BodyIndex b) { return m_island[rootOf(isMember(a) ? a : b)]; };
-    for (const Pair& pair : pairs) ++m_first[islandOf(pair.a, pair.b) + 1].pair;
+    forEachPair([&](const Pair& pair, std::uint32_t) { ++m_first[islandOf(pair.a, pair.b) + 1].pair; });
     std::size_t live = 0;
     for (const BodyPair& link : links) {
         if (!isMember(link.a) && !isMember(link.b)) continue;
@@ -62,21 +70,21 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
     }
     m_bodies.resize(members.size());
     if (m_pairs.capacity() < pairs.size()) m_pairs.reserve(2 * pairs.size());
-    m_pairs.resize(pairs.size());
+    m_pairs.resize(used);
     m_links.resize(live);
     m_next.assign(m_first.begin(), m_first.end() - 1);
     for (const BodyIndex body : members) m_bodies[m_next[m_island[rootOf(body)]].body++] = body;
-    for (std::uint32_t i = 0; i < pairs.size(); ++i)
-        m_pairs[m_next[islandOf(pairs[i].a, pairs[i].b)].pair++] = i;
+    forEachPair(
+        [&](const Pair& pair, std::uint32_t i) { m_pairs[m_next[islandOf(pair.a, pair.b)].pair++] = i; });
     for (std::uint32_t i = 0; i < links.size(); ++i)
         if (isMember(links[i].a) || isMember(links[i].b))
             m_links[m_next[islandOf(links[i].a, links[i].b)].link++] = i;
 }
 
 template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std::vector<ContactPair>&,
-                            std::span<const BodyPair>);
+                            std::span<const BodyPair>, std::span<const std::uint8_t>);
 template void Islands::find(const Bodies&, std::span<const BodyIndex>, const std::vector<BodyPair>&,
-                            std::span<const BodyPair>);
+                            std::span<const BodyPair>, std::span<const std::uint8_t>);
 
 Island Islands::operator[](std::size_t island) const {
     const Start& from = m_first[island];

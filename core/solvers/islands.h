@@ -22,10 +22,11 @@ class Islands {
   public:
     /// Islands of `members`, which are mobile and ascend, in the order of their first body. `pairs` couples
     /// members among each other and to others, `links` couples further pairs of bodies; an end that is no
-    /// member joins nothing. `Pair` is ContactPair or BodyPair, with at least one member in each pair.
+    /// member joins nothing. `Pair` is ContactPair or BodyPair, with at least one member in each pair. Pairs
+    /// for which `isUsed` is 0 are left out; if it is empty none are.
     template<class Pair>
     void find(const Bodies& bodies, std::span<const BodyIndex> members, const std::vector<Pair>& pairs,
-              std::span<const BodyPair> links);
+              std::span<const BodyPair> links, std::span<const std::uint8_t> isUsed = {});
 
     std::size_t count() const { return m_first.empty() ? 0 : m_first.size() - 1; }
     Island operator[](std::size_t island) const;

@@ -164,6 +164,7 @@ void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
         }
     }
     std::sort(m_wallPairs.begin(), m_wallPairs.end());
+    if (m_wallPairs.capacity() < 2 * m_wallPairs.size()) m_wallPairs.reserve(4 * m_wallPairs.size());
 }
 
 // Counting sort of both ends; pairs ascend, so the others of a body do.

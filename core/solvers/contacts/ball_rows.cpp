@@ -40,8 +40,12 @@ CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1,
 
 template<Pass pass>
 CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                             const StepSettings& settings, const Softnesses& softness, Wide& worst) {
+                             const StepSettings& settings, const Softnesses& softness, Wide& worst,
+                             const Stirred& stirred) {
     if (group.idle) return;
+    Wide reached{};
+    if constexpr (pass == Pass::Rebound)
+        if (!anyLane(reached = stirredLanes(group, stirred))) return;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -49,11 +53,15 @@ CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displac
     const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
     const Wide3 u = b.velocity - a.velocity - cross(spin, n);
     const Wide gap = group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
-    const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group,
-                                          select(group.hard, softness), settings.duration, group.row, worst);
+    [[maybe_unused]] const BallRow before = group.row;
+    Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group,
+                                    select(group.hard, softness), settings.duration, group.row, worst);
+    if constexpr (pass == Pass::Rebound) change = changeIn(reached, before, change, group.row);
     apply(group, n, t1, t2, change, a, b);
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
+    if constexpr (pass == Pass::Rebound)
+        stirLanes(group, absolute(change.x) - settings.resting * group.row.massNormal, stirred);
 }
 
 struct Sweep {
@@ -62,6 +70,7 @@ struct Sweep {
     const Displacement* moved;
     const StepSettings& settings;
     bool back;
+    Stirred stirred = {};
 };
 
 template<Pass pass>
@@ -71,7 +80,7 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     const std::size_t count = with.groups.size();
     for (std::size_t i = 0; i < count; ++i)
         solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
-                         softness, worst);
+                         softness, worst, with.stirred);
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
@@ -301,20 +310,21 @@ double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacemen
     return sweep(Pass::Relax, {m_groups, bodies.data(), moved.data(), settings, back});
 }
 
-int BallRows::struckRows() const {
+int BallRows::stir(const Stirred& stirred) const {
     int struck = 0;
     for (const BallGroup& group : m_groups) {
         if (group.idle || !group.bounces) continue;
-        const auto lanes = isStruck(group.row);
-        for (std::size_t lane = 0; lane < wideLanes; ++lane) struck += lanes[lane] != 0 ? 1 : 0;
+        const Wide lanes = isStruck(group.row) ? wideOf(1) : Wide{};
+        struck += lanesOf(lanes);
+        stirLanes(group, lanes, stirred);
     }
     return struck;
 }
 
 void BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                       const StepSettings& settings, int passes) {
+                       const StepSettings& settings, int passes, const Stirred& stirred) {
     for (int pass = 0; pass < passes; ++pass)
-        sweep(Pass::Rebound, {m_groups, bodies.data(), moved.data(), settings, pass % 2 != 0});
+        sweep(Pass::Rebound, {m_groups, bodies.data(), moved.data(), settings, pass % 2 != 0, stirred});
     for (BallGroup& group : m_groups)
         if (!group.idle && group.bounces) forgetImpulse(group, group.row, settings.resting);
 }

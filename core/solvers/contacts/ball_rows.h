@@ -94,9 +94,9 @@ class BallRows {
                const StepSettings& settings, bool back);
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back);
-    int struckRows() const;
+    int stir(const Stirred& stirred) const;
     void rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                 const StepSettings& settings, int passes);
+                 const StepSettings& settings, int passes, const Stirred& stirred);
 
     /// visit(source, normal, impulse on B [N s]) for every pair.
     template<class Visit>

@@ -95,6 +95,39 @@ CAROM_INLINE auto isStruck(const Row& row) {
     return (row.approach > Wide{}) & (row.normal > Wide{});
 }
 
+/// 1 in the lanes of which a body is.
+template<class Group>
+CAROM_INLINE Wide stirredLanes(const Group& group, const Stirred& stirred) {
+    Wide lanes{};
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        lanes[lane] = stirred.bodies[group.a[lane]] | stirred.bodies[group.b[lane]];
+    return lanes;
+}
+
+/// The change of a point of `row`, which was `before`, in the lanes that are 1; takes it back in the others.
+template<class Row>
+CAROM_INLINE Wide3 changeIn(const Wide& lanes, const Row& before, const Wide3& change, Row& row) {
+    const auto is = lanes > Wide{};
+    row.normal = is ? row.normal : before.normal;
+    row.along1 = is ? row.along1 : before.along1;
+    row.along2 = is ? row.along2 : before.along2;
+    return {is ? change.x : Wide{}, is ? change.y : Wide{}, is ? change.z : Wide{}};
+}
+
+/// Stirs the bodies of the lanes that are above 0.
+template<class Group>
+CAROM_INLINE void stirLanes(const Group& group, const Wide& lanes, const Stirred& stirred) {
+    if (!anyLane(larger(lanes, Wide{}))) return;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        if (lanes[lane] > 0) stirred.bodies[group.a[lane]] = stirred.bodies[group.b[lane]] = 1;
+    stirred.bodies[stirred.immobile] = 0;
+}
+
+/// How many lanes are 1, of 0 and 1.
+CAROM_INLINE int lanesOf(const Wide& lanes) {
+    return static_cast<int>(lanes[0] + lanes[1] + lanes[2] + lanes[3]);
+}
+
 /// Forgets the impulses of a point that parts faster than what rests.
 template<class Group, class Row>
 CAROM_INLINE void forgetImpulse(const Group& group, Row& row, double resting) {

@@ -7,6 +7,16 @@
 
 namespace carom {
 
+namespace {
+
+/// Their gap is that of the balls about them.
+bool areBalls(const Bodies& bodies, BodyPair pair) {
+    const auto isBall = [&](BodyIndex i) { return isSphere(bodies, i) || isWall(bodies.shape[i]); };
+    return isBall(pair.a) && isBall(pair.b);
+}
+
+} // namespace
+
 void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> candidates,
                          const Candidates& margins, const Refinement& refinement,
                          const ContactSet& remembered, WorkCounters& work) {
@@ -14,6 +24,14 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     m_found.makeRoom(candidates.size(), candidates.size());
     m_place.clear();
     m_canMeet.clear();
+    m_gap.clear();
+    m_memory.clear();
+    m_isPending.clear();
+    if (m_memory.capacity() < candidates.size()) {
+        m_gap.reserve(2 * candidates.size());
+        m_memory.reserve(2 * candidates.size());
+        m_isPending.reserve(2 * candidates.size());
+    }
     m_apart.clear();
     m_distant.clear();
     std::size_t old = 0;
@@ -22,7 +40,7 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     for (const BodyPair pair : candidates) {
         while (carried != carriedEnd && carried->pair < pair) m_distant.push_back(*carried++);
         const bool isCarried = carried != carriedEnd && carried->pair == pair;
-        const double margin = margins.marginOf(here.bodies, pair);
+        const double margin = margins.marginOf(pair);
         const ContactPair contact = pairOf(here.bodies, pair, margin);
         if (isCarried || refinement.isStepped(here.bodies, pair)) {
             const std::uint32_t place = isCarried ? (carried++)->place : m_manifolds.add(pair);
@@ -35,44 +53,66 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
             m_found.pairs.push_back(contact);
             m_place.push_back(place);
             m_canMeet.push_back(manifold.open ? 0 : 1);
+            m_gap.push_back(manifold.open || manifold.round ? manifold.gap : 0);
+            m_memory.emplace_back();
+            m_isPending.push_back(0);
             continue;
         }
         while (old < remembered.pairs.size() && remembered.pairs[old].bodies() < pair) ++old;
         std::span<const ContactConstraint> memory;
         if (old < remembered.pairs.size() && remembered.pairs[old].bodies() == pair)
             memory = remembered.pointsOf(remembered.pairs[old]);
-        ++work.pairsCollided;
-        const std::size_t count = m_found.pairs.size();
-        collideInto(here.bodies, here.state, contact, memory, m_found);
-        if (m_found.pairs.size() == count) continue;
-        m_place.push_back(Manifolds::none);
         double gap = std::numeric_limits<double>::infinity();
-        for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
-            gap = std::min(gap, point.separation);
+        const bool isPending = areBalls(here.bodies, pair);
+        if (isPending) {
+            gap = boundingGap(here.bodies, here.state, pair);
+            if (gap > margin) continue;
+            m_found.pairs.push_back(contact);
+        } else {
+            ++work.pairsCollided;
+            const std::size_t count = m_found.pairs.size();
+            collideInto(here.bodies, here.state, contact, memory, m_found);
+            if (m_found.pairs.size() == count) continue;
+            for (const ContactConstraint& point : m_found.pointsOf(m_found.pairs.back()))
+                gap = std::min(gap, point.separation);
+        }
+        m_memory.push_back(memory);
+        m_isPending.push_back(isPending ? 1 : 0);
+        m_place.push_back(Manifolds::none);
         m_canMeet.push_back(carom::canMeet(here, pair, gap) ? 1 : 0);
+        m_gap.push_back(gap);
     }
     m_distant.insert(m_distant.end(), carried, carriedEnd);
+}
+
+void FoundContacts::findPoints(const ManifoldInput& here, std::uint32_t index, WorkCounters& work) {
+    m_isPending[index] = 0;
+    m_fresh.clear();
+    ++work.pairsCollided;
+    ContactPair& found = m_found.pairs[index];
+    collideInto(here.bodies, here.state, found, m_memory[index], m_fresh);
+    found.first = static_cast<std::uint32_t>(m_found.points.size());
+    found.count = 0;
+    if (m_fresh.pairs.empty()) return;
+    found.count = m_fresh.pairs.front().count;
+    found.resolution = m_fresh.pairs.front().resolution;
+    m_found.points.insert(m_found.points.end(), m_fresh.points.begin(), m_fresh.points.end());
 }
 
 void FoundContacts::makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
                               WorkCounters& work) {
     for (const std::uint32_t index : pairs) {
-        if (m_place[index] == Manifolds::none) continue;
-        const ContactPair pair = m_found.pairs[index];
-        m_scratch.clear();
-        appendTo(m_scratch, here, pair, m_manifolds[m_place[index]]);
-        m_manifolds.remove(m_place[index]);
-        m_place[index] = Manifolds::none;
-        m_fresh.clear();
-        ++work.pairsCollided;
-        collideInto(here.bodies, here.state, pair, m_scratch.points, m_fresh);
-        ContactPair& found = m_found.pairs[index];
-        found.first = static_cast<std::uint32_t>(m_found.points.size());
-        found.count = 0;
-        if (m_fresh.pairs.empty()) continue;
-        found.count = m_fresh.pairs.front().count;
-        found.resolution = m_fresh.pairs.front().resolution;
-        m_found.points.insert(m_found.points.end(), m_fresh.points.begin(), m_fresh.points.end());
+        if (m_place[index] != Manifolds::none) {
+            m_scratch.clear();
+            appendTo(m_scratch, here, m_found.pairs[index], m_manifolds[m_place[index]]);
+            m_manifolds.remove(m_place[index]);
+            m_place[index] = Manifolds::none;
+            m_memory[index] = m_scratch.points;
+        } else if (m_isPending[index] == 0) {
+            continue;
+        }
+        findPoints(here, index, work);
+        m_memory[index] = {};
     }
 }
 
@@ -80,6 +120,7 @@ void FoundContacts::makeManifolds(const ManifoldInput& here, std::span<const std
                                   WorkCounters& work) {
     for (const std::uint32_t index : pairs) {
         if (m_place[index] != Manifolds::none) continue;
+        if (m_isPending[index] != 0) findPoints(here, index, work);
         const ContactPair& pair = m_found.pairs[index];
         PersistentManifold manifold = manifoldOf(here, pair, m_found.pointsOf(pair));
         ++work.pairsCollided;

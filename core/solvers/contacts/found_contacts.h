@@ -18,7 +18,9 @@
 // contacts carried along as manifolds; the others have them found anew by the exact kernels, with the forces
 // they had. Who goes on in the other form has his contacts turned into it.
 //
-//     found      pairs with points, or that may come to touch; with a manifold or without
+//     found      pairs with points, or that may come to touch; with a manifold or without. Of balls the
+//     points
+//                are found where somebody asks for them.
 //     apart      carried for the direction in which the pair is apart
 //     distant    carried, of pairs that cannot touch within the substep; who is not taken over is dropped
 
@@ -36,6 +38,8 @@ class FoundContacts {
     const ContactSet& set() const { return m_found; }
     /// By pair of the set, 1: its bodies may touch within the substep.
     std::span<const std::uint8_t> canMeet() const { return m_canMeet; }
+    /// By pair of the set: at least this far apart [m], or 0 where its bodies may touch.
+    std::span<const double> gaps() const { return m_gap; }
     Manifolds& manifolds() { return m_manifolds; }
     const Manifolds& manifolds() const { return m_manifolds; }
     void recall(const Manifolds& manifolds) { m_manifolds = manifolds; }
@@ -71,13 +75,17 @@ class FoundContacts {
     void carryWith(std::span<const Manifolds::Entry> others);
 
   private:
+    void findPoints(const ManifoldInput& here, std::uint32_t pair, WorkCounters& work);
     void list();
     void drop(std::span<const Manifolds::Entry> entries);
 
     Manifolds m_manifolds;
     ContactSet m_found, m_scratch, m_fresh;
-    std::vector<std::uint8_t> m_canMeet; // by pair of m_found
-    std::vector<std::uint32_t> m_place;  // by pair of m_found: its manifold, or none
+    std::vector<std::uint8_t> m_canMeet;                      // by pair of m_found
+    std::vector<double> m_gap;                                // by pair of m_found [m]
+    std::vector<std::span<const ContactConstraint>> m_memory; // by pair of m_found: what is remembered of it
+    std::vector<std::uint8_t> m_isPending; // by pair of m_found: its points are to be found
+    std::vector<std::uint32_t> m_place;    // by pair of m_found: its manifold, or none
     std::vector<Manifolds::Entry> m_apart, m_distant, m_listed, m_known;
 };
 

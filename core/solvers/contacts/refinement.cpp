@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -56,7 +57,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         const bool meets = std::any_of(island.pairs.begin(), island.pairs.end(),
                                        [&](std::uint32_t pair) { return input.canMeet[pair] != 0; });
         if (!meets && island.links.empty()) {
-            m_lone.insert(m_lone.end(), island.bodies.begin(), island.bodies.end());
+            for (const BodyIndex body : island.bodies) m_isLone[body] = 1;
             continue;
         }
         if (island.pairs.empty()) { // springs alone
@@ -106,7 +107,8 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     std::sort(m_refined.begin(), m_refined.end(),
               [](const Choice& one, const Choice& other) { return one.island < other.island; });
     std::sort(m_base.begin(), m_base.end());
-    std::sort(m_lone.begin(), m_lone.end());
+    for (const BodyIndex body : input.members)
+        if (std::exchange(m_isLone[body], std::uint8_t{0}) != 0) m_lone.push_back(body);
     for (const std::uint32_t island : m_base)
         for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;
 }

@@ -43,6 +43,7 @@ struct RefinementInput {
     const Bodies& bodies;
     const State& state;
     const Islands& islands;
+    std::span<const BodyIndex> members;    ///< bodies of the islands, ascending
     std::span<const std::uint8_t> canMeet; ///< by pair, 1: its bodies may touch within the substep
     std::span<const std::uint8_t> joins;   ///< by island, not 0: it touches bodies of the base path
     Vec3 gravity;                          ///< [m/s²]
@@ -62,7 +63,8 @@ class Refinement {
     static constexpr double mostShares = 16;
 
     explicit Refinement(std::size_t bodies)
-        : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0) {}
+        : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0),
+          m_isLone(bodies, 0) {}
 
     void choose(const RefinementInput& input, const RefinementBudget& budget);
     /// What an island that was refined took.
@@ -126,6 +128,7 @@ class Refinement {
     int m_patience = 0;                      // substeps
     std::vector<std::uint8_t> m_isTriedSoon; // by island
     std::vector<BodyIndex> m_lone;
+    std::vector<std::uint8_t> m_isLone; // by body
     std::vector<Expected> m_expected;
 };
 

@@ -134,6 +134,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
             step(input, m_step, i == 0, manifolds, report);
             if (report.loss) return report;
         }
+        turnBalls(input);
         storeForces(manifolds);
     }
     if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
@@ -309,15 +310,17 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
 }
 
 void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
-    const int impacts = m_balls.struckRows() + struckRows(m_rows);
+    m_stirred.assign(m_bodies.size(), 0);
+    const Stirred stirred{m_stirred, immobile};
+    const int impacts = m_balls.stir(stirred) + stir(m_rows, stirred);
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
     for (const SpringRow& spring : m_springs)
         m_energy.allow(m_island[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
     m_before = m_bodies;
-    m_balls.rebound(m_bodies, m_moved, settings, m_division.passes);
-    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes);
+    m_balls.rebound(m_bodies, m_moved, settings, m_division.passes, stirred);
+    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes, stirred);
     m_energy.keep(m_before, m_island, m_bodies);
 }
 
@@ -340,13 +343,26 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         const Vec3 spin = vectorOf(from.spin);
         if (spin == Vec3::Zero()) continue;
         add(moved.turn, duration * spin);
+        if (turnsLater(from)) continue;
         input.state.angularVelocity[body] = spin;
         const Vec3 momentum = angularMomentumOf(input.bodies, body, input.state);
-        rotateBetween(input.bodies, body, momentum, momentum, duration, input.state);
+        rotateInParts(input.bodies.inertia[body], momentum, duration, input.state.pose[body].orientation);
+        keepAngularMomentum(input.bodies, body, momentum, input.state);
         m_orientations[i] = input.state.pose[body].orientation;
         if (isIsotropic(input.bodies.inertia[body])) continue;
         from.spin = arrayOf(input.state.angularVelocity[body]);
         setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, from);
+    }
+}
+
+// Balls, by all that they have turned since the look: their contacts need no orientation.
+void SteppedMotion::turnBalls(const SteppedInput& input) {
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        const Vec3 turn = vectorOf(m_moved[i].turn);
+        if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) continue;
+        Quat& orientation = input.state.pose[m_list[i - 1]].orientation;
+        orientation = (fromRotationVector(turn) * orientation).normalized();
+        m_orientations[i] = orientation;
     }
 }
 
@@ -419,7 +435,7 @@ void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::ve
     entries.clear();
     for (const Entry& entry : m_entries)
         if (entry.place != Manifolds::none) entries.push_back(entry);
-    std::sort(entries.begin(), entries.end());
+    m_sort.sort(entries, m_local.size());
     clear();
 }
 

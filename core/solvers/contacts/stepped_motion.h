@@ -9,6 +9,7 @@
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/velocity_solve.h"
+#include "core/solvers/pair_sort.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -143,6 +144,9 @@ class SteppedMotion {
               SteppedReport& report);
     void rebound(const StepSettings& settings, SteppedReport& report);
     void move(const SteppedInput& input, double duration);
+    /// A ball without springs: where it points matters to nobody before the next look.
+    bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
+    void turnBalls(const SteppedInput& input);
     void storeForces(Manifolds& manifolds) const;
 
     Division m_division;
@@ -158,6 +162,7 @@ class SteppedMotion {
     std::vector<std::array<double, 3>> m_free; // velocities that nothing but gravity has changed
     std::vector<std::uint8_t> m_struck;        // by anything since the last look
     std::vector<SolverBody> m_before;          // the rebound of an impact
+    std::vector<std::uint8_t> m_stirred;       // by it
 
     std::size_t m_islands = 0, m_joined = 0; // numbers given, and those that stand for none any more
     std::vector<std::uint8_t> m_isCalm;      // by island
@@ -170,6 +175,7 @@ class SteppedMotion {
     ContactRows m_rows;
     std::vector<Watched> m_watched;
     EnergyLimit m_energy;
+    PairSort<Entry> m_sort;
     bool m_isFresh = false; // manifolds are those of now
 };
 

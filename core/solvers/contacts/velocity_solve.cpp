@@ -15,7 +15,10 @@ namespace {
 template<Pass pass, bool first>
 CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody* bodies,
                              const Displacement* moved, const StepSettings& settings,
-                             const Softnesses& softness) {
+                             const Softnesses& softness, const Stirred& stirred) {
+    Wide reached{};
+    if constexpr (pass == Pass::Rebound)
+        if (!anyLane(reached = stirredLanes(group, stirred))) return Wide{};
     Motion a, b;
     gather(bodies, group.a, a);
     gather(bodies, group.b, b);
@@ -26,7 +29,7 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
     }
     const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
     const Softness soft = select(group.hard, softness);
-    Wide worst{};
+    Wide worst{}, most{};
     for (std::uint32_t k = 0; k < group.points; ++k) {
         RowPoint& row = points[group.firstPoint + k];
         const Wide3 armA = load(row.armA), armB = load(row.armB);
@@ -35,14 +38,19 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
         if constexpr (!first)
             gap = gap +
                   dot(n, movedB.shift + cross(movedB.turn, armB) - movedA.shift - cross(movedA.turn, armA));
-        const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group, soft,
-                                              settings.duration, row, worst);
+        [[maybe_unused]] const RowPoint before = row;
+        Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group, soft,
+                                        settings.duration, row, worst);
+        if constexpr (pass == Pass::Rebound) change = changeIn(reached, before, change, row);
         const Wide3 p = change.x * n + change.y * t1 + change.z * t2;
         apply(a, armA, p, -1);
         apply(b, armB, p, 1);
+        if constexpr (pass == Pass::Rebound)
+            most = larger(most, absolute(change.x) - settings.resting * row.massNormal);
     }
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
+    if constexpr (pass == Pass::Rebound) stirLanes(group, most, stirred);
     return worst;
 }
 
@@ -93,6 +101,7 @@ struct Sweep {
     const Displacement* moved;
     const StepSettings& settings;
     bool back;
+    Stirred stirred = {};
 };
 
 template<Pass pass, bool first>
@@ -102,7 +111,8 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     const std::size_t count = with.groups.size();
     for (std::size_t i = 0; i < count; ++i)
         worst = larger(worst, solveGroup<pass, first>(with.groups[with.back ? count - 1 - i : i], with.points,
-                                                      with.bodies, with.moved, with.settings, softness));
+                                                      with.bodies, with.moved, with.settings, softness,
+                                                      with.stirred));
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
@@ -167,24 +177,25 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::spa
                  {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings, back});
 }
 
-int struckRows(const ContactRows& rows) {
+int stir(const ContactRows& rows, const Stirred& stirred) {
     int struck = 0;
     for (const RowGroup& group : rows.groups()) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {
             const RowPoint& row = rows.points()[group.firstPoint + k];
-            const auto lanes = isStruck(row);
-            for (std::size_t lane = 0; lane < wideLanes; ++lane) struck += lanes[lane] != 0 ? 1 : 0;
+            const Wide lanes = isStruck(row) ? wideOf(1) : Wide{};
+            struck += lanesOf(lanes);
+            stirLanes(group, lanes, stirred);
         }
     }
     return struck;
 }
 
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes) {
+             const StepSettings& settings, int passes, const Stirred& stirred) {
     for (int pass = 0; pass < passes; ++pass)
-        sweep(Pass::Rebound,
-              {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings, pass % 2 != 0});
+        sweep(Pass::Rebound, {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings,
+                              pass % 2 != 0, stirred});
     for (const RowGroup& group : rows.groups()) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {

@@ -3,6 +3,7 @@
 
 #include "core/solvers/contacts/contact_rows.h"
 
+#include <cstdint>
 #include <span>
 
 // Projected Gauss–Seidel over groups of four contacts, as sequential impulses with warm start (E. Catto,
@@ -53,11 +54,19 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
 /// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back);
-/// The number of rows that recordApproach remembered and that took an impulse since.
-int struckRows(const ContactRows& rows);
-/// Makes them rebound. The impulses of those that part faster than what rests are forgotten: they are no
-/// forces.
+/// The bodies that a rebound reaches, by body 1; what cannot move is none of them.
+struct Stirred {
+    std::span<std::uint8_t> bodies;
+    std::uint32_t immobile = 0;
+};
+
+/// The number of rows that recordApproach remembered and that took an impulse since. Their bodies are
+/// stirred from then on.
+int stir(const ContactRows& rows, const Stirred& stirred);
+/// Makes them rebound. Rows of which no body is stirred are left as they are; those that change by more than
+/// what rests stir their bodies. The impulses of those that part faster than what rests are forgotten: they
+/// are no forces.
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes);
+             const StepSettings& settings, int passes, const Stirred& stirred);
 
 } // namespace carom

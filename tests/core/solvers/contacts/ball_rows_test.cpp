@@ -72,9 +72,11 @@ class BallRowsTest : public QObject {
                     QVERIFY(std::abs(residual - other) < rounding);
                     QVERIFY(agrees());
                 }
-                const int struck = rows.struckRows();
+                std::vector<std::uint8_t> everybody(scene.bodies.size(), 1);
+                const Stirred stirred{everybody, scene.immobile()};
+                const int struck = rows.stir(stirred);
                 QCOMPARE(struck, expected.struckRows());
-                rows.rebound(scene.bodies, moved, settings, 3);
+                rows.rebound(scene.bodies, moved, settings, 3, stirred);
                 for (int pass = 0; pass < 3; ++pass)
                     expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
                 expected.forgetImpulses(settings);
@@ -155,10 +157,12 @@ class BallRowsTest : public QObject {
                 relaxVelocities(general, bodies, moved, settings, pass % 2 != 0);
                 QVERIFY(agrees());
             }
-            QCOMPARE(rows.struckRows(), struckRows(general));
-            impacts += struckRows(general);
-            rows.rebound(scene.bodies, moved, settings, 2);
-            rebound(general, bodies, moved, settings, 2);
+            std::vector<std::uint8_t> ofBalls(scene.bodies.size(), 1), ofGeneral = ofBalls;
+            const int struck = rows.stir({ofBalls, scene.immobile()});
+            QCOMPARE(struck, stir(general, {ofGeneral, scene.immobile()}));
+            impacts += struck;
+            rows.rebound(scene.bodies, moved, settings, 2, {ofBalls, scene.immobile()});
+            rebound(general, bodies, moved, settings, 2, {ofGeneral, scene.immobile()});
             QVERIFY(agrees());
         }
         qInfo("impacts %d", impacts);

@@ -340,8 +340,10 @@ int step(BallRows& rows, BallScene& scene, const StepSettings& settings, int pas
         add(scene.places[i].position, settings.duration * vectorOf(scene.bodies[i].velocity));
     }
     for (int pass = 0; pass < passes; ++pass) rows.relax(scene.bodies, moved, settings, pass % 2 != 0);
-    const int impacts = rows.struckRows();
-    rows.rebound(scene.bodies, moved, settings, passes);
+    std::vector<std::uint8_t> bodies(scene.bodies.size(), 0);
+    const Stirred stirred{bodies, scene.immobile()};
+    const int impacts = rows.stir(stirred);
+    rows.rebound(scene.bodies, moved, settings, passes, stirred);
     return impacts;
 }
 

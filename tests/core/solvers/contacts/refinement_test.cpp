@@ -55,7 +55,8 @@ struct Crowd {
         joins.assign(islands.count(), 0);
     }
     RefinementInput input(int part = 0, int parts = 1) const {
-        return {bodies, state, islands, canMeet, joins, {0, -earth, 0}, test::substep, part, parts};
+        return {bodies,        state, islands, bodies.mobileBodies, canMeet, joins, {0, -earth, 0},
+                test::substep, part,  parts};
     }
     /// Bodies and pairs of islands that have pairs: what a budget grows with.
     double items() const {

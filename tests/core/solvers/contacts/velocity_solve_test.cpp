@@ -100,8 +100,10 @@ int step(RowScene& scene, ContactRows& rows, const StepSettings& settings, int p
     for (int pass = 0; pass < passes; ++pass)
         relaxVelocities(rows, scene.bodies, moved, settings, pass % 2 != 0);
     const std::vector<SolverBody> before = scene.bodies;
-    const int impacts = struckRows(rows);
-    rebound(rows, scene.bodies, moved, settings, reboundPasses);
+    std::vector<std::uint8_t> bodies(scene.bodies.size(), 0);
+    const Stirred stirred{bodies, scene.immobile()};
+    const int impacts = stir(rows, stirred);
+    rebound(rows, scene.bodies, moved, settings, reboundPasses, stirred);
     limit.keep(before, islands, scene.bodies);
     return impacts;
 }
@@ -153,9 +155,11 @@ class VelocitySolveTest : public QObject {
                 QVERIFY(std::abs(residual - other) < roundingOfSweeps * (1 + other));
                 QVERIFY(agrees(roundingOfSweeps));
             }
-            const int struck = struckRows(rows);
+            std::vector<std::uint8_t> everybody(scene.bodies.size(), 1);
+            const Stirred stirred{everybody, scene.immobile()};
+            const int struck = stir(rows, stirred);
             QCOMPARE(struck, expected.struckRows());
-            rebound(rows, scene.bodies, moved, settings, 3);
+            rebound(rows, scene.bodies, moved, settings, 3, stirred);
             for (int pass = 0; pass < 3; ++pass)
                 expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
             expected.forgetImpulses(settings);
@@ -230,7 +234,8 @@ class VelocitySolveTest : public QObject {
             relaxVelocities(rows, scene.bodies, moved, settings, false);
             QVERIFY(isKept());
             recordApproach(rows, scene.bodies, settings);
-            rebound(rows, scene.bodies, moved, settings, 2);
+            std::vector<std::uint8_t> everybody(scene.bodies.size(), 1);
+            rebound(rows, scene.bodies, moved, settings, 2, {everybody, scene.immobile()});
             resistRolling(rows, scene.bodies);
             QVERIFY(isKept());
         }
@@ -294,6 +299,29 @@ class VelocitySolveTest : public QObject {
                             rowsAlone.impulseOf(rowsAlone.groups()[0], 0, k));
             }
         }
+    }
+
+    /// A row whose bodies nothing stirs is left as it is; the one beside it rebounds.
+    void aReboundReachesOnlyWhoIsStirred() {
+        const StepSettings settings{.duration = 0.01};
+        const RowScene one = ballOnWall(Vec3::UnitY(), 2, 0.5, 0, 0);
+        RowScene scene;
+        scene.bodies = {one.bodies[0], one.bodies[0], one.bodies[1]};
+        scene.places.assign(3, Vec3::Zero());
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            OwnedPair& pair = scene.pairs.emplace_back(one.pairs[0]);
+            pair.laws.a = scene.immobile();
+            pair.laws.b = i;
+        }
+        ContactRows rows = scene.rows();
+        recordApproach(rows, scene.bodies, settings);
+        const std::vector<Displacement> moved(3);
+        solveVelocities(rows, scene.bodies, {}, settings, false);
+        std::vector<std::uint8_t> bodies = {1, 0, 0};
+        const SolverBody before = scene.bodies[1];
+        rebound(rows, scene.bodies, moved, settings, 2, {bodies, scene.immobile()});
+        QVERIFY(std::abs(scene.bodies[0].velocity[1] - 1) < 1e-12);
+        QVERIFY(sameBits(scene.bodies[1], before));
     }
 
     void normalImpulsesPushAndFrictionIsWithinItsConeWhenSet() {

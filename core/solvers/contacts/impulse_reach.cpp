@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/impulse_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+/// A body is looked at anew if it may be faster by this part than it was thought to be.
+constexpr double worthANewLook = 0.25;
+/// So often a body is looked at in the mean at most, nearly always.
+constexpr std::size_t lookedAt = 4;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// How far a pair is apart at least after `time` if nothing strikes it, less what counts as touching [m].
+double gapAfter(const ManifoldInput& here, BodyPair pair, double gap, double speeds, double time) {
+    const Bodies& bodies = here.bodies;
+    const double radii = bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b];
+    double then = gap - speeds * time;
+    if (time > 0 && isSphere(bodies, pair.a) && isSphere(bodies, pair.b)) {
+        const Vec3 between = here.state.pose[pair.b].position - here.state.pose[pair.a].position +
+                             time * (here.state.velocity[pair.b] - here.state.velocity[pair.a]);
+        then = between.norm() - radii;
+    }
+    return std::max(0.0, then - slackPart * radii);
+}
+
+/// How fast its surface comes while nothing strikes it [m/s]; of what cannot move 0.
+double freeSpeed(const ImpulseReach::Input& input, BodyIndex body) {
+    if (input.here.bodies.mobile[body] == 0) return 0;
+    return input.neighbours.reach(body) / (Neighbours::reachFactor * input.here.duration);
+}
+
+double massOf(const ImpulseReach::Input& input, BodyIndex body) {
+    return 1 / input.here.bodies.inverseMass[body];
+}
+
+/// How fast a body of mass `mass` that came at `own` can be after one of mass `striker` that came at `speed`
+/// has struck it: by what momentum and energy allow, and by what all searches count on.
+double speedAfter(double mass, double own, double striker, double speed) {
+    const double byMomentum = own + 2 * striker / (striker + mass) * (speed + own);
+    const double byEnergy = std::sqrt(own * own + striker / mass * speed * speed);
+    return std::min({byMomentum, byEnergy, std::max(Neighbours::reachFactor * own, speed)});
+}
+
+} // namespace
+
+void ImpulseReach::reach(BodyIndex body, double time, double speed) {
+    if (m_time[body] <= time && (1 + worthANewLook) * m_speed[body] >= speed) return;
+    m_time[body] = std::min(m_time[body], time);
+    m_speed[body] = std::max(m_speed[body], speed);
+    m_queue.push_back(body);
+}
+
+// The pairs of each body, by counting sort.
+void ImpulseReach::listAround(const Input& input) {
+    std::fill(m_first.begin(), m_first.end(), 0);
+    const auto forEachEnd = [&](const auto& visit) {
+        for (std::uint32_t p = 0; p < input.pairs.size(); ++p)
+            for (const BodyIndex end : {input.pairs[p].a, input.pairs[p].b})
+                if (input.here.bodies.mobile[end] != 0) visit(end, p);
+    };
+    forEachEnd([&](BodyIndex end, std::uint32_t) { ++m_first[end + 1]; });
+    for (std::size_t i = 1; i < m_first.size(); ++i) m_first[i] += m_first[i - 1];
+    m_next.assign(m_first.begin(), m_first.end() - 1);
+    if (m_around.capacity() < m_first.back()) m_around.reserve(2 * m_first.back());
+    m_around.resize(m_first.back());
+    forEachEnd([&](BodyIndex end, std::uint32_t p) { m_around[m_next[end]++] = p; });
+}
+
+void ImpulseReach::spread(const Input& input, BodyIndex body, std::uint32_t p) {
+    const BodyPair pair = input.pairs[p].bodies();
+    const BodyIndex other = pair.a == body ? pair.b : pair.a;
+    if (input.here.bodies.mobile[other] == 0) return;
+    if (m_time[other] <= m_time[body] && m_speed[other] >= m_speed[body]) return;
+    const double own = freeSpeed(input, body), others = freeSpeed(input, other);
+    const double gap = gapAfter(input.here, pair, input.gaps[p], own + others, m_time[body]);
+    const double time = gap > 0 ? m_time[body] + gap / (m_speed[body] + others) : m_time[body];
+    if (time <= input.here.duration)
+        reach(other, time, speedAfter(massOf(input, other), others, massOf(input, body), m_speed[body]));
+}
+
+// A pair that meets as it moves.
+void ImpulseReach::meet(const Input& input, std::uint32_t p) {
+    const auto [a, b] = input.pairs[p].bodies();
+    const double ofA = freeSpeed(input, a), ofB = freeSpeed(input, b);
+    const double gap = std::max(0.0, input.gaps[p]);
+    const double time = gap > 0 ? std::min(gap / (ofA + ofB), input.here.duration) : 0;
+    const bool movesA = input.here.bodies.mobile[a] != 0, movesB = input.here.bodies.mobile[b] != 0;
+    if (movesA) reach(a, time, movesB ? speedAfter(massOf(input, a), ofA, massOf(input, b), ofB) : ofA);
+    if (movesB) reach(b, time, movesA ? speedAfter(massOf(input, b), ofB, massOf(input, a), ofA) : ofB);
+}
+
+void ImpulseReach::find(const Input& input) {
+    for (const BodyIndex i : input.members) {
+        m_time[i] = never;
+        m_speed[i] = 0;
+    }
+    m_queue.clear();
+    m_queue.reserve(lookedAt * m_time.size());
+    if (m_isReached.capacity() < input.pairs.size()) m_isReached.reserve(2 * input.pairs.size());
+    for (const BodyIndex i : input.members)
+        if (input.isOnSpring[i] != 0 || input.isPlaced[i] != 0)
+            reach(i, 0, Neighbours::reachFactor * freeSpeed(input, i));
+    for (std::uint32_t p = 0; p < input.pairs.size(); ++p)
+        if (input.canMeet[p] != 0) meet(input, p);
+    listAround(input);
+    for (std::size_t k = 0; k < m_queue.size(); ++k)
+        for (std::uint32_t at = m_first[m_queue[k]]; at < m_first[m_queue[k] + 1]; ++at)
+            spread(input, m_queue[k], m_around[at]);
+    m_isReached.resize(input.pairs.size());
+    const auto isReached = [&](BodyIndex i) { return input.here.bodies.mobile[i] == 0 || m_time[i] < never; };
+    for (std::size_t p = 0; p < input.pairs.size(); ++p)
+        m_isReached[p] = isReached(input.pairs[p].a) && isReached(input.pairs[p].b) ? 1 : 0;
+}
+
+} // namespace carom

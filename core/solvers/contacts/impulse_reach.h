@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/manifolds.h"
+#include "core/solvers/neighbours.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Which bodies impulses can reach within a substep. Most bodies of a thin scene are near others and meet none
+// of them: as long as nothing strikes them they move on their parabola, and no island need hold them.
+//
+//     sources   bodies of pairs that may meet as they move, on springs, and on the base path: reached at 0
+//     spread    a body that is reached at t may from then on move anywhere at a speed S, at most reachFactor
+//               times as fast as anybody that had part in it comes; its neighbour k is on its own way:
+//
+//                   i ──── gap(t) ──── k        t_k = t + (gap(t) − slack)/(S + s_k)
+//
+//               and is reached if that is within the substep
+//
+//     legend    gap(t)  of balls |d + u t| − rA − rB, of other shapes at least gap(0) − (s_i + s_k) t
+//               s       how fast a body's surface comes while nothing strikes it
+//
+// Limits: pairs are those the candidates have, and there a body lends its reach to the next only
+// (candidates.h). In a row of resting bodies an impulse is followed to the third within a substep; the fourth
+// is reached in the next one.
+
+namespace carom {
+
+class ImpulseReach {
+  public:
+    explicit ImpulseReach(std::size_t bodies) : m_time(bodies), m_speed(bodies), m_first(bodies + 1) {}
+
+    struct Input {
+        const ManifoldInput& here;
+        const Neighbours& neighbours;             ///< as they followed the bodies last
+        std::span<const BodyIndex> members;       ///< ascending; bodies of all pairs that can move
+        std::span<const ContactPair> pairs;       ///< ascending
+        std::span<const double> gaps;             ///< by pair, at least this far apart [m]
+        std::span<const std::uint8_t> canMeet;    ///< by pair
+        std::span<const std::uint8_t> isOnSpring; ///< by body
+        std::span<const std::uint8_t> isPlaced;   ///< by body, not 0: on the base path
+    };
+    void find(const Input& input);
+    /// By pair, 1: impulses can reach both of its bodies, as far as they can move.
+    std::span<const std::uint8_t> pairs() const { return m_isReached; }
+
+  private:
+    void reach(BodyIndex body, double time, double speed);
+    void listAround(const Input& input);
+    void meet(const Input& input, std::uint32_t pair);
+    void spread(const Input& input, BodyIndex body, std::uint32_t pair);
+
+    // By body.
+    std::vector<double> m_time;         // when it is reached [s]; infinite: never
+    std::vector<double> m_speed;        // and how fast it may be then [m/s]
+    std::vector<std::uint32_t> m_first; // into m_around, one more at the end
+    std::vector<std::uint32_t> m_next, m_around;
+    std::vector<BodyIndex> m_queue;
+    std::vector<std::uint8_t> m_isReached; // by pair
+};
+
+} // namespace carom
