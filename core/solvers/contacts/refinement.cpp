@@ -84,10 +84,13 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     m_most = budget.saved;
     if (m_saved < 0) m_saved = budget.start;
     double left = m_income, saved = m_saved;
-    if (input.part == 0) std::fill(m_used.begin(), m_used.end(), 0.0);
-    const double share =
-        budget.floor *
-        std::min(1.0, mostShares / std::max<double>(1, static_cast<double>(m_expected.size())));
+    if (input.part == 0) {
+        std::fill(m_used.begin(), m_used.end(), 0.0);
+        m_spent = 0;
+    }
+    const double share = std::min(budget.floor, std::max(0.0, mostFloors * budget.floor - m_spent)) *
+                         std::min(1.0, (mostShares - mostFloors) /
+                                           std::max<double>(1, static_cast<double>(m_expected.size())));
     for (const Expected& expected : m_expected) {
         if (expected.work > left) {
             m_base.push_back(expected.island);
@@ -119,6 +122,7 @@ void Refinement::waited(std::span<const BodyIndex> bodies, int substeps) {
 }
 
 void Refinement::spend(const Island& island, double operations) {
+    m_spent += operations;
     double used = operations;
     for (const BodyIndex body : island.bodies) used = std::max(used, m_used[body] + operations);
     for (const BodyIndex body : island.bodies) m_used[body] = used;

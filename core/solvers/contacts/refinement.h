@@ -15,8 +15,10 @@
 //
 //     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
 //     order      islands that are expected to cost least come first, while the budget lasts
-//     share      an island may take its equal share of the floor in a frame, whichever substep needs it, or
-//                a few times what it is expected to cost; with springs forSprings times as much
+//     share      an island may take the floor in a frame, whichever substep needs it, as long as the frame
+//     has
+//                taken less than mostFloors of them (of many islands each takes less), or a few times what it
+//                is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may draw on it. Forces that are found once
 //                hold for good there, and cost much the first time. The base path's work is paid from the
@@ -59,7 +61,9 @@ class Refinement {
     };
     /// An island may take so many times what it was expected to.
     static constexpr double mostOverrun = 4;
-    /// So many islands may take the whole floor each.
+    /// What a frame has left of so many floors is what an island may take at most.
+    static constexpr double mostFloors = 4;
+    /// A frame takes so many floors at most, where all its islands come in one substep.
     static constexpr double mostShares = 16;
 
     explicit Refinement(std::size_t bodies)
@@ -118,6 +122,7 @@ class Refinement {
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
 
     double m_saved = -1;                  // operations; negative: the run begins
+    double m_spent = 0;                   // operations in this frame
     double m_income = 0, m_most = 0;      // of the substep; saved up to
     std::vector<double> m_used;           // by body: operations its island took in this frame
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
