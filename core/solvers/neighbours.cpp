@@ -10,6 +10,8 @@ namespace {
 
 /// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs.
 constexpr double roominess = 2;
+/// And at least this many times what was asked for beyond it before the list was made.
+constexpr double lentAgain = 1.5;
 
 } // namespace
 
@@ -34,8 +36,8 @@ bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, dou
 
 Neighbours::Neighbours(const Bodies& bodies)
     : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_pull(bodies.count(), 0.0),
-      m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_origin(bodies.count()),
-      m_first(bodies.count() + 1, 0) {
+      m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
+      m_origin(bodies.count()), m_first(bodies.count() + 1, 0) {
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
 }
 
@@ -48,7 +50,9 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
         sum += needed * needed;
     }
     m_typical = std::sqrt(sum / static_cast<double>(list.size()));
-    std::fill(m_skin.begin(), m_skin.end(), 0.0);
+    // Neighbours lend each other their reach: who was asked for more than he needs will be again.
+    for (std::size_t i = 0; i < m_skin.size(); ++i) m_skin[i] = lentAgain * m_asked[i];
+    std::fill(m_asked.begin(), m_asked.end(), 0.0);
     search(bodies, state, broadphase);
 }
 
@@ -114,6 +118,7 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
 }
 
 bool Neighbours::covers(BodyIndex body, double room) {
+    m_asked[body] = std::max(m_asked[body], room);
     if (m_moved[body] + room <= m_skin[body]) return true;
     m_skin[body] = roominess * room;
     return false;

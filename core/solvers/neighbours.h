@@ -105,9 +105,10 @@ class Neighbours {
     std::vector<double> m_pull;         // by body: how much further springs take it [m]
     std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
     std::vector<double> m_skin;         // by body [m]
-    std::vector<Pose> m_origin;         // by body: where the list found it
-    double m_duration = 1;              // noted last [s]
-    double m_typical = 0;               // root mean square of what bodies need [m]
+    std::vector<double> m_asked; // by body: the most room covers() was asked for since the last update [m]
+    std::vector<Pose> m_origin;  // by body: where the list found it
+    double m_duration = 1;       // noted last [s]
+    double m_typical = 0;        // root mean square of what bodies need [m]
     std::uint64_t m_searches = 0;
     std::vector<BodyPair> m_wallPairs, m_pairs;
     std::vector<std::uint32_t> m_first; // by body, into m_others, one more at the end
