@@ -67,7 +67,9 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near
     const double reachA = neighbours.reach(a), reachB = neighbours.reach(b);
     if (!(near.gap <= reachA + reachB)) return true;
     const BodyIndex slower = reachA < reachB ? a : b;
-    const double reach = std::max(reachA, reachB);
+    const BodyIndex faster = slower == a ? b : a;
+    const double reach =
+        Neighbours::reachAfter(bodies, slower, std::min(reachA, reachB), faster, std::max(reachA, reachB));
     if (!(m_reach[slower] < reach)) return true;
     if (!areBoxesWithin(bodies, state, near.pair, reachA + reachB)) return true;
     m_reach[slower] = reach;

@@ -80,6 +80,15 @@ class Neighbours {
         return m_pull[body] * times * times;
     }
 
+    /// How far a mobile body that comes `own` by itself may come once `striker`, which comes `other`, has
+    /// struck it [m]: no further than the striker, and than what momentum allows.
+    static double reachAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
+                             double other) {
+        const double part =
+            bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
+        return std::max(own, std::min(other, own + 2 * part * (own + other)));
+    }
+
     /// All pairs, walls among them, a < b, ascending.
     std::span<const BodyPair> pairs() const { return m_pairs; }
     /// The others in pairs with `body`, ascending.

@@ -91,7 +91,9 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
             if (m_block[k] != entering || k < i || m_reach[i] == m_reach[k]) continue;
             if (!areWithin(bodies, input.state, {i, k}, m_reach[i] + m_reach[k])) continue;
             const BodyIndex slower = m_reach[i] < m_reach[k] ? i : k;
-            m_reach[slower] = std::max(m_reach[i], m_reach[k]);
+            const BodyIndex faster = slower == i ? k : i;
+            m_reach[slower] =
+                Neighbours::reachAfter(bodies, slower, m_reach[slower], faster, m_reach[faster]);
             covered = neighbours.covers(slower, m_reach[slower]) && covered;
         }
     return covered;

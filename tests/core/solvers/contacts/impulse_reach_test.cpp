@@ -147,6 +147,18 @@ class ImpulseReachTest : public QObject {
         QVERIFY(heavy.isReached[1]);
         QVERIFY(!heavy.isReached[2]);
     }
+    /// Alike bodies lend their whole reach; a light one lends a heavy one next to nothing.
+    void reachIsLentAsFarAsMomentumAllows() {
+        Scene scene;
+        for (const double mass : {1.0, 1.0, 1e6})
+            scene.bodies.push_back(test::sphere(radius, mass, Vec3::Zero()));
+        const Bodies bodies = bodiesOf(scene);
+        QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 1, 3.0), 3.0);
+        QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 2, 3.0), 3.0);
+        QCOMPARE(Neighbours::reachAfter(bodies, 0, 3.0, 1, 1.0), 3.0);
+        const double heavy = Neighbours::reachAfter(bodies, 2, 0.0, 0, 3.0);
+        QVERIFY(heavy > 0 && heavy < 1e-5);
+    }
     /// Random crowds of mixed masses: whoever takes part in an impact is reached.
     void nobodyWhoIsStruckIsLeftOut() {
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
