@@ -32,6 +32,14 @@ class SampleQueue {
         m_batch.frames.push_back(frame);
     }
 
+    /// As many as are worth waiting for whoever takes them: a simulation as fast as possible makes half a
+    /// million a second, which panels cannot always follow.
+    static constexpr std::size_t mostWaiting = 20'000;
+    bool isFull() const {
+        const std::lock_guard lock(m_mutex);
+        return m_batch.frames.size() >= mostWaiting;
+    }
+
     /// Everything since the last call, in order.
     Batch takeAll() {
         const std::lock_guard lock(m_mutex);
@@ -39,7 +47,7 @@ class SampleQueue {
     }
 
   private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     Batch m_batch;
 };
 

@@ -28,6 +28,9 @@ constexpr std::chrono::nanoseconds longestDebt = 100ms;
 /// A way to another frame that takes longer is said to be one, so that it can be ended.
 constexpr std::chrono::nanoseconds longSeek = 150ms;
 
+/// Between two looks whether samples have been taken.
+constexpr std::chrono::nanoseconds roomInterval = 1ms;
+
 } // namespace
 
 SimulationThread::SimulationThread(Listener listener)
@@ -283,11 +286,23 @@ void SimulationThread::advance() {
     schedule();
 }
 
+/// Until somebody takes the samples that wait, or there is something else to be done: else they would take
+/// any memory while the window is busy.
+void SimulationThread::waitForRoom() {
+    if (!m_samples.isFull()) return;
+    m_listener.published();
+    std::unique_lock lock(m_mutex);
+    const std::stop_token stop = m_thread.get_stop_token();
+    while (m_samples.isFull() && m_queue.empty() && !stop.stop_requested())
+        m_wake.wait_for(lock, roomInterval);
+}
+
 /// Each frame's statistics go up once, in their order. Whether energy has risen from nowhere in this one.
 bool SimulationThread::sample() {
     const std::int64_t frame = m_world->state().frame;
     if (frame <= m_sampled || !m_world->health().finite) return false;
     m_sampled = frame;
+    waitForRoom();
     m_samples.push(m_run, m_world->statistics());
     const std::optional<EnergyRise> rise = m_guard->look(m_world->statistics());
     if (rise && m_listener.gained) m_listener.gained(m_run, *rise);

@@ -186,6 +186,7 @@ class SimulationThread {
     void advance();
     void seek(std::int64_t frame, bool showing);
     bool sample();
+    void waitForRoom();
     void beginSamples();
     void shareBudget();
     bool superseded();

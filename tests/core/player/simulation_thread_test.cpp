@@ -117,6 +117,29 @@ bool areSame(const Snapshot& snapshot, const World& world) {
 class SimulationThreadTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    void samplesThatNobodyTakesAreWaitedWith() {
+        // A ball alone makes half a million frames a second; the window that takes them may be busy.
+        std::atomic<int> told = 0;
+        SimulationThread thread({[](RunStatus) {}, [](std::optional<BreakHit>) {}, [&told] { ++told; }});
+        thread.post(SpeedCommand{std::nullopt});
+        thread.post(LoadCommand{build("sphere { radius .1 mass 1 centre 0,0,0 vel 1,0,0 }").pipeline, 1, 0});
+        thread.post(RunCommand{});
+        const auto fills = [&thread] {
+            const std::chrono::steady_clock::time_point end =
+                std::chrono::steady_clock::now() + std::chrono::milliseconds(patience);
+            while (!thread.samples().isFull() && std::chrono::steady_clock::now() < end)
+                std::this_thread::yield();
+            return thread.samples().isFull();
+        };
+        QVERIFY(fills());
+        const SampleQueue::Batch first = thread.samples().takeAll();
+        QCOMPARE(first.frames.size(), SampleQueue::mostWaiting);
+        QVERIFY(fills()); // it goes on
+        QVERIFY(told > 0);
+        const SampleQueue::Batch second = thread.samples().takeAll();
+        QCOMPARE(second.frames.front().frame, first.frames.back().frame + 1);
+    } // and ends while it waits
+
     void aRunThatGainsEnergyPausesThereUnlessItIsToGoOn() {
         // Euler's scheme blows a spring up; its frames come once, whether one goes back or not.
         const std::shared_ptr<const Pipeline> swings =
