@@ -1732,6 +1732,57 @@ Die Simulation oben geht dabei weiter.</translation>
     </message>
 </context>
 <context>
+    <name>carom::Effects</name>
+    <message>
+        <source>Collision</source>
+        <translation>Zusammenstoß</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Gyroscopic term</source>
+        <translation>Kreiselterm</translation>
+    </message>
+    <message>
+        <source>Resting</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>Restitution</translation>
+    </message>
+    <message>
+        <source>Rolling resistance</source>
+        <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>not simulated yet</source>
+        <translation>noch nicht simuliert</translation>
+    </message>
+</context>
+<context>
     <name>carom::EffectsDock</name>
     <message>
         <source>Effects</source>

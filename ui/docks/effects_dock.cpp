@@ -8,6 +8,7 @@
 #include "core/effects/effect.h"
 #include "ui/widgets/text_of.h"
 
+#include <QCoreApplication>
 #include <QScrollBar>
 #include <QTextBrowser>
 #include <QUrl>
@@ -18,6 +19,26 @@ namespace carom {
 namespace {
 
 QString toHtml(std::string_view text) { return textOf(text).toHtmlEscaped(); }
+
+/// Titles and states of core, which speaks English; its reasons name what stands in the text, and stay so.
+[[maybe_unused]] constexpr const char* wordsOfCore[] = {
+    QT_TRANSLATE_NOOP("carom::Effects", "Collision"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Friction"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Gravity"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Gyroscopic term"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Resting"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Restitution"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Rolling resistance"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Rotation"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Springs"),
+    QT_TRANSLATE_NOOP("carom::Effects", "on"),
+    QT_TRANSLATE_NOOP("carom::Effects", "absent"),
+    QT_TRANSLATE_NOOP("carom::Effects", "not simulated yet"),
+};
+
+QString translatedHtml(std::string_view text) {
+    return QCoreApplication::translate("carom::Effects", std::string(text).c_str()).toHtmlEscaped();
+}
 
 QColor colourOf(EffectStatus status, const Theme& theme) {
     switch (status) {
@@ -88,11 +109,12 @@ void EffectsDock::setTheme(const Theme& theme) {
 QString EffectsDock::entry(const EffectDecision& decision, std::size_t number) const {
     const EffectRow* row = findByName(effects(), decision.effect);
     const QColor titleColour = decision.status == EffectStatus::Absent ? m_theme.mutedText : m_theme.text;
-    QString html = QStringLiteral("<p style='margin:0 0 12px 0'><b style='color:%1'>%2</b>&nbsp; "
-                                  "<span style='color:%3'>%4</span><br><span style='color:%5'>%6</span>")
-                       .arg(titleColour.name(), toHtml(row != nullptr ? row->title : decision.effect),
-                            colourOf(decision.status, m_theme).name(), toHtml(nameOf(decision.status)),
-                            m_theme.mutedText.name(), toHtml(decision.reason));
+    QString html =
+        QStringLiteral("<p style='margin:0 0 12px 0'><b style='color:%1'>%2</b>&nbsp; "
+                       "<span style='color:%3'>%4</span><br><span style='color:%5'>%6</span>")
+            .arg(titleColour.name(), translatedHtml(row != nullptr ? row->title : decision.effect),
+                 colourOf(decision.status, m_theme).name(), translatedHtml(nameOf(decision.status)),
+                 m_theme.mutedText.name(), toHtml(decision.reason));
     if (decision.source) {
         const std::uint32_t line = m_result->build.analysis.positionOf(decision.source->offset).line;
         html += QStringLiteral(" <a style='color:%1;text-decoration:none' href='%2'>%3</a>")

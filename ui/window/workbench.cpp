@@ -14,6 +14,7 @@
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
+#include "ui/editor/colour_marks.h"
 #include "ui/editor/diagnostic_marks.h"
 #include "ui/player/frame_log.h"
 #include "ui/player/simulation.h"
@@ -194,6 +195,7 @@ void Workbench::connectAccuracy() {
 
 void Workbench::showBuild(const SharedBuild& result) {
     m_marks->show(result);
+    markColours(m_window->editor(), *result);
     m_window->problems().show(result);
     m_window->outline().show(result);
     m_window->effects().show(result);

@@ -2,8 +2,10 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "core/effects/effect.h"
 #include "core/integrators/integrator.h"
 #include "core/solvers/solver.h"
+#include "ui/docks/effects_dock.h"
 #include "ui/widgets/text_of.h"
 #include "ui/window/translation.h"
 
@@ -17,6 +19,7 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QTextBrowser>
 
 using namespace carom;
 using namespace carom::test;
@@ -108,6 +111,18 @@ class TranslationTest : public QObject {
         QCOMPARE(actions.menu(MenuId::File).title().remove(u'&'), QStringLiteral("Datei"));
         QCOMPARE(actions[ActionId::Undo].text().remove(u'&'), QString::fromUtf8("Rückgängig"));
         QVERIFY(actions[ActionId::Save].statusTip().contains(QStringLiteral("Datei")));
+    }
+
+    void theEffectsAreNamedInGerman() {
+        installTranslation(*qApp, QStringLiteral("de"));
+        const Ide ide;
+        const QString text = ide.bench.window().effects().findChild<QTextBrowser*>()->toPlainText();
+        QVERIFY2(text.contains(QStringLiteral("Schwerkraft")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("nicht vorhanden")), qPrintable(text));
+        for (const EffectRow& row : effects()) // "Rotation" and "Restitution" are German, too
+            QVERIFY2(row.title == "Rotation" || row.title == "Restitution" ||
+                         !text.contains(textOf(row.title)),
+                     qPrintable(text));
     }
 
     void noTranslationLosesAPlaceThatIsFilledIn() {

@@ -7,6 +7,7 @@
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
+#include "ui/editor/colour_marks.h"
 #include "ui/editor/find_bar.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/transport_bar.h"
@@ -53,6 +54,21 @@ class WorkbenchTest : public QObject {
         for (int i = 0; i < 9; ++i) QTest::keyClick(&ide.editor, Qt::Key_Backspace);
         QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 0, patience);
         QCOMPARE(ide.editor.send(Sci::SCI_INDICATOREND, 12, 0), 0L);
+    }
+
+    void everyColourIsUnderlinedWithItself() {
+        Ide ide;
+        const auto markAt = [&](const char* word) {
+            return ide.editor.send(Sci::SCI_INDICATORVALUEAT, colourIndicator,
+                                   ide.editor.bytes().indexOf(word));
+        };
+        constexpr long isColour = 0x01000000;
+        QTRY_COMPARE_WITH_TIMEOUT(markAt("red"), isColour | 0x0000FF, patience);
+        QCOMPARE(markAt("blue"), isColour | 0xFF0000);
+        QCOMPARE(markAt("radius"), 0L);
+        const qsizetype at = ide.editor.bytes().indexOf("red");
+        ide.editor.replaceRange({static_cast<std::uint32_t>(at), 3}, "0, 1, 0");
+        QTRY_COMPARE_WITH_TIMEOUT(markAt("0, 1, 0"), isColour | 0x00FF00, patience);
     }
 
     void aFileThatIsNoSceneIsOpenedWithAWarning() {
