@@ -176,6 +176,32 @@ void OptionsTest::wrongUsageEndsWithTwoAndPointsToHelp_data() {
     QTest::newRow("generator's option")
         << QStringList{"generate", "table", "--n", "3"}
         << "carom generate: `table` takes no --n; its number of bodies is fixed";
+    QTest::newRow("family alone") << QStringList{"study"}
+                                  << "carom: `study` alone says too little; it must be `study` followed by "
+                                     "`accuracy`, `gas` or `stability`";
+    QTest::newRow("no such study") << QStringList{"study", "nothing"}
+                                   << "carom: there is no study `nothing`; it must be `study` followed by "
+                                      "`accuracy`, `gas` or `stability`";
+    QTest::newRow("both to standard output")
+        << QStringList{"run", "--trace", "-", "--stats", "-", test::source("scenes/tower.sdl")}
+        << "carom run: `--trace` and `--stats` cannot both be standard output";
+    for (const char* size : {"5x5", "960", "x", "960x600x2", "99999x600", "-960x600"})
+        QTest::newRow(size)
+            << QStringList{"--picture", "a.png", "--size", size, test::source("scenes/tower.sdl")}
+            << QStringLiteral("carom: `--size` is `%1`; it must be two whole numbers from 16 to 16384 such "
+                              "as `960x600`")
+                   .arg(size);
+    QTest::newRow("size without picture")
+        << QStringList{"--size", "960x600", test::source("scenes/tower.sdl")}
+        << "carom: `--size` belongs to `--picture`, which is not there";
+    for (const char* list : {"1,x", "0", "1,,2", "4097"})
+        QTest::newRow(list) << QStringList{"study", "accuracy", test::source("scenes/tower.sdl"),
+                                           "--substeps", list}
+                            << QStringLiteral("carom study accuracy: `--substeps` has `%1`; it must be a "
+                                              "list of whole numbers from 1 to 4096, separated by commas")
+                                   .arg(QString::fromLatin1(list).contains('x')    ? "x"
+                                        : QString::fromLatin1(list).contains(",,") ? ""
+                                                                                   : list);
     QTest::newRow("two scenes for the IDE") << QStringList{test::source("README.md"), "b.sdl"}
                                             << "carom: `b.sdl` is one scene too many; the IDE opens one";
 }

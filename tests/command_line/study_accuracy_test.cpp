@@ -91,6 +91,27 @@ class StudyAccuracyTest : public QObject {
         QVERIFY(ended.err.contains("it must be"));
         ended = carom({"study", "accuracy", "-", "--instructions"}, bounce);
         QCOMPARE(ended.exitCode, 2);
+        ended = carom({"study", "accuracy", "-"}, "wall { normal 0, 1, 0 toOrig 0 }\n");
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY(ended.err.contains("nothing in the scene can move; there is no error to study"));
+    }
+
+    void figuresOfOtherSettingsAreNotGoneOnWith() {
+        const QString folder = m_folder.filePath("other");
+        QCOMPARE(study({"-o", folder, "--substeps", "1,2"}).exitCode, 0);
+        const QByteArray before = readFile(folder + "/accuracy.csv");
+        const Ended ended = study({"-o", folder, "--substeps", "1", "--resume"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("which these options leave out; another folder would be right"),
+                 qPrintable(ended.err));
+        QCOMPARE(readFile(folder + "/accuracy.csv"), before);
+    }
+
+    void whatIsNoGasIsRefusedWithItsPlace() {
+        const Ended ended = carom({"study", "gas", source("scenes/tower.sdl")});
+        QCOMPARE(ended.exitCode, 1);
+        QVERIFY2(ended.err.contains("tower.sdl:10: not a gas: a cuboid is neither a sphere nor a wall"),
+                 qPrintable(ended.err));
     }
 
     void withoutValgrindNoInstructionsAreCounted() {
