@@ -5,6 +5,7 @@
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -54,8 +55,8 @@ void Selection::followClick(BodyIndex body) {
 
 void Selection::select(BodyIndex body, SourceRange declaration) {
     m_editor.markDeclaration(declaration);
-    if (m_viewport.selectedBody() == body) return;
-    m_viewport.setSelectedBody(body);
+    m_viewport.setSelectedBody(body); // after a click it is so already
+    if (std::exchange(m_body, body) == body) return;
     Q_EMIT bodySelected(body == noBody ? QString()
                                        : QString::fromStdString(m_preview.shown()->scene().nameOf(body)));
 }

@@ -29,6 +29,7 @@ class Selection : public QObject {
     Viewport& m_viewport;
     const LiveBuild& m_builds;
     const LivePreview& m_preview;
+    BodyIndex m_body = noBody; ///< told last
 };
 
 } // namespace carom

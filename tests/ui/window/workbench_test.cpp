@@ -5,6 +5,7 @@
 #include "ui/docks/accuracy_dock.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/effects_dock.h"
+#include "ui/docks/inspector_dock.h"
 #include "ui/docks/output_dock.h"
 #include "ui/docks/problems_dock.h"
 #include "ui/editor/colour_marks.h"
@@ -54,6 +55,17 @@ class WorkbenchTest : public QObject {
         for (int i = 0; i < 9; ++i) QTest::keyClick(&ide.editor, Qt::Key_Backspace);
         QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 0, patience);
         QCOMPARE(ide.editor.send(Sci::SCI_INDICATOREND, 12, 0), 0L);
+    }
+
+    void theInspectorShowsTheBodyThatWasClicked() {
+        // The viewport had selected it by then, and nobody was told.
+        Ide ide;
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        const InspectorDock& inspector = ide.bench.window().inspector();
+        QVERIFY(inspector.valueOf(QStringLiteral("radius")).isEmpty());
+        QTest::mouseClick(&ide.viewport, Qt::LeftButton, {}, ide.placeOf(1));
+        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
+                                  patience);
     }
 
     void everyColourIsUnderlinedWithItself() {
