@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/dynamics/force_term.h"
 #include "core/dynamics/spring_force.h"
 #include "core/math/types.h"
 #include "core/scene/scene.h"
@@ -38,6 +39,7 @@ struct Bodies {
     std::vector<BodyIndex> rotating;
 
     std::vector<SpringForce> springs; ///< those with an end that can move
+    Forces forces;                    ///< what effects contribute (force_term.h)
     std::vector<BodyIndex> order;     ///< all bodies, canonically (numbering.h)
     Vec3 origin = Vec3::Zero();       ///< where coordinates had better begin [m] (numbering.h)
     BoxKind boxes = BoxKind::Tight;   ///< that the broad-phase works on

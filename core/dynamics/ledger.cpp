@@ -9,7 +9,8 @@ namespace carom {
 
 std::string_view nameOf(LedgerAccount account) {
     static constexpr std::array<std::string_view, ledgerAccounts> names = {
-        "gravity", "restitution", "contact", "friction", "rolling", "spring", "rotation", "parting", "rest"};
+        "gravity", "restitution", "contact", "friction", "rolling",
+        "spring",  "rotation",    "parting", "rest",     "drag"};
     return names[static_cast<std::size_t>(account)];
 }
 
@@ -59,12 +60,6 @@ void bookDifference(const Invariants& before, const Invariants& after, const Vec
     ledger[LedgerAccount::Gravity].momentum += weight;
     ledger[account].energy += after.kinetic - before.kinetic - fallen;
     ledger[account].momentum += after.momentum - before.momentum - weight;
-}
-
-void bookSwing(const Bodies& bodies, std::span<const BodyIndex> list, const Invariants& before,
-               const Flight& flight, const State& state, Ledger& ledger) {
-    bookDifference(before, invariantsOf(bodies, list, state, flight.gravity),
-                   weightOf(bodies, list, flight.duration * flight.gravity), LedgerAccount::Spring, ledger);
 }
 
 double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state) {

@@ -35,8 +35,9 @@ enum class LedgerAccount : std::uint8_t {
     Rotation,    ///< turning of bodies with unequal moments, over a finite time
     Parting,     ///< positions corrected where bodies overlapped
     Rest,        ///< what is left of a motion too slow to be one
+    Drag,        ///< air, the work of its wind included
 };
-inline constexpr std::size_t ledgerAccounts = 9;
+inline constexpr std::size_t ledgerAccounts = 10;
 
 /// "gravity", "restitution", ...: as columns name them.
 std::string_view nameOf(LedgerAccount account);
@@ -77,9 +78,6 @@ Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3&
 /// height lost and the momentum of the weight, `account` by the rest.
 void bookDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
                     LedgerAccount account, Ledger& ledger);
-/// The same for bodies at the ends of springs, from `before` to the state.
-void bookSwing(const Bodies& bodies, std::span<const BodyIndex> list, const Invariants& before,
-               const Flight& flight, const State& state, Ledger& ledger);
 
 /// Kinetic energy of rotation of a body [J].
 double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state);

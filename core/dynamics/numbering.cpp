@@ -39,8 +39,9 @@ auto placeOf(const Body& body) {
 auto everythingElseOf(const Body& body) {
     const Quat& q = body.pose.orientation;
     return std::tuple(static_cast<int>(kindOf(body.shape)), numbersOf(body.shape), body.mobile(), body.mass,
-                      body.elastic, body.friction, body.rolling, std::array{q.x(), q.y(), q.z(), q.w()},
-                      numbersOf(body.velocity), numbersOf(body.angularVelocity));
+                      body.elastic, body.friction, body.rolling, body.drag,
+                      std::array{q.x(), q.y(), q.z(), q.w()}, numbersOf(body.velocity),
+                      numbersOf(body.angularVelocity));
 }
 
 Aabb ballAbout(const Vec3& centre, double radius) { return grown({centre, centre}, radius); }
@@ -154,6 +155,7 @@ Bodies renumbered(const Bodies& bodies, std::span<const BodyIndex> order, const 
         result.springs.push_back(spring);
     }
     std::stable_sort(result.springs.begin(), result.springs.end(), springBefore);
+    result.forces = renumbered(bodies.forces, order, origin);
     return result;
 }
 

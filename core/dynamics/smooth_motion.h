@@ -11,8 +11,8 @@
 namespace carom {
 
 /// How bodies move where nothing collides: what integrators provide and solvers call, without knowing each
-/// other. Bodies in `move`, `turn` and `tumble` do not know each other either: a call for two bodies is two
-/// calls. Every function advances the state by h seconds.
+/// other. Bodies in all but `swing` do not know each other either: a call for two bodies is two calls. Every
+/// function advances the state by h seconds.
 struct SmoothMotion {
     /// Moves the centres of `bodies` under an acceleration [m/s²] that is constant over the substep.
     void (*move)(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
@@ -21,7 +21,10 @@ struct SmoothMotion {
     void (*turn)(std::span<const BodyIndex> bodies, double h, State& state) = nullptr;
     /// Turns `list` free of torque; each body's angular momentum stays as it is to rounding.
     void (*tumble)(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) = nullptr;
-    /// Moves and turns bodies that springs couple. Null: left to the method's own solve of coupled motion.
+    /// Moves and turns bodies that force terms act on and no spring holds.
+    void (*drive)(SpringNetwork& network, double h, State& state) = nullptr;
+    /// Moves and turns bodies that springs couple, and that force terms may act on. Null: left to the
+    /// method's own solve of coupled motion.
     void (*swing)(SpringNetwork& network, double h, State& state) = nullptr;
 };
 

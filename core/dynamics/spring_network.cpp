@@ -21,8 +21,21 @@ End endOf(const State& state, BodyIndex body, const Vec3& at) {
             arm};
 }
 
-// Forces and torques of gravity and the springs, into the scratch. Entries of bodies that do not move are
-// written and never read.
+void addTerms(const SpringNetwork& network, const State& state) {
+    std::vector<ForceSample>& samples = network.scratch.samples;
+    std::vector<ForceValue>& values = network.scratch.values;
+    samples.clear();
+    for (const BodyIndex i : network.moving)
+        if (network.bodies.forces.actOn(i))
+            samples.push_back({i, state.pose[i], state.velocity[i], state.angularVelocity[i]});
+    values.resize(samples.size());
+    network.bodies.forces.evaluate(samples, values);
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        network.scratch.force[samples[k].body] += values[k].force;
+}
+
+// Forces and torques of gravity, the terms and the springs, into the scratch. Entries of bodies that do not
+// move are written and never read.
 void sumLoads(const SpringNetwork& network, const State& state) {
     std::vector<Vec3>& force = network.scratch.force;
     std::vector<Vec3>& torque = network.scratch.torque;
@@ -32,6 +45,7 @@ void sumLoads(const SpringNetwork& network, const State& state) {
         force[i] = network.bodies.mass[i] * network.gravity;
         torque[i].setZero();
     }
+    if (!network.bodies.forces.empty()) addTerms(network, state);
     for (const std::uint32_t index : network.springs) {
         const SpringForce& spring = network.bodies.springs[index];
         const End from = endOf(state, spring.from, spring.fromAt), to = endOf(state, spring.to, spring.toAt);
@@ -103,6 +117,7 @@ void kick(const SpringNetwork& network, const std::vector<BodyMotion>& rate, dou
 }
 
 bool isDamped(const SpringNetwork& network) {
+    if (!network.bodies.forces.empty()) return true;
     return std::any_of(network.springs.begin(), network.springs.end(),
                        [&](std::uint32_t index) { return network.bodies.springs[index].damping > 0; });
 }

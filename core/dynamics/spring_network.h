@@ -3,6 +3,7 @@
 
 #include "core/base/index.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/forced_steps.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 
@@ -10,12 +11,14 @@
 #include <span>
 #include <vector>
 
-// Bodies that springs couple and that touch nothing: a system of ordinary differential equations,
+// Bodies that springs couple or force terms act on, and that touch nothing: a system of ordinary differential
+// equations,
 //
 //     x' = v      v' = F/m      q' = ½ ω q      L' = τ      ω = R I⁻¹ Rᵀ L
 //
-// with the forces and torques of gravity and the springs (spring_force.h). L in place of ω is the unknown, so
-// that a body without torque keeps it to the bit. What an integrator is, is how it goes through these.
+// with the forces and torques of gravity, the springs (spring_force.h) and the terms (force_term.h). L in
+// place of ω is the unknown, so that a body without torque keeps it to the bit. What an integrator is, is how
+// it goes through these.
 
 namespace carom {
 
@@ -29,7 +32,7 @@ struct BodyMotion {
 
 struct SpringNetwork {
     const Bodies& bodies;
-    std::span<const BodyIndex> moving;      ///< the mobile bodies at the springs' ends, ascending
+    std::span<const BodyIndex> moving; ///< mobile bodies, those at the springs' ends among them, ascending
     std::span<const std::uint32_t> springs; ///< into Bodies::springs, ascending
     Vec3 gravity = Vec3::Zero();            ///< [m/s²]
 
@@ -37,6 +40,9 @@ struct SpringNetwork {
     struct Scratch {
         std::vector<BodyMotion> start, rate, sum;
         std::vector<Vec3> force, torque; ///< by BodyIndex
+        std::vector<ForceSample> samples;
+        std::vector<ForceValue> values;
+        ForcedSteps steps;
     };
     Scratch& scratch;
 };
@@ -50,7 +56,7 @@ void applyRates(const SpringNetwork& network, const std::vector<BodyMotion>& sta
                 const std::vector<BodyMotion>& rate, double h, State& state);
 /// Changes velocities and angular velocities by the forces and torques of `rate` times h; nothing moves.
 void kick(const SpringNetwork& network, const std::vector<BodyMotion>& rate, double h, State& state);
-/// Whether a spring of the network is damped, so that forces depend on velocities.
+/// Whether forces may depend on velocities: a spring of the network is damped, or a term acts.
 bool isDamped(const SpringNetwork& network);
 
 } // namespace carom

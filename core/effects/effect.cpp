@@ -8,11 +8,11 @@ namespace carom {
 
 // One a file; in the order of every list a user sees.
 extern const EffectRow gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
-    rollingResistanceRow, springRow, restingRow;
+    rollingResistanceRow, springRow, airRow, restingRow;
 
 std::span<const EffectRow> effects() {
     return rowsOf<gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
-                  rollingResistanceRow, springRow, restingRow>();
+                  rollingResistanceRow, springRow, airRow, restingRow>();
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }

@@ -3,6 +3,7 @@
 
 #include "core/base/source.h"
 #include "core/dynamics/abilities.h"
+#include "core/dynamics/bodies.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -13,7 +14,8 @@
 #include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
-// and its name in effect.cpp.
+// and its name in effect.cpp. A force on single bodies is a term (dynamics/force_term.h) that its effect
+// contributes, and every method of motion takes it into account.
 
 namespace carom {
 
@@ -45,6 +47,11 @@ struct EffectRow {
     EffectDecision (*decide)(const Scene& scene, const Abilities& method) = nullptr;
     /// What a warning says at each unmet place; empty for effects that have none.
     std::string_view unmetMessage = {};
+    /// Adds what the effect does to bodies of the scene, where it is on: force terms. Null: it is left to the
+    /// methods of motion.
+    void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
+    /// Why a method that knows parabolas alone cannot treat a scene with the effect; empty where it can.
+    std::string_view bendsPaths = {};
 };
 
 /// Every effect, in the order of the report.

@@ -35,6 +35,7 @@ constinit const EffectRow springRow = {
     .help = "Pull and damp along the line between two points of bodies.",
     .decide = decide,
     .unmetMessage = "springs are not simulated yet; this one exerts no force",
+    .bendsPaths = "springs bend the flight of a body between events",
 };
 
 } // namespace carom

@@ -9,9 +9,28 @@
 // II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
 // keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
 // method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies
-// that fly freely need no equations: the parabola is exact, and so is free rotation.
+// that fly freely need no equations: the parabola is exact, and so is free rotation. Where a force depends on
+// a body's own motion its equations are those of dynamics/forced_steps.h, which move on from the midpoint to
+// the end of the step where the step is long.
 
 namespace carom {
+namespace {
+
+void drive(SpringNetwork& network, double h, State& state) {
+    ForcedSteps& steps = network.scratch.steps;
+    steps.clear();
+    for (std::size_t k = 0; k < network.moving.size(); ++k)
+        steps.add(k, network.bodies, state, network.moving[k], h);
+    steps.solve(network.bodies.forces, network.gravity, h);
+    for (const ForcedSteps::Step& step : steps.steps()) {
+        const BodyIndex i = network.moving[step.owner];
+        state.pose[i].position += (0.5 * h) * (step.before + step.after);
+        state.velocity[i] = step.after;
+    }
+    tumbleFreely(network.bodies, network.moving, h, state);
+}
+
+} // namespace
 
 extern const IntegratorRow midpointRow;
 constinit const IntegratorRow midpointRow = {
@@ -23,7 +42,7 @@ constinit const IntegratorRow midpointRow = {
         "any step.",
     .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
     .stableUpTo = std::numeric_limits<double>::infinity(),
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumbleFreely},
+    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumbleFreely, .drive = drive},
 };
 
 } // namespace carom

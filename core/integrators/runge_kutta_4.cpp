@@ -13,7 +13,7 @@
 //     k1 = f(y)   k2 = f(y + h/2 k1)   k3 = f(y + h/2 k2)   k4 = f(y + h k3)
 //     y(t+h) = y + h (k1 + 2 k2 + 2 k3 + k4)/6
 //
-// for y = (x, v, q, L) of all the bodies that springs couple (dynamics/spring_network.h); f takes q
+// for y = (x, v, q, L) of all bodies of a network (dynamics/spring_network.h); f takes q
 // normalised. Not symplectic: an oscillation loses (ωh)⁶/72 of its energy a step, and grows beyond
 // ωh = 2√2. Free fall is exact: its fourth derivative vanishes.
 
@@ -47,7 +47,9 @@ void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, Sta
 }
 
 void swing(SpringNetwork& network, double h, State& state) {
-    auto& [start, rate, sum, force, torque] = network.scratch;
+    std::vector<BodyMotion>& start = network.scratch.start;
+    std::vector<BodyMotion>& rate = network.scratch.rate;
+    std::vector<BodyMotion>& sum = network.scratch.sum;
     readMotion(network, state, start);
     sum.assign(start.size(), BodyMotion{});
     for (const Stage& stage : tableau) {
@@ -74,7 +76,7 @@ constinit const IntegratorRow rungeKutta4Row = {
             "oscillation.",
     .source = "W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, 1901",
     .stableUpTo = 2.8284271247461903, // 2√2
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .swing = swing},
+    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
 };
 
 } // namespace carom

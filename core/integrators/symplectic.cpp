@@ -46,7 +46,7 @@ constinit const IntegratorRow symplecticRow = {
         "R. de Vogelaere, Methods of integration which preserve the contact transformation property of the "
         "Hamilton equations, 1956",
     .stableUpTo = 2,
-    .motion = {.move = move, .turn = turnBySpin, .tumble = tumble, .swing = swing},
+    .motion = {.move = move, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
 };
 
 } // namespace carom

@@ -14,8 +14,9 @@
 // same backwards in time, so that energy errors stay bounded while ωh < 2; an oscillation runs ahead by
 // (ωh)²/24 of its phase. A body's angular momentum is treated as the velocity is; its free rotation is split
 // symmetrically into pure rotations (dynamics/free_rotation.h), as in A. Dullweber, B. Leimkuhler, R.
-// McLachlan, "Symplectic splitting methods for rigid body molecular dynamics", 1997. Where springs are damped
-// the force at t+h depends on v(t+h): it is found by iteration, and the order stays two.
+// McLachlan, "Symplectic splitting methods for rigid body molecular dynamics", 1997. Where springs are
+// damped, or bodies move through air, the force at t+h depends on v(t+h): it is found by iteration, and the
+// order stays two.
 
 namespace carom {
 namespace {
@@ -72,7 +73,7 @@ constinit const IntegratorRow verletRow = {
             "bounded.",
     .source = "L. Verlet, Computer experiments on classical fluids, 1967",
     .stableUpTo = 2,
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .swing = swing},
+    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
 };
 
 } // namespace carom

@@ -110,8 +110,8 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
             ++expectation;
             entry.built = true;
         } else {
-            entry.built = isSource(scene.gravity.source, range) || isSource(scene.simulation.source, range) ||
-                          isSource(scene.camera.source, range);
+            entry.built = isSource(scene.gravity.source, range) || isSource(scene.air.source, range) ||
+                          isSource(scene.simulation.source, range) || isSource(scene.camera.source, range);
         }
         entries.push_back(entry);
     }

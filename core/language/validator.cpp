@@ -143,6 +143,10 @@ class Validator {
         gravity.source = source;
         m_scene.gravity = gravity;
     }
+    void add(Air& air, const DeclarationSource& source) {
+        air.source = source;
+        m_scene.air = air;
+    }
     void add(SimulationSettings& settings, const DeclarationSource& source) {
         settings.source = source;
         m_scene.simulation = std::move(settings);

@@ -42,6 +42,7 @@ struct Body {
     double elastic = 1;                  ///< restitution; a pair has the smaller of its two
     double friction = 0;                 ///< Coulomb; a pair has the geometric mean
     double rolling = 0;                  ///< rolling resistance, a lever arm [m]; a pair has the larger
+    double drag = 0;                     ///< drag coefficient in air
     Vec3 colour = Vec3::Ones();          ///< red, green, blue in 0..1
     std::string label;                   ///< empty where there is none
     DeclarationSource source;
@@ -63,6 +64,12 @@ struct Spring {
     double damping = 0;           ///< [N s/m]
     std::optional<double> length; ///< at rest [m]; absent: the distance between its ends at the start
     DeclarationSource source;
+};
+
+struct Air {
+    double density = 0;                      ///< [kg/m³]
+    Vec3 wind = Vec3::Zero();                ///< velocity of the air [m/s]
+    std::optional<DeclarationSource> source; ///< absent: there is none
 };
 
 /// What a `simulation` declaration or a command line asks for; what is absent is left to the preset.
@@ -114,6 +121,7 @@ struct Scene {
     std::vector<Body> bodies; ///< in the order of the text, walls included; BodyIndex points here
     std::vector<Spring> springs;
     Gravity gravity;
+    Air air;
     SimulationSettings simulation;
     CameraSettings camera;
     std::vector<Expectation> expectations;

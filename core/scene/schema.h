@@ -48,7 +48,7 @@ struct CheckedValue {
 };
 
 /// What one declaration builds, while its parameters are stored into it.
-using Declared = std::variant<Body, Spring, Gravity, SimulationSettings, CameraSettings, Expectation>;
+using Declared = std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation>;
 
 enum class Layer : std::uint8_t { Reference, Carom };
 

@@ -122,6 +122,17 @@ ParameterRow fixedRow() {
         .store = [](Declared& into, const CheckedValue& value) { body(into).fixed = value.word == "yes"; }};
 }
 
+ParameterRow dragRow() {
+    return {.name = "drag",
+            .kind = ValueKind::Number,
+            .defaultText = "0",
+            .example = "0.47",
+            .constraint = Constraint::NotNegative,
+            .help = "Drag coefficient in `air`: 0.47 for a smooth ball, about 1 for a box.",
+            .layer = Layer::Carom,
+            .store = [](Declared& into, const CheckedValue& value) { body(into).drag = value.number; }};
+}
+
 // What every body has.
 void addSurfaceRows(std::vector<ParameterRow>& rows) {
     rows.push_back(
@@ -170,6 +181,7 @@ DeclarationRow sphereDeclaration() {
                                                 }),
                                       massRow(), centreRow(), velRow(), angvelRow(Layer::Carom)};
     addSurfaceRows(rows);
+    rows.push_back(dragRow());
     rows.push_back(fixedRow());
     return {.name = "sphere",
             .help = "A solid ball of uniform density.",
@@ -208,6 +220,7 @@ DeclarationRow cylinderDeclaration() {
         velRow(),
         angvelRow(Layer::Reference)};
     addSurfaceRows(rows);
+    rows.push_back(dragRow());
     rows.push_back(fixedRow());
     return {.name = "cylinder",
             .help = "A solid cylinder of uniform density.",
@@ -275,6 +288,7 @@ DeclarationRow cuboidDeclaration() {
         velRow(),
         angvelRow(Layer::Carom)};
     addSurfaceRows(rows);
+    rows.push_back(dragRow());
     rows.push_back(fixedRow());
     for (ParameterRow& row : rows) row.layer = Layer::Carom;
     return {.name = "cuboid",

@@ -13,6 +13,7 @@ DeclarationRow wallDeclaration();
 DeclarationRow cuboidDeclaration();
 
 DeclarationRow gravityDeclaration();
+DeclarationRow airDeclaration();
 DeclarationRow springDeclaration();
 DeclarationRow simulationDeclaration();
 DeclarationRow cameraDeclaration();

@@ -71,6 +71,7 @@ constexpr std::array quantities = std::to_array<std::string_view>({"x",
                                                                    "energy_by_rotation",
                                                                    "energy_by_parting",
                                                                    "energy_by_rest",
+                                                                   "energy_by_drag",
                                                                    "energy_unexplained"});
 constexpr std::string_view firstOfWhole = "centre_of_mass_x";
 

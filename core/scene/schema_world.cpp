@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-// The declarations that are no bodies: gravity, springs, how the scene is simulated and looked at.
+// The declarations that are no bodies: gravity, air, springs, how the scene is simulated and looked at.
 
 namespace carom {
 namespace {
@@ -69,6 +69,37 @@ DeclarationRow gravityDeclaration() {
                                 }}},
             .begin = []() -> Declared { return Gravity{}; },
             .example = "gravity { accel 0, -1.62, 0 }"};
+}
+
+DeclarationRow airDeclaration() {
+    return {
+        .name = "air",
+        .help = "Air that drags on bodies by their `drag`; a scene without it is in a vacuum.",
+        .layer = Layer::Carom,
+        .once = true,
+        .parameters = {{.name = "density",
+                        .kind = ValueKind::Number,
+                        .unit = "kg/m³",
+                        .required = true,
+                        .example = "1.2",
+                        .constraint = Constraint::NotNegative,
+                        .help = "Mass per volume; 1.2 near the ground.",
+                        .layer = Layer::Carom,
+                        .store =
+                            [](Declared& into, const CheckedValue& value) {
+                                std::get<Air>(into).density = value.number;
+                            }},
+                       {.name = "wind",
+                        .kind = ValueKind::Vector,
+                        .unit = "m/s",
+                        .defaultText = "0, 0, 0",
+                        .example = "0, 0, 0",
+                        .help = "Velocity of the air.",
+                        .layer = Layer::Carom,
+                        .store = [](Declared& into,
+                                    const CheckedValue& value) { std::get<Air>(into).wind = value.vector; }}},
+        .begin = []() -> Declared { return Air{}; },
+        .example = "air { density 1.2  wind 3, 0, 0 }"};
 }
 
 DeclarationRow springDeclaration() {

@@ -2,6 +2,15 @@
 #include "core/shapes/cuboid.h"
 
 namespace carom {
+namespace {
+
+/// Of the faces whose normals are x, y and z [m²].
+Vec3 facesOf(const Cuboid& cuboid) {
+    const Vec3& half = cuboid.halfSize;
+    return 4 * Vec3(half.y() * half.z(), half.z() * half.x(), half.x() * half.y());
+}
+
+} // namespace
 
 Aabb boundsOf(const Cuboid& cuboid, const Pose& worldFromBody) {
     const Mat3 rotation = worldFromBody.orientation.toRotationMatrix();
@@ -24,5 +33,11 @@ Vec3 supportOf(const Cuboid& cuboid, const Vec3& direction) {
 double halfThicknessOf(const Cuboid& cuboid) { return cuboid.halfSize.minCoeff(); }
 
 double boundingRadiusOf(const Cuboid& cuboid) { return cuboid.halfSize.norm(); }
+
+double projectedArea(const Cuboid& cuboid, const Vec3& direction) {
+    return facesOf(cuboid).dot(direction.cwiseAbs());
+}
+
+double largestProjectedArea(const Cuboid& cuboid) { return facesOf(cuboid).norm(); }
 
 } // namespace carom

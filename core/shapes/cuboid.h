@@ -18,5 +18,8 @@ Vec3 inertiaOf(const Cuboid& cuboid, double mass);
 Vec3 supportOf(const Cuboid& cuboid, const Vec3& direction);
 double halfThicknessOf(const Cuboid& cuboid);
 double boundingRadiusOf(const Cuboid& cuboid);
+/// Σ |n · direction| area over the three faces.
+double projectedArea(const Cuboid& cuboid, const Vec3& direction);
+double largestProjectedArea(const Cuboid& cuboid);
 
 } // namespace carom

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace carom {
 
@@ -36,5 +37,16 @@ Vec3 supportOf(const Cylinder& cylinder, const Vec3& direction) {
 double halfThicknessOf(const Cylinder& cylinder) { return std::min(cylinder.radius, cylinder.halfHeight); }
 
 double boundingRadiusOf(const Cylinder& cylinder) { return std::hypot(cylinder.radius, cylinder.halfHeight); }
+
+double projectedArea(const Cylinder& cylinder, const Vec3& direction) {
+    const double across = std::hypot(direction.x(), direction.z());
+    const double side = 4 * cylinder.radius * cylinder.halfHeight;
+    return side * across + std::numbers::pi * cylinder.radius * cylinder.radius * std::abs(direction.y());
+}
+
+double largestProjectedArea(const Cylinder& cylinder) {
+    const double side = 4 * cylinder.radius * cylinder.halfHeight;
+    return std::hypot(side, std::numbers::pi * cylinder.radius * cylinder.radius);
+}
 
 } // namespace carom

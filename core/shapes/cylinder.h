@@ -28,6 +28,9 @@ Vec3 inertiaOf(const Cylinder& cylinder, double mass);
 Vec3 supportOf(const Cylinder& cylinder, const Vec3& direction);
 double halfThicknessOf(const Cylinder& cylinder);
 double boundingRadiusOf(const Cylinder& cylinder);
+/// 2 r h sqrt(1 − c²) + π r² |c| with c the cosine between direction and axis, h the whole height.
+double projectedArea(const Cylinder& cylinder, const Vec3& direction);
+double largestProjectedArea(const Cylinder& cylinder);
 
 /// The axis in world coordinates, a unit vector.
 inline Vec3 axisOf(const Pose& worldFromBody) { return worldFromBody.orientation * Vec3::UnitY(); }

@@ -49,4 +49,12 @@ double boundingRadiusOf(const Shape& shape) {
     return visitBounded(shape, [](const auto& s) { return boundingRadiusOf(s); });
 }
 
+double projectedArea(const Shape& shape, const Vec3& direction) {
+    return visitBounded(shape, [&](const auto& s) { return projectedArea(s, direction); });
+}
+
+double largestProjectedArea(const Shape& shape) {
+    return visitBounded(shape, [](const auto& s) { return largestProjectedArea(s); });
+}
+
 } // namespace carom

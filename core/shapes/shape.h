@@ -46,5 +46,7 @@ Vec3 inertiaOf(const Shape& shape, double mass);
 Vec3 supportOf(const Shape& shape, const Vec3& direction);
 double halfThicknessOf(const Shape& shape);
 double boundingRadiusOf(const Shape& shape);
+double projectedArea(const Shape& shape, const Vec3& direction);
+double largestProjectedArea(const Shape& shape);
 
 } // namespace carom

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/sphere.h"
 
+#include <numbers>
+
 namespace carom {
 
 Vec3 inertiaOf(const Sphere& sphere, double mass) {
@@ -14,5 +16,11 @@ Vec3 supportOf(const Sphere& sphere, const Vec3& direction) {
 double halfThicknessOf(const Sphere& sphere) { return sphere.radius; }
 
 double boundingRadiusOf(const Sphere& sphere) { return sphere.radius; }
+
+double projectedArea(const Sphere& sphere, const Vec3&) {
+    return std::numbers::pi * sphere.radius * sphere.radius;
+}
+
+double largestProjectedArea(const Sphere& sphere) { return projectedArea(sphere, Vec3::UnitY()); }
 
 } // namespace carom

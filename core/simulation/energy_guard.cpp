@@ -6,6 +6,7 @@
 #include "core/simulation/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom {
 
@@ -16,14 +17,21 @@ EnergyGuard::EnergyGuard(const Pipeline& pipeline, const FrameStatistics& start)
     const double gravity = pipeline.scene().gravity.acceleration.norm();
     for (const BodyIndex i : bodies.mobileBodies)
         m_scale += bodies.mass[i] * gravity * bodies.boundingRadius[i];
+    for (const auto& term : bodies.forces.terms) m_suppliers.push_back(term->account());
+    if (m_suppliers.empty()) return;
+    for (const BodyIndex i : bodies.mobileBodies)
+        m_carried += 0.5 * bodies.mass[i] * std::pow(bodies.forces.gain[i].speed, 2);
 }
 
 std::optional<EnergyRise> EnergyGuard::look(const FrameStatistics& frame) {
     m_given.add(frame.ledger);
     m_least = std::min(m_least, frame.potential);
     const double parted = std::max(0.0, m_given[LedgerAccount::Parting].energy);
-    const double rise = frame.kinetic + frame.potential - m_start - parted;
-    const double scale = m_scale + (m_potential - m_least);
+    double supplied = 0;
+    for (const LedgerAccount account : m_suppliers) supplied += std::max(0.0, m_given[account].energy);
+    supplied = std::min(supplied, m_carried + std::max(0.0, frame.potential - m_potential));
+    const double rise = frame.kinetic + frame.potential - m_start - parted - supplied;
+    const double scale = m_scale + (m_potential - m_least) + supplied;
     if (m_hasRisen || !(rise > mostEnergyRise * scale)) return std::nullopt;
     m_hasRisen = true;
     EnergyRise found{.frame = frame.frame, .energy = rise, .scale = scale, .account = {}};

@@ -6,15 +6,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 // Nothing in a scene gives energy: its sum of kinetic and potential energy may fall, and must not rise. It
 // does where a step is too long for what it has to follow, and then it often rises without an end, to numbers
 // that are finite and mean nothing. The guard looks at every frame and says when a run is not to be believed
 // any more:
 //
-//     E − E₀ − P > part · S        E₀ the energy at the start
+//     E − E₀ − P − W > part · S    E₀ the energy at the start
 //                                  P  what parting of bodies gave that overlapped (the ledger has it)
-//     S = K₀ + U₀ + (V₀ − V)ₘₐₓ + Σ m |g| r
+//                                  W  what wind gave, no more than is needed to carry all bodies along and
+//                                     to lift them to where they are
+//     S = K₀ + U₀ + (V₀ − V)ₘₐₓ + Σ m |g| r + W
 //                                  K₀, U₀ kinetic energy and that of springs at the start; (V₀ − V)ₘₐₓ what
 //                                  potential energy was released so far; Σ m |g| r what bodies of radius r
 //                                  would gain by a fall of their own size
@@ -44,11 +47,13 @@ class EnergyGuard {
     std::optional<EnergyRise> look(const FrameStatistics& frame);
 
   private:
-    double m_start = 0;     // energy [J]
-    double m_potential = 0; // at the start [J]
-    double m_least = 0;     // potential energy so far [J]
-    double m_scale = 0;     // S without what was released [J]
-    Ledger m_given;         // of all frames
+    double m_start = 0;                     // energy [J]
+    double m_potential = 0;                 // at the start [J]
+    double m_least = 0;                     // potential energy so far [J]
+    double m_scale = 0;                     // S without what was released, and without W [J]
+    double m_carried = 0;                   // what bodies have at most that force terms carry along [J]
+    std::vector<LedgerAccount> m_suppliers; // the accounts of the terms
+    Ledger m_given;                         // of all frames
     bool m_hasRisen = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/impact_watch.h"
 
+#include "core/dynamics/mean_force.h"
+
 #include <algorithm>
 
 namespace carom {
@@ -11,6 +13,9 @@ namespace {
 constexpr double asGravity = 2;
 /// Rounding of velocities, relative to the fastest body at the start.
 constexpr double rounding = 1e-9;
+/// The mean force of air at both ends of a frame is right to this part, while it takes less than a body's
+/// speed in a frame.
+constexpr double meanWithin = 0.1;
 
 } // namespace
 
@@ -31,11 +36,15 @@ std::size_t ImpactWatch::look(const State& state) {
     for (const BodyIndex i : m_bodies.mobileBodies) {
         const Vec3& place = state.pose[i].position;
         const Vec3& velocity = state.velocity[i];
-        const Vec3 change = velocity - m_velocity[i] - m_frame * m_gravity;
+        const Vec3 force =
+            meanForceOn(m_bodies, {i, state.pose[i], m_velocity[i], velocity, state.angularVelocity[i]});
+        const Vec3 acceleration = m_gravity + m_bodies.inverseMass[i] * force;
+        const Vec3 change = velocity - m_velocity[i] - m_frame * acceleration;
         const double square = change.squaredNorm();
-        if (square > m_least * m_least) {
+        const double least = m_least + meanWithin * m_frame * m_bodies.inverseMass[i] * force.norm();
+        if (square > least * least) {
             const Vec3 excess =
-                place - m_place[i] - m_frame * m_velocity[i] - (0.5 * m_frame * m_frame) * m_gravity;
+                place - m_place[i] - m_frame * m_velocity[i] - (0.5 * m_frame * m_frame) * acceleration;
             const double before = m_frame - std::clamp(excess.dot(change) / square, 0.0, m_frame);
             m_record[i].push_back({begin + before, change});
             ++hit;

@@ -17,8 +17,9 @@
 //
 // Limits: several impacts of one body in a frame are seen as one, at the mean time that their changes of
 // velocity weigh; every run is looked at once a frame, so all of them are seen alike. Contact forces change
-// velocities too: changes of less than twice what gravity makes in a frame are none. Springs bend the flight,
-// so nothing is seen where there are any.
+// velocities too: changes of less than twice what gravity makes in a frame are none. Air and the like count
+// as gravity does, by the mean of their forces at both ends of the frame. Springs bend the flight, so nothing
+// is seen where there are any.
 
 namespace carom {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/method_choice.h"
 
+#include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
 #include <algorithm>
@@ -25,11 +26,23 @@ std::optional<std::string> loss(const Scene& scene) {
 std::optional<std::string> objectionToEvents(const Scene& scene, const SolverRow& events, bool simultaneous) {
     if (firstMobile(scene) == nullptr) return "no body can move";
     if (simultaneous) return "impacts at one moment are to act as one";
-    if (const std::optional<SolverObjection> objection = events.objection(scene)) return objection->reason;
+    if (const std::optional<SolverObjection> objection = objectionTo(events, scene)) return objection->reason;
     return loss(scene);
 }
 
 } // namespace
+
+std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene) {
+    if (!method.abilities.bentPaths) {
+        for (const EffectRow& row : effects()) {
+            if (row.bendsPaths.empty()) continue;
+            const EffectDecision decision = row.decide(scene, method.abilities);
+            if (decision.status != EffectStatus::Absent)
+                return SolverObjection{std::string(row.bendsPaths), decision.source.value_or(SourceRange{})};
+        }
+    }
+    return method.objection != nullptr ? method.objection(scene) : std::nullopt;
+}
 
 MethodChoice chooseMethod(const Scene& scene, bool simultaneous) {
     const SolverRow* events = findSolver("events");

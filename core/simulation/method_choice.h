@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 #include "core/solvers/solver.h"
 
+#include <optional>
 #include <string>
 
 // What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
@@ -14,6 +15,10 @@
 //     contacts   everything else
 
 namespace carom {
+
+/// Why a method cannot treat a scene: by itself, or because an effect bends paths that it takes for
+/// parabolas.
+std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene);
 
 struct MethodChoice {
     const SolverRow* row = nullptr;

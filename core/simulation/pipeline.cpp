@@ -80,6 +80,8 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
         m_effects.push_back(row.decide(m_scene, m_settings.method->abilities));
         if (row.name == "collision") sayMethod(m_settings, m_effects.back());
         warnOfUnmet(row, m_effects.back(), m_warnings);
+        if (row.contribute != nullptr && m_effects.back().status == EffectStatus::On)
+            row.contribute(m_scene, m_bodies);
     }
     for (Diagnostic& warning : foreseen(m_scene, m_settings, m_bodies, stage.part(decided, 1)))
         m_warnings.push_back(std::move(warning));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/quantities.h"
 
+#include "core/dynamics/mean_force.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/narrowphase.h"
 
@@ -28,14 +29,16 @@ Vec3 angularMomentumOf(const Moment& moment, BodyIndex i) {
         bodiesOf(moment).inertia[i].cwiseProduct(pose.directionToBody(moment.angularVelocity[i])));
 }
 
-/// What other bodies did to this one, springs included: F = m (Δv/Δt − g), the mean over the time since the
-/// state before [N]. This is Newton's second law read backwards, so it holds for every method, and for
-/// impacts as well as for rest.
+/// What other bodies did to this one, springs included: F = m (Δv/Δt − g) without what air and the like did,
+/// the mean over the time since the state before [N]. This is Newton's second law read backwards, so it holds
+/// for every method, and for impacts as well as for rest.
 Vec3 contactForceOf(const Moment& moment, BodyIndex i) {
     if (moment.velocityBefore.empty() || !(moment.elapsed > 0)) return Vec3::Constant(undefined);
     const Vec3 acceleration = (moment.velocity[i] - moment.velocityBefore[i]) / moment.elapsed;
     const Vec3 gravity = bodiesOf(moment).mobile[i] != 0 ? moment.pipeline.gravity() : Vec3::Zero();
-    return bodiesOf(moment).mass[i] * (acceleration - gravity);
+    return bodiesOf(moment).mass[i] * (acceleration - gravity) -
+           meanForceOn(bodiesOf(moment), {i, moment.pose[i], moment.velocityBefore[i], moment.velocity[i],
+                                          moment.angularVelocity[i]});
 }
 
 template<Vec3 (*vector)(const Moment&, BodyIndex), int axis>
@@ -218,6 +221,7 @@ constexpr std::array wholeRows = {
     QuantityRow{"energy by parting", "energy_by_parting", "J", bookedOf<LedgerAccount::Parting>,
                 totalKineticOf, true},
     QuantityRow{"energy by rest", "energy_by_rest", "J", bookedOf<LedgerAccount::Rest>, totalKineticOf, true},
+    QuantityRow{"energy by drag", "energy_by_drag", "J", bookedOf<LedgerAccount::Drag>, totalKineticOf, true},
     QuantityRow{"energy unexplained", "energy_unexplained", "J", unexplainedOf, totalKineticOf, true},
 };
 

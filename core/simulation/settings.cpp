@@ -48,10 +48,6 @@ const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> r
     return fallback;
 }
 
-std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene) {
-    return method.objection != nullptr ? method.objection(scene) : std::nullopt;
-}
-
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
 /// The method that treats every scene. It iterates to a tolerance, and the integrator that fits it is stable

@@ -64,6 +64,20 @@ void tiesBetweenTheFixed(const Scene& scene, std::vector<Diagnostic>& found) {
     }
 }
 
+void dragInVain(const Scene& scene, std::vector<Diagnostic>& found) {
+    std::size_t count = 0;
+    for (BodyIndex i = 0; i < scene.bodies.size() && count < mostOfAKind; ++i) {
+        const Body& body = scene.bodies[i];
+        const ParameterSource* given = scene.find(body.source, "drag");
+        if (given == nullptr || !(body.drag > 0) || (body.mobile() && scene.air.source)) continue;
+        ++count;
+        found.push_back(hint(given->value, body.mobile() ? "`drag` has no effect: the scene has no air; "
+                                                           "declare it with `air { density 1.2 }`"
+                                                         : "`drag` has no effect: " + scene.nameOf(i) +
+                                                               " is fixed; only what is not fixed moves"));
+    }
+}
+
 } // namespace
 
 std::vector<Diagnostic> withoutEffect(const Scene& scene) {
@@ -71,6 +85,7 @@ std::vector<Diagnostic> withoutEffect(const Scene& scene) {
     motionOfTheFixed(scene, found);
     unansweredFriction(scene, found);
     tiesBetweenTheFixed(scene, found);
+    dragInVain(scene, found);
     return found;
 }
 

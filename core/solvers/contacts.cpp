@@ -3,6 +3,7 @@
 #include "core/dynamics/contact_memory.h"
 #include "core/shapes/manifold.h"
 #include "core/solvers/candidates.h"
+#include "core/solvers/coasting.h"
 #include "core/solvers/contacts/base_path.h"
 #include "core/solvers/contacts/calm.h"
 #include "core/solvers/contacts/found_contacts.h"
@@ -149,7 +150,8 @@ class Contacts final : public Solver {
     Islands m_islands;
     IslandCrew m_crew;
     SteppedMotion m_rest; // of a substep that refinement left unfinished
-    WorkCounters m_work;  // of this substep
+    Coasting m_coasting;
+    WorkCounters m_work; // of this substep
 };
 
 SolverReport Contacts::advance(const SolverInput& input) {
@@ -191,7 +193,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     report.work = m_work;
     report.respond = watch.lap();
     if (report.loss) return report;
-    coast(input, m_refinement.lone());
+    m_coasting.move(input, m_refinement.lone());
     report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
     return report;
@@ -429,7 +431,8 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
         if (m_base.has(i)) m_entering.push_back(i);
     m_calm.note(input.bodies, input.state, m_entering, input.gravity, input.parts * input.substep);
     const auto isCalm = [&](BodyIndex body) {
-        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, body, input.gravity);
+        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, body, input.gravity) &&
+               !mayFloat(input.bodies, body, input.gravity);
     };
     if (!(input.gravity.norm() > 0) || !m_base.anyIsland(isCalm)) return;
     leave(input, m_base);
@@ -507,6 +510,7 @@ constinit const SolverRow contactsRow = {
     .abilities = {.friction = true,
                   .rollingResistance = true,
                   .springs = true,
+                  .bentPaths = true,
                   .locatesImpacts = true,
                   .resting = true,
                   .gyroscopicTerm = true},

@@ -131,7 +131,7 @@ bool ElasticGas::isOfImpacts(const SolverInput& input) const {
 
 bool isElasticGas(const Bodies& bodies) {
     if (bodies.mobileBodies.size() < fewest || bodies.bounded.size() != bodies.mobileBodies.size() ||
-        !bodies.springs.empty())
+        !bodies.springs.empty() || !bodies.forces.empty())
         return false;
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
         const bool wall = isWall(bodies.shape[i]);

@@ -71,11 +71,8 @@ SourceRange placeOf(const Scene& scene, const DeclarationSource& source, std::st
     return given != nullptr ? given->value : source.type;
 }
 
-// The method's limits, each with the line that breaks it.
+// The method's limits, each with the line that breaks it; of effects that bend paths their own rows tell.
 std::optional<SolverObjection> objection(const Scene& scene) {
-    if (!scene.springs.empty())
-        return SolverObjection{"springs bend the flight of a body between events",
-                               scene.springs.front().source.type};
     const Body* rough = nullptr;
     for (const Body& body : scene.bodies) {
         const ShapeKind kind = kindOf(body.shape);

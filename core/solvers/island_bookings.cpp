@@ -30,6 +30,7 @@ void IslandMotion::bookForces(const MotionInput& input, double duration) {
     bookRows(m_problem, m_mean, 1, LedgerAccount::Contact, ledger);
     swapPushes();
     bookSprings(m_problem, m_mean, ledger);
+    if (!m_forced.isEmpty()) bookTerms(input);
 }
 
 // Rows and what their impulses act along.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/island_crew.h"
 
-#include "core/dynamics/energy.h"
+#include "core/solvers/coasting.h"
 
 #include <algorithm>
 
@@ -72,13 +72,7 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
     Ledger* ledger = input.ledger != nullptr ? &outcome.ledger : nullptr;
     if (isNetwork(input, island)) {
         SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, hand.room};
-        const Invariants before = ledger != nullptr
-                                      ? invariantsOf(input.bodies, island.bodies, input.state, input.gravity)
-                                      : Invariants{};
-        input.motion.swing(network, input.substep, input.state);
-        if (ledger != nullptr)
-            bookSwing(input.bodies, island.bodies, before, {input.gravity, input.gravity, input.substep},
-                      input.state, *ledger);
+        moveNetwork(input, network, ledger);
         return;
     }
     const MotionInput motion{.bodies = input.bodies,

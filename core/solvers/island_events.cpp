@@ -63,6 +63,7 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
 void IslandMotion::markHeld() {
     m_held.assign(m_contacts.pairs.size(), 0);
     m_pushed.assign(m_problem.bodies.size(), m_problem.springs.empty() ? 0 : 1);
+    for (const ForcedSteps::Step& step : m_forced.steps()) m_pushed[step.owner] = 1;
     const double gentle = std::max(m_scale, 10 * m_tolerance);
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
         const ContactRow& row = m_problem.rows[i];

@@ -3,6 +3,7 @@
 
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/forced_steps.h"
 #include "core/dynamics/state.h"
 #include "core/dynamics/work_counters.h"
 #include "core/narrowphase/time_of_impact.h"
@@ -111,6 +112,12 @@ class IslandMotion {
     Vec3 endMomentum(std::size_t body) const;
     void chooseRows(const MotionInput& input, double duration, bool locating);
     void solve(const MotionInput& input);
+    void solveForces(const MotionInput& input, double duration);
+    void beginTerms(const MotionInput& input, double duration);
+    void applyTerms();
+    bool followTerms(const MotionInput& input);
+    void endTerms(const MotionInput& input);
+    void bookTerms(const MotionInput& input);
     NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
     void makeRoom();
@@ -183,6 +190,7 @@ class IslandMotion {
     std::vector<Vec6> m_lastVelocity;          // by body of m_problem, of the round before
     double m_fastest = 0;                      // body then [m/s]
     std::vector<Start> m_start;                // by body of m_problem
+    ForcedSteps m_forced;                      // of the bodies that force terms act on
     std::vector<Pose> m_middlePose, m_endPose; // by body of m_problem, foreseen
     std::vector<Place> m_inMiddle, m_atEnd;    // by point of m_contacts, foreseen
     std::vector<Push> m_pushes;                // by row; empty: along the rows themselves

@@ -21,6 +21,7 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     const BodyIndex other = pair.a == ball ? pair.b : pair.a;
     const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other]);
     if (wall == nullptr || !std::holds_alternative<Sphere>(input.bodies.shape[ball])) return false;
+    if (input.bodies.forces.actOn(ball)) return false;
 
     ContactConstraint& point = m_contacts.points.front();
     Vec3& velocity = input.state.velocity[ball];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/separating_axis.h"
+#include "core/solvers/coasting.h"
 #include "core/solvers/impulse.h"
 #include "core/solvers/local_solver.h"
 #include "core/solvers/solver.h"
@@ -27,7 +28,7 @@
 // several points the impulse acts at their centre of pressure, not at the deepest one. Where the witness
 // points coincide, or the centres of two spheres do, the narrow phase still gives a normal, and that is the
 // line of action. Between collisions angular velocities are constant, as in the reference;
-// bodies at the ends of springs, which it did not have, turn as the torques of the springs have it.
+// bodies at the ends of springs or in air, which it did not have, turn with their angular momentum.
 //
 // The order. Pairs come in ascending order of (smaller index, larger index), pairs with walls among them, as
 // the reference's two nested loops would meet them. Every broad-phase reports the same pairs in the same
@@ -104,9 +105,9 @@ class Microcollisions final : public Solver {
     std::vector<std::uint8_t> m_inBatch;  // by BodyIndex: mobile and in a contact of m_batch
     SeparatingAxes m_axes;                // of pairs that were apart in the substep before
     Manifold m_manifold;                  // of the pair in turn
-    std::vector<BodyIndex> m_free;        // mobile, at no end of a spring
+    std::vector<BodyIndex> m_free;        // mobile, and nothing but gravity acts on them
     std::vector<BodyIndex> m_turning;     // of bodies.rotating, those of m_free
-    std::vector<BodyIndex> m_swinging;    // mobile, at an end of a spring
+    std::vector<BodyIndex> m_swinging;    // mobile, at an end of a spring or under a force term
     std::vector<std::uint32_t> m_springs; // all of them
     SpringNetwork::Scratch m_swingRoom;
     Stopwatch m_watch;
@@ -128,7 +129,10 @@ Microcollisions::Microcollisions(const Bodies& bodies)
         if (spring.from != noBody) sprung[spring.from] = 1;
         if (spring.to != noBody) sprung[spring.to] = 1;
     }
-    for (const BodyIndex i : bodies.mobileBodies) (sprung[i] != 0 ? m_swinging : m_free).push_back(i);
+    for (const BodyIndex i : bodies.mobileBodies) {
+        if (bodies.forces.actOn(i)) sprung[i] = 1;
+        (sprung[i] != 0 ? m_swinging : m_free).push_back(i);
+    }
     for (const BodyIndex i : bodies.rotating)
         if (sprung[i] == 0) m_turning.push_back(i);
     m_springs.resize(bodies.springs.size());
@@ -178,15 +182,9 @@ void Microcollisions::moveSmoothly(const SolverInput& input) {
         input.motion.turn(turning.subspan(begin, end - begin), input.substep, input.state);
     });
     if (input.ledger != nullptr) bookSpin(input, 1);
-    if (m_springs.empty()) return;
+    if (m_swinging.empty()) return;
     SpringNetwork network{input.bodies, m_swinging, m_springs, input.gravity, m_swingRoom};
-    const Invariants before = input.ledger != nullptr
-                                  ? invariantsOf(input.bodies, m_swinging, input.state, input.gravity)
-                                  : Invariants{};
-    input.motion.swing(network, input.substep, input.state);
-    if (input.ledger != nullptr)
-        bookSwing(input.bodies, m_swinging, before, {input.gravity, input.gravity, input.substep},
-                  input.state, *input.ledger);
+    moveNetwork(input, network, input.ledger);
 }
 
 void Microcollisions::updateBoxes(const SolverInput& input) {
@@ -323,7 +321,7 @@ constinit const SolverRow microcollisionsRow = {
     .source = "the reference work, 3.6.2, after B. Mirtich, J. Canny, Impulse-based simulation of rigid "
               "bodies, 1995",
     .create = create,
-    .abilities = {.springs = true},
+    .abilities = {.springs = true, .bentPaths = true},
 };
 
 } // namespace carom

@@ -71,10 +71,12 @@ double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose
 
 // A spring moves its ends by no more than s (ωh)²/2, with s how far it is stretched now or will be if they go
 // on as they do, and by no more than twice the amplitude. A damper moves them by no more than they move
-// anyway.
+// anyway; force terms say themselves how far they take a body.
 void Neighbours::notePulls(const Bodies& bodies, const State& state, double duration) {
-    if (bodies.springs.empty()) return;
+    if (bodies.springs.empty() && bodies.forces.empty()) return;
     std::fill(m_pull.begin(), m_pull.end(), 0.0);
+    if (!bodies.forces.empty())
+        for (const BodyIndex i : bodies.mobileBodies) m_pull[i] = bodies.forces.reach(i, duration);
     for (const SpringForce& spring : bodies.springs) {
         const auto placeOf = [&](BodyIndex i, const Vec3& at) {
             return i == noBody ? at : state.pose[i].toWorld(at);

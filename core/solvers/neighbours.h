@@ -74,7 +74,8 @@ class Neighbours {
 
     /// How far a body's surface can come in the duration noted last [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
-    /// How far springs take it at most [m] in the duration noted last, or in a longer `time` [s].
+    /// How far springs and force terms take it at most [m] in the duration noted last, or in a longer `time`
+    /// [s].
     double pull(BodyIndex body, double time) const {
         const double times = std::max(1.0, time / m_duration);
         return m_pull[body] * times * times;
@@ -111,7 +112,7 @@ class Neighbours {
     std::vector<std::uint8_t> m_mobile; // of bodies.bounded
     std::vector<Aabb> m_boxes;          // of bodies.bounded
     std::vector<double> m_path;         // by body: how far it comes if nothing hits it [m]
-    std::vector<double> m_pull;         // by body: how much further springs take it [m]
+    std::vector<double> m_pull;         // by body: how much further springs and force terms take it [m]
     std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
     std::vector<double> m_skin;         // by body [m]
     std::vector<double> m_asked; // by body: the most room covers() was asked for since the last update [m]

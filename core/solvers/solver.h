@@ -74,9 +74,6 @@ struct SolverInput {
     }
 };
 
-/// Moves bodies that touch nothing and that no spring holds, and books it.
-void coast(const SolverInput& input, std::span<const BodyIndex> bodies);
-
 /// How carefully a solver works; what it does not need it ignores.
 struct SolverSettings {
     double tolerance = 1e-6;   ///< residual of the contact problem, relative to |gravity| · substep

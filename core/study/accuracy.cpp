@@ -6,6 +6,7 @@
 #include "core/base/figures.h"
 #include "core/integrators/integrator.h"
 #include "core/math/statistics.h"
+#include "core/simulation/method_choice.h"
 #include "core/simulation/pipeline.h"
 
 #include <algorithm>
@@ -20,12 +21,13 @@ const char* const stepping[] = {"microcollisions", "contacts"};
 /// Whether integrators differ on this scene: something accelerates bodies, or turns them unevenly.
 bool integratorsMatter(const Pipeline& pipeline) {
     return pipeline.simulates("gravity") || pipeline.simulates("spring") ||
-           pipeline.simulates("gyroscopic_term");
+           pipeline.simulates("gyroscopic_term") || !pipeline.bodies().forces.empty();
 }
 
 /// Schemes that are exact in free fall are one and the same where nothing bends the fall; one will do.
 bool duplicates(const IntegratorRow& integrator, bool iterates, const Pipeline& pipeline) {
-    const bool bent = pipeline.simulates("spring") || (iterates && pipeline.simulates("gyroscopic_term"));
+    const bool bent = pipeline.simulates("spring") || !pipeline.bodies().forces.empty() ||
+                      (iterates && pipeline.simulates("gyroscopic_term"));
     return !bent && integrator.motion.move == moveOnParabola &&
            integrator.name != (iterates ? "midpoint" : "verlet");
 }
@@ -34,7 +36,8 @@ bool losesNothing(const Scene& scene) {
     for (const Body& body : scene.bodies)
         if (body.elastic < 1 || body.friction > 0 || body.rolling > 0) return false;
     return std::all_of(scene.springs.begin(), scene.springs.end(),
-                       [](const Spring& spring) { return spring.damping == 0; });
+                       [](const Spring& spring) { return spring.damping == 0; }) &&
+           Pipeline(scene).bodies().forces.empty();
 }
 
 /// Measures the points of a study, one after the other, then times them in turns.
@@ -224,7 +227,7 @@ AccuracyPlan planFor(const Scene& scene) {
         }
     }
     const SolverRow* events = findSolver("events");
-    if (!events->objection(scene)) plan.settings.push_back({events, nullptr, 1, 0});
+    if (!objectionTo(*events, scene)) plan.settings.push_back({events, nullptr, 1, 0});
     return plan;
 }
 

@@ -20,7 +20,7 @@ constexpr double leastTimed = 5;
 constexpr double noMomentum = 1e-12;
 
 bool isClosed(const Pipeline& pipeline) {
-    if (pipeline.simulates("gravity")) return false;
+    if (pipeline.simulates("gravity") || !pipeline.bodies().forces.empty()) return false;
     if (pipeline.bodies().mobileBodies.size() < pipeline.bodies().count()) return false;
     return std::all_of(pipeline.bodies().springs.begin(), pipeline.bodies().springs.end(),
                        [](const SpringForce& s) { return s.from != noBody && s.to != noBody; });

@@ -65,7 +65,7 @@ std::optional<ClosedMotion> alongSpring(const Pipeline& pipeline) {
 
 std::optional<ClosedMotion> closedMotionOf(const Pipeline& pipeline) {
     const Bodies& bodies = pipeline.bodies();
-    if (bodies.count() != 1 || bodies.mobileBodies.size() != 1) return std::nullopt;
+    if (bodies.count() != 1 || bodies.mobileBodies.size() != 1 || !bodies.forces.empty()) return std::nullopt;
     if (bodies.springs.empty()) return freeFlight(pipeline);
     return bodies.springs.size() == 1 ? alongSpring(pipeline) : std::nullopt;
 }

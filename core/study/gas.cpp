@@ -4,6 +4,7 @@
 #include "core/study/references.h"
 
 #include "core/dynamics/energy.h"
+#include "core/simulation/method_choice.h"
 #include "core/solvers/event_gas.h"
 
 #include "core/math/distributions.h"
@@ -34,7 +35,7 @@ double theory::freeTimeOf(double density, double diameter, double mass, double t
 
 std::optional<GasObjection> gasObjection(const Pipeline& pipeline) {
     const Scene& scene = pipeline.scene();
-    if (const std::optional<SolverObjection> objection = findSolver("events")->objection(scene))
+    if (const std::optional<SolverObjection> objection = objectionTo(*findSolver("events"), scene))
         return GasObjection{objection->reason, objection->place};
     std::size_t mobile = 0;
     for (const Body& body : scene.bodies) {

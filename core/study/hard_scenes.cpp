@@ -7,6 +7,7 @@
 #include "core/expectations/scene_check.h"
 #include "core/language/simulation_edit.h"
 #include "core/simulation/build.h"
+#include "core/simulation/method_choice.h"
 #include "core/solvers/solver.h"
 #include "core/study/trial.h"
 
@@ -38,7 +39,7 @@ std::string sentenceBehind(std::string_view text, std::string_view begin) {
 StudyColumns columnsOf(const Scene& scene) {
     if (scene.simulation.method) return exactColumn;
     const SolverRow& events = *findSolver("events");
-    return events.objection == nullptr || !events.objection(scene) ? everyColumn : steppingColumns;
+    return !objectionTo(events, scene) ? everyColumn : steppingColumns;
 }
 
 /// The limits of a column, for people.

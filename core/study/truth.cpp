@@ -2,6 +2,7 @@
 #include "core/study/truth.h"
 
 #include "core/base/clock.h"
+#include "core/simulation/method_choice.h"
 #include "core/simulation/world.h"
 #include "core/study/closed_motion.h"
 
@@ -174,7 +175,7 @@ std::optional<Truth> findTruth(const TruthRequest& request) {
     if (const std::optional<ClosedMotion> motion = closedMotionOf(pipeline))
         return closedTruth(request, *motion, pipeline.bodies());
     const SolverRow* events = findSolver("events");
-    if (!events->objection(request.scene)) {
+    if (!objectionTo(*events, request.scene)) {
         if (std::optional<Truth> truth = exactTruth(request, pipeline.bodies())) return truth;
         if (!request.goOn()) return std::nullopt;
     }

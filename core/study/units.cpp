@@ -36,6 +36,8 @@ Scene scaled(Scene scene, const Units& units) {
         spring.damping *= kilogram / second;
         if (spring.length) spring.length = *spring.length * metre;
     }
+    scene.air.density *= kilogram / (metre * metre * metre);
+    scene.air.wind *= metre / second;
     return scene;
 }
 

@@ -1781,6 +1781,10 @@ Die Simulation oben geht dabei weiter.</translation>
         <source>not simulated yet</source>
         <translation>noch nicht simuliert</translation>
     </message>
+    <message>
+        <source>Air drag</source>
+        <translation>Luftwiderstand</translation>
+    </message>
 </context>
 <context>
     <name>carom::EffectsDock</name>

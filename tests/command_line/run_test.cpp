@@ -25,7 +25,7 @@ const char* const statsColumns = "frame,time,simulate_ms,integrate_ms,broadphase
                                  "energy_by_rotation,energy_by_parting,energy_by_rest,energy_unexplained,"
                                  "momentum_unexplained,residual,resting,"
                                  "pairs_collided,rows_swept,factorisations,impacts,searches,islands,"
-                                 "islands_unfinished";
+                                 "islands_unfinished,energy_by_drag";
 
 /// Two spheres without gravity: one at rest, one that moves exactly 1/8 m a frame.
 const QByteArray glide = "gravity { accel 0, 0, 0 }\nsimulation { step 0.125  method contacts }\n"
@@ -140,7 +140,7 @@ void RunTest::statisticsHoldARowAFrame() {
     QCOMPARE(rows.first(), QString(statsColumns));
     for (int frame = 1; frame <= 3; ++frame) {
         const QStringList fields = fieldsOf(rows[frame]);
-        QCOMPARE(fields.size(), 39);
+        QCOMPARE(fields.size(), 40);
         QCOMPARE(fields[0].toInt(), frame);
         QCOMPARE(fields[1].toDouble(), 0.125 * frame);
         for (int i = 2; i <= 6; ++i) QVERIFY(fields[i].toDouble() >= 0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/analysis.h"
+#include "core/simulation/method_choice.h"
 
 #include "tests/support/random_scene.h"
 #include "tests/support/shipped_scenes.h"
@@ -111,8 +112,7 @@ class DeclarationOrderTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(seed));
         Random random(seed);
         const Scene scene = analyse(test::textOfScene(path)).scene;
-        if (const SolverRow& row = *findSolver(method.constData());
-            row.objection != nullptr && row.objection(scene))
+        if (const SolverRow& row = *findSolver(method.constData()); objectionTo(row, scene))
             return;                // the method does not treat this scene
         constexpr int frames = 30; // enough for impacts, slides and rests of most
         movesTheSameInAnyOrder(scene, method.constData(), random, frames);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/language/analysis.h"
+#include "core/simulation/method_choice.h"
 #include "core/study/units.h"
 
 #include "tests/support/random_scene.h"
@@ -82,8 +83,7 @@ class UnitsTest : public QObject {
         QFETCH(QString, path);
         QFETCH(QByteArray, method);
         const Scene scene = analyse(textOfScene(path)).scene;
-        if (const SolverRow& row = *findSolver(method.constData());
-            row.objection != nullptr && row.objection(scene))
+        if (const SolverRow& row = *findSolver(method.constData()); objectionTo(row, scene))
             return; // the method does not treat this scene
         movesTheSameInAllUnits(scene, method.constData(), "default", frames);
     }

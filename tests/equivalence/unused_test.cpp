@@ -152,6 +152,9 @@ QList<Row> rowsOfZeros() {
         sceneWith("", "",
                   "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\nspring { from world  to a  stiffness "
                   "5  length 1 }\n"));
+    add("air of density 0", sceneWith("drag 0.5", "", "air { density 0  wind 1, 2, 3 }\n"));
+    add("air about what has no drag", sceneWith("drag 0", "", "air { density 1.2  wind 1, 2, 3 }\n"));
+    add("drag without air", sceneWith("drag 0.5"));
     add("gravity as it is", sceneWith("", "", "gravity { accel 0, -9.8, 0 }\n"));
     return rows;
 }
@@ -175,6 +178,7 @@ QList<Row> rowsOfKernels() {
     add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
     add("springs", "carom::springEnergy(", sceneWith("", "", tied));
     add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
+    add("air", "carom::ForcedSteps::solve(", sceneWith("drag 0.5", "", "air { density 1.2 }\n"));
     add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
     const QByteArray alone = "wall { normal 0, 1, 0  toOrig 0  elastic 0.5 }\n";
     add("contact forces", "carom::NewtonSolver::solve(", sceneWith("", "", boxes),

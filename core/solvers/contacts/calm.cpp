@@ -3,10 +3,15 @@
 
 #include "core/dynamics/energy.h"
 
+#include <cmath>
+
 namespace carom {
 namespace {
 
 constexpr double calmTime = 5;
+/// Forces up to this part of the weight do not keep a body up. At twice as much one that sinks slowly in
+/// something dense could be taken for one at rest.
+constexpr double bornePart = 0.1;
 
 } // namespace
 
@@ -23,6 +28,12 @@ void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIn
 bool Calm::isCalm(const Bodies& bodies, BodyIndex body, const Vec3& gravity) const {
     return m_times[body] * m_times[body] * gravity.norm() >=
            calmTime * calmTime * bodies.boundingRadius[body];
+}
+
+bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity) {
+    if (!bodies.forces.actOn(body)) return false;
+    const double speed = calmSpeed * std::sqrt(gravity.norm() * bodies.boundingRadius[body]);
+    return bodies.forces.most(body, speed) > bornePart * bodies.mass[body] * gravity.norm();
 }
 
 void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger) {

@@ -38,6 +38,10 @@ class Calm {
     std::vector<double> m_times;
 };
 
+/// Whether force terms could bear a body's weight, or a part of it, while it is calm: then it need not lie on
+/// anything.
+bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity);
+
 /// Takes all velocity from bodies; what that costs is booked under Rest.
 void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger);
 

@@ -19,7 +19,8 @@ double gapAfter(const ManifoldInput& here, BodyPair pair, double gap, double spe
     const Bodies& bodies = here.bodies;
     const double radii = bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b];
     double then = gap - speeds * time;
-    if (time > 0 && isSphere(bodies, pair.a) && isSphere(bodies, pair.b)) {
+    const bool isBallistic = !bodies.forces.actOn(pair.a) && !bodies.forces.actOn(pair.b);
+    if (isBallistic && time > 0 && isSphere(bodies, pair.a) && isSphere(bodies, pair.b)) {
         const Vec3 between = here.state.pose[pair.b].position - here.state.pose[pair.a].position +
                              time * (here.state.velocity[pair.b] - here.state.velocity[pair.a]);
         then = between.norm() - radii;

@@ -195,15 +195,18 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
 
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     const State& state = input.state;
-    const double slack =
-        slackPart * sizeOf(input.bodies, pair) + input.gravity.norm() * input.duration * input.duration;
+    const Forces& forces = input.bodies.forces;
+    const double slack = slackPart * sizeOf(input.bodies, pair) +
+                         input.gravity.norm() * input.duration * input.duration +
+                         forces.reach(pair.a, input.duration) + forces.reach(pair.b, input.duration);
     if (gap <= slack) return true;
     double speed = (state.velocity[pair.b] - state.velocity[pair.a]).norm();
     for (const BodyIndex i : {pair.a, pair.b})
         if (!isSphere(input.bodies, i))
             speed += input.bodies.boundingRadius[i] * state.angularVelocity[i].norm();
     if (gap > speed * input.duration + slack) return false;
-    if (!areSpheres(input.bodies, pair)) return true;
+    const bool isBallistic = !forces.actOn(pair.a) && !forces.actOn(pair.b);
+    if (!areSpheres(input.bodies, pair) || !isBallistic) return true;
     const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
     return meetingOf(input, pair, radii).gap <= slack;
 }

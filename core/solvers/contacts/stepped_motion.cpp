@@ -46,6 +46,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_isFlipped.clear();
     m_general.clear();
     m_balls.clear();
+    m_forced.clear();
     m_isFresh = true;
 }
 
@@ -277,6 +278,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
         add(m_bodies[i].velocity, fall);
         m_free[i] = m_bodies[i].velocity;
     }
+    if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
     if (bounces) m_energy.remember(m_bodies, m_island, m_islands);
     m_balls.warmStart(m_bodies);
@@ -307,6 +309,33 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     }
+    if (input.ledger != nullptr && !m_forced.isEmpty()) bookTerms(input);
+}
+
+// Force terms as if nothing else but gravity acted: an impulse of its own before those of the contacts.
+void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
+    m_forced.clear();
+    for (std::size_t i = 1; i < m_bodies.size(); ++i)
+        if (input.bodies.forces.actOn(m_list[i - 1]))
+            m_forced.add(i, input.bodies, input.state, m_list[i - 1], duration);
+    m_forced.solve(input.bodies.forces, input.gravity, duration);
+    m_halfWays.assign(m_bodies.size(), 0.5 * duration * duration * input.gravity);
+    for (const ForcedSteps::Step& step : m_forced.steps()) {
+        m_bodies[step.owner].velocity = m_free[step.owner] = arrayOf(step.after);
+        m_halfWays[step.owner] = 0.5 * duration * (step.after - step.before);
+    }
+}
+
+// What terms did is in the difference that is booked for the contacts.
+void SteppedMotion::bookTerms(const SteppedInput& input) {
+    for (ForcedSteps::Step& step : m_forced.steps()) {
+        step.given = m_forced.impulseOf(step);
+        step.after = vectorOf(m_bodies[step.owner].velocity);
+    }
+    const LedgerEntry given = m_forced.book(input.bodies.forces, *input.ledger);
+    LedgerEntry& contact = (*input.ledger)[LedgerAccount::Contact];
+    contact.energy -= given.energy;
+    contact.momentum -= given.momentum;
 }
 
 void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
@@ -324,7 +353,7 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     m_energy.keep(m_before, m_island, m_bodies);
 }
 
-// Bodies that nothing touched move on their parabola; the others by their velocity at the end.
+// Bodies that nothing touched move by the mean of both velocities; the others by their velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
@@ -333,7 +362,7 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
         if (from.velocity == m_free[i])
-            shift -= half;
+            shift -= m_forced.isEmpty() ? half : m_halfWays[i];
         else
             m_struck[i] = 1;
         Vec3& position = input.state.pose[body].position;

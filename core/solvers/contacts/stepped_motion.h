@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dynamics/forced_steps.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/ball_rows.h"
@@ -143,6 +144,8 @@ class SteppedMotion {
     void step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
               SteppedReport& report);
     void rebound(const StepSettings& settings, SteppedReport& report);
+    void applyTerms(const SteppedInput& input, double duration);
+    void bookTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
     /// A ball without springs: where it points matters to nobody before the next look.
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
@@ -159,7 +162,7 @@ class SteppedMotion {
     std::vector<BodyPlace> m_places;
     std::vector<Quat> m_orientations;
     std::vector<std::uint32_t> m_island;
-    std::vector<std::array<double, 3>> m_free; // velocities that nothing but gravity has changed
+    std::vector<std::array<double, 3>> m_free; // velocities that only gravity and force terms have changed
     std::vector<std::uint8_t> m_struck;        // by anything since the last look
     std::vector<SolverBody> m_before;          // the rebound of an impact
     std::vector<std::uint8_t> m_stirred;       // by it
@@ -176,7 +179,9 @@ class SteppedMotion {
     std::vector<Watched> m_watched;
     EnergyLimit m_energy;
     PairSort<Entry> m_sort;
-    bool m_isFresh = false; // manifolds are those of now
+    ForcedSteps m_forced;         // of the bodies that force terms act on; owners are their numbers
+    std::vector<Vec3> m_halfWays; // by number: how far the velocity at the end is too far, if there are terms
+    bool m_isFresh = false;       // manifolds are those of now
 };
 
 } // namespace carom

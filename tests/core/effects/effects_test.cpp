@@ -120,6 +120,15 @@ class EffectsTest : public QObject {
         row("spring between what cannot move", "spring",
             s("sphere a { radius 1 centre 0, 5, 0 fixed yes } spring { from world to a stiffness 3 }"),
             "absent", "", 0);
+        const QString feather = s("sphere { radius 1 mass 1 centre 0, 5, 0 drag 0.5 }");
+        row("no air", "air", feather, "absent", "");
+        row("air", "air", s("air { density 1.25 }\n") + feather, "not simulated yet", "1.25", 1);
+        row("air of density 1e-300", "air", s("air { density 1e-300 }\n") + feather, "not simulated yet",
+            "1e-300", 1);
+        row("air of density 0", "air", s("air { density 0 wind 1, 0, 0 }\n") + feather, "absent", "0");
+        row("air that drags on nothing", "air", s("air { density 1.25 }\n") + one, "absent", "1.25");
+        row("air about what is fixed", "air",
+            s("air { density 1.25 }\nsphere { radius 1 centre 0, 5, 0 fixed yes drag 1 }"), "absent", "1.25");
         row("resting, elastic", "resting", two, "absent", "");
         row("resting, inelastic", "resting", one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0.5 }"),
             "not simulated yet", "0.5", 0);

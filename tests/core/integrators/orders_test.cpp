@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // The orders of the integrators, measured on worlds: halving the substep divides the error by two to the
 // power of the order.
@@ -89,6 +90,24 @@ Scene springPendulum() {
 Scene dampedPendulum() {
     Scene scene = springPendulum();
     scene.springs = {springTo(0, Vec3::Zero(), 2)};
+    return scene;
+}
+
+/// A light ball that is thrown in air, in a side wind.
+Scene thrownBall() {
+    Scene scene = sceneOf({sphere(0.1, 0.1, Vec3::Zero(), Vec3(10, 5, 2))}, downwards());
+    scene.bodies[0].drag = 0.5;
+    scene.air.density = 1.2;
+    scene.air.wind = Vec3(0, 0, -5);
+    return scene;
+}
+
+/// The same with a plate that turns, and shows the same three faces to the air all the time.
+Scene thrownPlate() {
+    Scene scene = thrownBall();
+    scene.bodies[0] =
+        moving(cuboid(Vec3(0.1, 0.2, 0.3), 1, Vec3::Zero()), Vec3(10, -5, 4), Vec3(0.2, 0.1, 0.1));
+    scene.bodies[0].drag = 0.5;
     return scene;
 }
 
@@ -171,6 +190,19 @@ class OrdersTest : public QObject {
                 expectOrder(a.name, a.scene, a.truth, "contacts", row, substeps);
                 if (row.motion.swing != nullptr)
                     expectOrder(a.name, a.scene, a.truth, "microcollisions", row, substeps);
+            }
+        }
+    }
+
+    void bodiesInAirMoveByTheOrderOfTheSchemeUnderEveryMethodThatSteps() {
+        const std::pair<const char*, Scene> cases[] = {{"thrown ball", thrownBall()},
+                                                       {"thrown plate", thrownPlate()}};
+        for (const auto& [name, scene] : cases) {
+            const State truth = fineRun(scene);
+            for (const IntegratorRow& row : integrators()) {
+                const int substeps = row.order == 1 ? 1024 : row.order == 2 ? 128 : 16;
+                for (const char* method : {"contacts", "microcollisions"})
+                    expectOrder(name, scene, truth, method, row, substeps);
             }
         }
     }

@@ -8,7 +8,9 @@
 
 #include <QtTest/QTest>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace carom::testing {
@@ -51,6 +53,29 @@ Vec3 randomPointIn(Random& random, const Shape& shape) {
 class ShapeTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    // A. Cauchy, 1841: over all directions the projected area of a convex body is a quarter of its surface.
+    void theMeanProjectedAreaIsAQuarterOfTheSurface() {
+        constexpr double pi = std::numbers::pi;
+        const double surfaces[] = {4 * pi * 0.49, 2 * pi * 0.4 * (0.4 + 2.2), 2 * pi * 2 * (2 + 0.2),
+                                   8 * (0.3 * 1.2 + 1.2 * 0.5 + 0.5 * 0.3)};
+        for (std::size_t k = 0; k < shapes.size(); ++k) {
+            constexpr int rings = 400, turns = 400;
+            double sum = 0, largest = 0;
+            for (int i = 0; i < rings; ++i)
+                for (int j = 0; j < turns; ++j) {
+                    const double y = -1 + (2 * i + 1.0) / rings, angle = 2 * pi * (j + 0.5) / turns;
+                    const double across = std::sqrt(1 - y * y);
+                    const double area =
+                        projectedArea(shapes[k], Vec3(across * std::cos(angle), y, across * std::sin(angle)));
+                    sum += area;
+                    largest = std::max(largest, area);
+                }
+            QVERIFY(std::abs(sum / (rings * turns) - surfaces[k] / 4) < 1e-4 * surfaces[k]);
+            QVERIFY(largest <= (1 + tolerance) * largestProjectedArea(shapes[k]));
+            QVERIFY(largest > (1 - 1e-3) * largestProjectedArea(shapes[k]));
+        }
+    }
+
     void theBoxIsTheReachOfTheSupportPointsAndNoLarger() {
         Random random(seed);
         for (const Shape& shape : shapes)

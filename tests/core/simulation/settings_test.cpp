@@ -195,6 +195,27 @@ class SettingsTest : public QObject {
         QVERIFY(warnings[2].startsWith(QStringLiteral("`0.125`: rolling resistance is")));
     }
 
+    void eventsRefuseAirAndSpringsAtTheirLines() {
+        const auto refusals = [](const std::string& text) {
+            return warningsWith(build(text + "simulation { method events }\n"),
+                                DiagnosticCode::UnsuitableMethod);
+        };
+        const std::string feather = "sphere a { radius 1 mass 1 centre 0, 5, 0 drag 0.5 }\n";
+        QCOMPARE(
+            refusals("air { density 1.25 }\n" + feather),
+            QStringList(QStringLiteral("`1.25`: method `events` cannot treat this scene: air slows bodies "
+                                       "between events; `contacts` runs in its place")));
+        QCOMPARE(refusals("air { density 0 }\n" + feather), QStringList());
+        QCOMPARE(refusals(feather + "spring { from world to a stiffness 3 }\n"),
+                 QStringList(QStringLiteral("`spring`: method `events` cannot treat this scene: springs bend "
+                                            "the flight of a body between events; `contacts` runs in its "
+                                            "place")));
+        // Both ends are fixed: it exerts no force on anything.
+        QCOMPARE(refusals("sphere post { radius 1 centre 9, 5, 0 fixed yes }\n" + feather +
+                          "spring { from world to post stiffness 3 }\n"),
+                 QStringList());
+    }
+
     void manyPlacesDoNotBecomeAnAvalanche() {
         std::string text;
         for (int i = 0; i < 300; ++i)

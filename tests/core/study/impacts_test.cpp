@@ -50,6 +50,22 @@ class ImpactsTest : public QObject {
             QVERIFY(std::abs(impacts[k].time - ball.impactTime(static_cast<int>(k) + 1)) < timeRounding);
     }
 
+    // Air slows this one by twenty times what gravity does: that is no impact; the wall is, and it comes at
+    // x(t) = ln(1 + k v₀ t)/k.
+    void airIsNoImpactAndTheWallBehindItIsOne() {
+        const ImpactRecord record = watched("air { density 1.2 }  wall { normal -1, 0, 0 toOrig 10 }\n"
+                                            "sphere { radius 0.02 mass 0.0027 centre 0, 0, 0 vel 40, 0, 0 "
+                                            "drag 0.47 }\n"
+                                            "simulation { method contacts substeps 8 }\n"
+                                            "gravity { accel 0, -1e-9, 0 }",
+                                            60);
+        const double k = 0.5 * 1.2 * 0.47 * 3.141592653589793 * 0.0004 / 0.0027;
+        const double time = (std::exp(k * (10 - 0.02)) - 1) / (k * 40);
+        QCOMPARE(record[1].size(), std::size_t{1});
+        constexpr double asDragChanges = 1e-3; // [s], within a frame; the parabolas do not know
+        QVERIFY(std::abs(record[1].front().time - time) < asDragChanges);
+    }
+
     void bothBallsOfACollisionAreHit() {
         const ImpactRecord record = watched("gravity { accel 0, 0, 0 }\n"
                                             "sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 1, 0, 0 }\n"

@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QTest>
+#include <QTreeWidget>
 
 using namespace carom;
 

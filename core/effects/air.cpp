@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
+#include "core/effects/scene_facts.h"
+
+#include "core/base/figures.h"
+#include "core/dynamics/force_term.h"
+#include "core/shapes/shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+// Drag of air at high Reynolds numbers (I. Newton, Principia, 1687, book II, section VII; L. Prandtl, 1914,
+// for what the coefficient stands for):
+//
+//     F = −½ ρ C A |u| u      −∂F/∂u = ½ ρ C A (|u| 1 + u uᵀ/|u|), at most ρ C A |u|
+//
+//     legend   ρ  density of the air [kg/m³]         u  velocity relative to the wind [m/s]
+//              C  the body's drag coefficient        A  its area projected along u [m²]
+//
+// It acts at the centre. Its power F · v is negative without wind; wind may give energy. A body that falls
+// from rest has the speed v tanh(g t/v), where v = √(2 m g/(ρ C A)) is its terminal speed. On the way no rate
+// is larger than 2 k max(|u|, √(a/k)), with k = ½ ρ C A/m and a the acceleration by other forces: u does not
+// outgrow the speed at which drag balances a.
+
+namespace carom {
+namespace {
+
+class AirDrag final : public ForceTerm {
+  public:
+    struct Dragged {
+        Shape shape;
+        double factor = 0; ///< ½ ρ C [kg/m³]; 0: nothing drags on the body
+        double mass = 0;   ///< [kg]
+        double area = 0;   ///< the largest [m²]
+    };
+
+    AirDrag(const Vec3& wind, std::vector<Dragged> bodies) : m_wind(wind), m_bodies(std::move(bodies)) {}
+
+    LedgerAccount account() const override { return LedgerAccount::Drag; }
+    bool actsOn(BodyIndex body) const override { return m_bodies[body].factor > 0; }
+
+    void add(std::span<const ForceSample> samples, std::span<ForceValue> values) const override {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const Dragged& body = m_bodies[samples[i].body];
+            const Vec3 u = samples[i].velocity - m_wind;
+            const double speed = u.norm();
+            if (body.factor == 0 || speed == 0) continue;
+            const Vec3 along = samples[i].pose.directionToBody(u / speed);
+            const double strength = body.factor * projectedArea(body.shape, along) * speed;
+            values[i].force -= strength * u;
+            values[i].slope += 2 * strength;
+        }
+    }
+
+    void addRates(std::span<const ForceSample> samples, double acceleration,
+                  std::span<double> rates) const override {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const double k = mostPerMass(samples[i].body);
+            rates[i] += 2 * std::max(k * (samples[i].velocity - m_wind).norm(), std::sqrt(k * acceleration));
+        }
+    }
+
+    // Faster than the wind it never pushes, and towards it by no more than on what stands still: of u = v − w
+    // the part −|u| u · v/|v| is at most |w|².
+    SpeedGain gainOf(BodyIndex body) const override {
+        return {mostPerMass(body) * m_wind.squaredNorm(), m_wind.norm()};
+    }
+
+    double mostForce(BodyIndex body, double speed) const override {
+        return m_bodies[body].factor * m_bodies[body].area * std::pow(speed + m_wind.norm(), 2);
+    }
+
+    std::shared_ptr<const ForceTerm> renumbered(std::span<const BodyIndex> order,
+                                                const Vec3&) const override {
+        std::vector<Dragged> bodies;
+        for (const BodyIndex i : order) bodies.push_back(m_bodies[i]);
+        return std::make_shared<AirDrag>(m_wind, std::move(bodies));
+    }
+
+  private:
+    /// k with the largest area [1/m].
+    double mostPerMass(BodyIndex body) const {
+        const Dragged& dragged = m_bodies[body];
+        return dragged.factor > 0 ? dragged.factor * dragged.area / dragged.mass : 0;
+    }
+
+    Vec3 m_wind; // [m/s]
+    std::vector<Dragged> m_bodies;
+};
+
+bool isDragged(const Body& body) { return body.mobile() && !isWall(body.shape) && body.drag > 0; }
+
+EffectDecision decide(const Scene& scene, const Abilities& method) {
+    EffectDecision decision{.effect = "air"};
+    const Air& air = scene.air;
+    if (air.source) decision.source = placeOf(scene, *air.source, "density");
+    const auto dragged = std::find_if(scene.bodies.begin(), scene.bodies.end(), isDragged);
+    if (!air.source && !(air.density > 0)) {
+        decision.reason = "none is declared";
+    } else if (!(air.density > 0)) {
+        decision.reason = "its density is 0";
+    } else if (dragged == scene.bodies.end()) {
+        decision.reason = "nothing that can move has `drag`";
+    } else {
+        decision.status = method.bentPaths ? EffectStatus::On : EffectStatus::NotSimulatedYet;
+        decision.reason = "air of " + figure(air.density) + " kg/m³ slows " +
+                          scene.nameOf(indexOf(scene, *dragged)) + ", which has drag " +
+                          figure(dragged->drag);
+        if (!method.bentPaths) {
+            decision.reason += "; it moves as in a vacuum";
+            decision.unmet.push_back(decision.source.value_or(SourceRange{}));
+        }
+    }
+    return decision;
+}
+
+void contribute(const Scene& scene, Bodies& bodies) {
+    std::vector<AirDrag::Dragged> dragged;
+    dragged.reserve(scene.bodies.size());
+    for (const Body& body : scene.bodies) {
+        const bool drags = isDragged(body);
+        dragged.push_back({body.shape, drags ? 0.5 * scene.air.density * body.drag : 0, body.mass,
+                           drags ? largestProjectedArea(body.shape) : 0});
+    }
+    bodies.forces.addTerm(std::make_shared<AirDrag>(scene.air.wind, std::move(dragged)), bodies.count());
+}
+
+} // namespace
+
+extern const EffectRow airRow;
+constinit const EffectRow airRow = {
+    .name = "air",
+    .title = "Air drag",
+    .help = "Air slows bodies by the square of their speed, and wind carries them along.",
+    .decide = decide,
+    .unmetMessage = "air drag is not simulated yet; bodies move as in a vacuum",
+    .contribute = contribute,
+    .bendsPaths = "air slows bodies between events",
+};
+
+} // namespace carom

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/coasting.h"
+
+#include "core/dynamics/energy.h"
+namespace carom {
+namespace {
+
+void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) {
+    const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
+    if (input.ledger != nullptr)
+        bookFlight(input.bodies, bodies, {input.gravity, input.gravity, input.substep}, input.state,
+                   *input.ledger);
+    input.motion.move(bodies, input.gravity, input.substep, input.state);
+    input.motion.tumble(input.bodies, bodies, input.substep, input.state);
+    // Bodies with unequal moments keep their energy as well as the integrator can.
+    if (input.ledger != nullptr)
+        (*input.ledger)[LedgerAccount::Rotation].energy +=
+            spinEnergy(input.bodies, bodies, input.state) - spinBefore;
+}
+
+/// Power [W] and force [N] of one term on the bodies of a network.
+LedgerEntry rateOf(const ForceTerm& term, SpringNetwork& network, const State& state) {
+    SpringNetwork::Scratch& room = network.scratch;
+    room.samples.clear();
+    for (const BodyIndex i : network.moving)
+        if (term.actsOn(i))
+            room.samples.push_back({i, state.pose[i], state.velocity[i], state.angularVelocity[i]});
+    room.values.assign(room.samples.size(), ForceValue{});
+    term.add(room.samples, room.values);
+    LedgerEntry rate;
+    for (std::size_t k = 0; k < room.samples.size(); ++k) {
+        rate.energy += room.values[k].force.dot(room.samples[k].velocity);
+        rate.momentum += room.values[k].force;
+    }
+    return rate;
+}
+
+void pass(double part, const LedgerEntry& amount, LedgerEntry& from, LedgerEntry& to) {
+    from.energy -= part * amount.energy;
+    from.momentum -= part * amount.momentum;
+    to.energy += part * amount.energy;
+    to.momentum += part * amount.momentum;
+}
+
+/// Who has what no other account of a network explains: the springs, else the last term.
+LedgerAccount remainderOf(const SpringNetwork& network) {
+    const bool isDriven = network.springs.empty() && !network.bodies.forces.empty();
+    return isDriven ? network.bodies.forces.terms.back()->account() : LedgerAccount::Spring;
+}
+
+// Half of what each term gives in a step as it pushes now: the trapezoidal rule, called at both ends.
+void bookTerms(const SolverInput& input, SpringNetwork& network, Ledger& ledger) {
+    LedgerEntry& remainder = ledger[remainderOf(network)];
+    for (const auto& term : network.bodies.forces.terms) {
+        LedgerEntry& entry = ledger[term->account()];
+        if (&entry != &remainder)
+            pass(0.5 * input.substep, rateOf(*term, network, input.state), remainder, entry);
+    }
+}
+
+} // namespace
+
+void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledger) {
+    const auto move = network.springs.empty() ? input.motion.drive : input.motion.swing;
+    if (ledger == nullptr) {
+        move(network, input.substep, input.state);
+        return;
+    }
+    const auto invariants = [&] {
+        return invariantsOf(input.bodies, network.moving, input.state, input.gravity);
+    };
+    const Invariants before = invariants();
+    const double spinBefore = spinEnergy(input.bodies, network.moving, input.state);
+    bookTerms(input, network, *ledger);
+    move(network, input.substep, input.state);
+    bookTerms(input, network, *ledger);
+    const LedgerAccount remainder = remainderOf(network);
+    bookDifference(before, invariants(),
+                   weightOf(input.bodies, network.moving, input.substep * input.gravity), remainder, *ledger);
+    if (!network.springs.empty()) return;
+    // As in ballistic motion: forces at the centre turn nothing.
+    const LedgerEntry turning{spinEnergy(input.bodies, network.moving, input.state) - spinBefore,
+                              Vec3::Zero()};
+    pass(1, turning, (*ledger)[remainder], (*ledger)[LedgerAccount::Rotation]);
+}
+
+void Coasting::move(const SolverInput& input, std::span<const BodyIndex> bodies) {
+    if (input.bodies.forces.empty()) {
+        moveBallistic(input, bodies);
+        return;
+    }
+    m_ballistic.clear();
+    m_driven.clear();
+    for (const BodyIndex i : bodies) (input.bodies.forces.actOn(i) ? m_driven : m_ballistic).push_back(i);
+    moveBallistic(input, m_ballistic);
+    if (m_driven.empty()) return;
+    SpringNetwork network{input.bodies, m_driven, {}, input.gravity, m_room};
+    moveNetwork(input, network, input.ledger);
+}
+
+} // namespace carom

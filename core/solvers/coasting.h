@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/solver.h"
+
+#include <span>
+#include <vector>
+
+// What the integrator moves by itself: bodies that touch nothing.
+
+namespace carom {
+
+/// Moves the bodies of a network, which springs couple or force terms act on, and books it.
+void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledger);
+
+/// Moves bodies that touch nothing and that no spring holds, and books it.
+class Coasting {
+  public:
+    void move(const SolverInput& input, std::span<const BodyIndex> bodies);
+
+  private:
+    std::vector<BodyIndex> m_ballistic, m_driven;
+    SpringNetwork::Scratch m_room;
+};
+
+} // namespace carom
