@@ -49,7 +49,7 @@ class Candidates {
 
     std::vector<std::uint8_t> m_isMember; // by body
     std::vector<double> m_reach;          // by body [m]
-    std::vector<Ball> m_ball;             // by body: of members as they are now, of others as it was once
+    std::vector<Ball> m_ball;             // by body
     std::vector<Near> m_upward;           // from a member to a larger index, ascending
     std::vector<Near> m_downward;         // from a member to something immobile or placed of smaller index
     std::vector<BodyPair> m_up, m_down, m_pairs;

@@ -322,10 +322,9 @@ void Contacts::enterBase(const SolverInput& input) {
     m_passing.clear();
     for (const std::uint32_t island : m_refinement.stepped()) {
         m_found.makeManifolds(here(input), m_islands[island].pairs, m_work);
-        const bool isBrief = m_joins[island] == 0 &&
-                             (m_refinement.isTriedSoon(island) ||
-                              (2 * m_islands[island].bodies.size() > m_islands[island].pairs.size() &&
-                               BasePath::areBusy(input.bodies, input.state, m_islands[island].bodies, time)));
+        const bool isBrief =
+            m_joins[island] == 0 && (m_refinement.isTriedSoon(island) ||
+                                     BasePath::isBusy(input.bodies, input.state, m_islands[island], time));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         const std::span<const BodyIndex> bodies = m_islands[island].bodies;
         list.insert(list.end(), bodies.begin(), bodies.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/island_crew.h"
 
+#include "core/base/room.h"
 #include "core/solvers/coasting.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, 
     kept.makeRoom(found.pairs.size(), points);
     for (Hand& hand : m_hands) {
         hand.kept.makeRoom(found.pairs.size(), points);
-        if (hand.places.capacity() < found.pairs.size()) hand.places.reserve(2 * found.pairs.size());
+        makeRoomFor(found.pairs.size(), hand.places);
         hand.motion.report = {};
         hand.kept.clear();
         hand.places.clear();

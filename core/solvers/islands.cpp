@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/islands.h"
 
+#include "core/base/room.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -69,7 +71,7 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
         m_first[i].link += m_first[i - 1].link;
     }
     m_bodies.resize(members.size());
-    if (m_pairs.capacity() < pairs.size()) m_pairs.reserve(2 * pairs.size());
+    makeRoomFor(pairs.size(), m_pairs);
     m_pairs.resize(used);
     m_links.resize(live);
     m_next.assign(m_first.begin(), m_first.end() - 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/neighbours.h"
 
+#include "core/base/room.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -171,7 +173,7 @@ void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
         }
     }
     std::sort(m_wallPairs.begin(), m_wallPairs.end());
-    if (m_wallPairs.capacity() < 2 * m_wallPairs.size()) m_wallPairs.reserve(4 * m_wallPairs.size());
+    makeRoomFor(2 * m_wallPairs.size(), m_wallPairs);
 }
 
 // Counting sort of both ends; pairs ascend, so the others of a body do.

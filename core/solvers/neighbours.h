@@ -81,13 +81,18 @@ class Neighbours {
         return m_pull[body] * times * times;
     }
 
+    /// What momentum allows a body that comes `own`, a speed or a way, once a striker that comes `other` and
+    /// has `part` of the mass of both has struck it.
+    static double momentumLimit(double part, double own, double other) {
+        return own + 2 * part * (own + other);
+    }
     /// How far a mobile body that comes `own` by itself may come once `striker`, which comes `other`, has
     /// struck it [m]: no further than the striker, and than what momentum allows.
     static double reachAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
                              double other) {
         const double part =
             bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
-        return std::max(own, std::min(other, own + 2 * part * (own + other)));
+        return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
 
     /// All pairs, walls among them, a < b, ascending.

@@ -13,6 +13,8 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 
 /// Bodies that move by more than this part of their size in the mean are busy.
 constexpr double busyPath = 0.1;
+/// But where a body has so many pairs in the mean, most of those it can meet in a frame are near already.
+constexpr std::size_t densePairs = 2;
 
 /// From the fewest points to the most.
 constexpr std::array<Division, 4> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}};
@@ -35,10 +37,10 @@ Division divisionOf(std::uint8_t number, int passes) {
 
 } // namespace
 
-bool BasePath::areBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                       double time) {
+bool BasePath::isBusy(const Bodies& bodies, const State& state, const Island& island, double time) {
+    if (island.pairs.size() >= densePairs * island.bodies.size()) return false;
     double paths = 0, sizes = 0;
-    for (const BodyIndex i : list) {
+    for (const BodyIndex i : island.bodies) {
         paths += Neighbours::surfaceSpeed(bodies, state, i) * time;
         sizes += bodies.boundingRadius[i];
     }

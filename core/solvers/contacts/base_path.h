@@ -81,10 +81,9 @@ class BasePath {
     /// All leave, and nothing is carried on.
     void clear();
 
-    /// Whether bodies move so far in `time` [s] that their pairs had better be found each substep: a matter
-    /// of cost alone.
-    static bool areBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                        double time);
+    /// Whether bodies of an island move so far in `time` [s], and have so few pairs, that these had better be
+    /// found each substep: a matter of cost alone.
+    static bool isBusy(const Bodies& bodies, const State& state, const Island& island, double time);
     /// How an island with such contacts divides a substep.
     static Division divisionFor(const ContactCount& count, int passes);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/found_contacts.h"
 
+#include "core/base/room.h"
 #include "core/dynamics/contact_memory.h"
 
 #include <limits>
@@ -27,11 +28,9 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     m_gap.clear();
     m_memory.clear();
     m_isPending.clear();
-    if (m_memory.capacity() < candidates.size()) {
-        m_gap.reserve(2 * candidates.size());
-        m_memory.reserve(2 * candidates.size());
-        m_isPending.reserve(2 * candidates.size());
-    }
+    makeRoomFor(candidates.size(), m_gap);
+    makeRoomFor(candidates.size(), m_memory);
+    makeRoomFor(candidates.size(), m_isPending);
     m_apart.clear();
     m_distant.clear();
     std::size_t old = 0;

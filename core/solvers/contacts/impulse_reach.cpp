@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/impulse_reach.h"
 
+#include "core/base/room.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +43,7 @@ double massOf(const ImpulseReach::Input& input, BodyIndex body) {
 /// How fast a body of mass `mass` that came at `own` can be after one of mass `striker` that came at `speed`
 /// has struck it: by what momentum and energy allow, and by what all searches count on.
 double speedAfter(double mass, double own, double striker, double speed) {
-    const double byMomentum = own + 2 * striker / (striker + mass) * (speed + own);
+    const double byMomentum = Neighbours::momentumLimit(striker / (striker + mass), own, speed);
     const double byEnergy = std::sqrt(own * own + striker / mass * speed * speed);
     return std::min({byMomentum, byEnergy, std::max(Neighbours::reachFactor * own, speed)});
 }
@@ -66,7 +68,7 @@ void ImpulseReach::listAround(const Input& input) {
     forEachEnd([&](BodyIndex end, std::uint32_t) { ++m_first[end + 1]; });
     for (std::size_t i = 1; i < m_first.size(); ++i) m_first[i] += m_first[i - 1];
     m_next.assign(m_first.begin(), m_first.end() - 1);
-    if (m_around.capacity() < m_first.back()) m_around.reserve(2 * m_first.back());
+    makeRoomFor(m_first.back(), m_around);
     m_around.resize(m_first.back());
     forEachEnd([&](BodyIndex end, std::uint32_t p) { m_around[m_next[end]++] = p; });
 }
@@ -101,7 +103,7 @@ void ImpulseReach::find(const Input& input) {
     }
     m_queue.clear();
     m_queue.reserve(lookedAt * m_time.size());
-    if (m_isReached.capacity() < input.pairs.size()) m_isReached.reserve(2 * input.pairs.size());
+    makeRoomFor(input.pairs.size(), m_isReached);
     for (const BodyIndex i : input.members)
         if (input.isOnSpring[i] != 0 || input.isPlaced[i] != 0)
             reach(i, 0, Neighbours::reachFactor * freeSpeed(input, i));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
+#include "core/base/room.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
@@ -156,7 +157,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     report.contacts = wideLanes * m_balls.activeGroups();
     m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
-    if (m_watched.capacity() < m_general.size()) m_watched.reserve(2 * m_general.size());
+    makeRoomFor(m_general.size(), m_watched);
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     for (const std::uint32_t entry : m_general) {
         PersistentManifold& manifold = manifolds[m_entries[entry].place];

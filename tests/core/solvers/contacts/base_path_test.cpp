@@ -449,8 +449,16 @@ class BasePathTest : public QObject {
     void busyIsAMatterOfPathsAndSizes() {
         Entered entered(test::sceneOf({ball(0.1, {0, 0, 0}, {1, 0, 0}), ball(0.3, {1, 0, 0}, Vec3::Zero())}));
         // The mean path is a tenth of the mean size at v t = .04 m.
-        QVERIFY(!BasePath::areBusy(entered.bodies, entered.state, entered.bodies.mobileBodies, 0.039));
-        QVERIFY(BasePath::areBusy(entered.bodies, entered.state, entered.bodies.mobileBodies, 0.041));
+        const auto isBusy = [&](std::size_t pairs, double time) {
+            const std::vector<std::uint32_t> indices(pairs, 0);
+            return BasePath::isBusy(entered.bodies, entered.state, {entered.bodies.mobileBodies, indices, {}},
+                                    time);
+        };
+        QVERIFY(!isBusy(0, 0.039));
+        QVERIFY(isBusy(0, 0.041));
+        const std::size_t dense = 2 * entered.bodies.mobileBodies.size();
+        QVERIFY(isBusy(dense - 1, 0.041));
+        QVERIFY(!isBusy(dense, 0.041)); // most of whom they can meet in the frame are near already
     }
 
     void smallIslandsLookMoreOften() {
