@@ -33,6 +33,7 @@ struct RunSettings {
     int iterations = 0;   ///< 0: the method does not iterate
     double tolerance = 0; ///< 0: the method does not iterate
     double effort = 1;    ///< times the work that method `contacts` may spend on refinement
+    double reserve = 1;   ///< times what it may save of that for frames that need more
     bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]
@@ -41,7 +42,7 @@ struct RunSettings {
     double substep() const { return step / substeps; } ///< [s]
     /// `resting`: whether anything in the scene can come to rest.
     SolverSettings solver(bool resting) const {
-        return {tolerance, iterations, simultaneousImpacts, resting, effort};
+        return {tolerance, iterations, simultaneousImpacts, resting, effort, reserve};
     }
 };
 
@@ -53,6 +54,7 @@ struct PresetRow {
     int contactSubsteps = 4; ///< of method `contacts`
     double tolerance = 1e-6; ///< of method `contacts`
     double effort = 1;       ///< of method `contacts`: times the budget of refinement
+    double reserve = 1;      ///< of method `contacts`: times what refinement may save
 };
 std::span<const PresetRow> presets();
 

@@ -50,6 +50,9 @@ namespace {
 /// What stays on the base path may stray by this part of its size: bodies at rest stay for long.
 constexpr double lastingSkin = 0.05;
 
+/// A frame may take this part of what refinement has saved.
+constexpr double mostOfReserve = 0.5;
+
 /// The setting `iterations` over this is the number of passes; 20 is its default.
 constexpr int iterationsOfOnePass = 20;
 
@@ -113,7 +116,9 @@ class Contacts final : public Solver {
         RefinementBudget budget;
         budget.floor *= m_settings.effort;
         budget.perItem *= m_settings.effort;
-        budget.start *= std::sqrt(std::sqrt(m_settings.effort)); // a hundredfold effort: a second
+        budget.saved *= m_settings.reserve;
+        budget.start = std::max(budget.start, budget.saved);
+        budget.burst = std::max(budget.burst, mostOfReserve * budget.saved);
         return budget;
     }
     void take(const SteppedReport& stepped, SolverReport& report);

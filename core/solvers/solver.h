@@ -81,6 +81,7 @@ struct SolverSettings {
     bool simultaneous = false; ///< impacts at one instant all at once, in place of one after the other
     bool resting = true;       ///< what rests is left alone; false where nothing can come to rest
     double effort = 1;         ///< times the budget of refinement
+    double reserve = 1;        ///< times what refinement may save
 };
 
 /// What a method carries from one substep to the next besides the state.

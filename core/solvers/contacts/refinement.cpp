@@ -33,6 +33,15 @@ bool Refinement::nearlyRests(const RefinementInput& input, const Island& island)
     });
 }
 
+double Refinement::openTo(const RefinementInput& input, const RefinementBudget& budget,
+                          const Island& island) const {
+    const double forAll = std::min(m_saved, budget.saved) - budget.forRest;
+    const double open = nearlyRests(input, island) ? m_saved : forAll;
+    std::uint8_t failures = 0;
+    for (const BodyIndex body : island.bodies) failures = std::max(failures, m_failures[body]);
+    return std::ldexp(std::max(0.0, std::min(open, budget.burst - m_spent)), -failures);
+}
+
 void Refinement::pay(double refined, double base) {
     const double left = std::max(0.0, m_saved - refined - base);
     m_saved = left < m_most ? std::min(m_most, left + m_income) : m_most + startFades * (left - m_most);
@@ -83,10 +92,14 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     m_income = (budget.floor + budget.perItem * items) / input.parts;
     m_most = budget.saved;
     if (m_saved < 0) m_saved = budget.start;
-    double left = m_income, saved = m_saved;
+    double left = m_income, squares = 0;
     if (input.part == 0) {
         std::fill(m_used.begin(), m_used.end(), 0.0);
         m_spent = 0;
+    }
+    for (Expected& expected : m_expected) {
+        expected.open = openTo(input, budget, islands[expected.island]);
+        if (expected.open > 0) squares += expected.work * expected.work;
     }
     const double share = std::min(budget.floor, std::max(0.0, mostFloors * budget.floor - m_spent)) *
                          std::min(1.0, (mostShares - mostFloors) /
@@ -101,10 +114,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         for (const BodyIndex body : islands[expected.island].bodies) used = std::max(used, m_used[body]);
         double most = std::max(share - used, mostOverrun * expected.work);
         if (!islands[expected.island].links.empty()) most *= forSprings;
-        if (saved > most && nearlyRests(input, islands[expected.island])) {
-            most += saved;
-            saved = 0; // may all be used up by this one
-        }
+        if (expected.open > 0) most += expected.open * expected.work * expected.work / squares;
         m_refined.push_back({expected.island, most});
     }
     std::sort(m_refined.begin(), m_refined.end(),

@@ -16,13 +16,14 @@
 //     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
 //     order      islands that are expected to cost least come first, while the budget lasts
 //     share      an island may take the floor in a frame, whichever substep needs it, as long as the frame
-//     has
-//                taken less than mostFloors of them (of many islands each takes less), or a few times what it
-//                is expected to cost; with springs forSprings times as much
+//                has taken less than mostFloors of them (of many islands each takes less), or a few times
+//                what it is expected to cost; with springs forSprings times as much
 //     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may draw on it. Forces that are found once
-//                hold for good there, and cost much the first time. The base path's work is paid from the
-//                same budget, so what moves all the time saves nothing.
+//                hold for good there, and cost much the first time. Where more is saved than that takes, as
+//                accurate runs do, so may any other, by half as much after every attempt in vain. Islands
+//                share it by the squares of what they are expected to cost: it is large ones that need it.
+//                The base path's work is paid from the same budget, so what moves all the time saves nothing.
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
 //                ... 63 substeps: an island that moves all the time costs attempts in vain ever more seldom,
@@ -34,10 +35,12 @@
 namespace carom {
 
 struct RefinementBudget {
-    double floor = 1e6;   ///< operations a frame: about what a millisecond buys
-    double perItem = 200; ///< and for every body and contact
-    double start = 400e6; ///< saved when a run begins, fading within a hundred substeps or two
-    double saved = 40e6;  ///< and later at most
+    double floor = 1e6;    ///< operations a frame: about what half a millisecond buys
+    double perItem = 200;  ///< and for every body and contact
+    double start = 400e6;  ///< saved when a run begins, fading within a hundred substeps or two
+    double saved = 40e6;   ///< and later at most
+    double forRest = 40e6; ///< up to this it is for what is nearly at rest, beyond it for anybody
+    double burst = 400e6;  ///< a frame takes at most so much of it
 };
 
 /// What the islands of a substep are sorted by.
@@ -118,8 +121,11 @@ class Refinement {
     struct Expected {
         double work = 0;
         std::uint32_t island = 0;
+        double open = 0; ///< openTo
     };
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
+    /// What an island may draw of what is saved, if nobody else does.
+    double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island) const;
 
     double m_saved = -1;                  // operations; negative: the run begins
     double m_spent = 0;                   // operations in this frame

@@ -299,11 +299,73 @@ class RefinementTest : public QObject {
         QVERIFY(refinement.refined()[1].budget >= budget.start);
         crowd.state.velocity[0] = {0.5 * 10 * earth * test::substep, 0, 0};
         refinement.choose(crowd.input(), budget);
-        QVERIFY(refinement.refined()[0].budget >= budget.start); // to the first, the other may be left none
-        QVERIFY(refinement.refined()[1].budget < budget.start);
+        QVERIFY(refinement.refined()[0].budget >= 0.5 * budget.start); // they are alike, and share it
+        QCOMPARE(refinement.refined()[1].budget, refinement.refined()[0].budget);
         crowd.state.angularVelocity[1] = {0, 0, 2 * 10 * earth * test::substep / 0.1};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget < budget.start);
+    }
+
+    // What fast bodies may draw is what is saved beyond the part kept for those nearly at rest.
+    void savedWorkBeyondThatGoesToLargeIslands() {
+        Crowd crowd(12);
+        crowd.chain({2, 8, 2});
+        for (Vec3& velocity : crowd.state.velocity) velocity = {2 * 10 * earth * test::substep, 0, 0};
+        crowd.find();
+        RefinementBudget budget{
+            .floor = 1e5, .perItem = 0, .start = 0, .saved = 4e6, .forRest = 4e6, .burst = 1e9};
+        const auto budgets = [&](double start) {
+            budget.start = start;
+            Refinement refinement(12);
+            refinement.choose(crowd.input(), budget);
+            return choicesOf(refinement);
+        };
+        const auto without = budgets(0);
+        QCOMPARE(budgets(1e8), without); // what a run begins with is for rest
+        budget.saved = 5e6;
+        const auto with = budgets(1e8);
+        double drawn = 0;
+        for (std::size_t i = 0; i < with.size(); ++i) drawn += with[i].second - without[i].second;
+        QVERIFY(std::abs(drawn - 1e6) <= roundingOfSums * 5e6);
+        QVERIFY(with[1].second - without[1].second > 0.8e6);
+        QVERIFY(with[0].second > without[0].second);
+        QCOMPARE(with[2].second, with[0].second);
+    }
+
+    void islandThatFailedDrawsHalfAsMuch() {
+        Crowd crowd(2);
+        crowd.chain({2});
+        crowd.find();
+        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e8, .saved = 1e8};
+        Refinement refinement(2);
+        refinement.choose(crowd.input(), budget);
+        const double first = refinement.refined()[0].budget;
+        refinement.setBack(crowd.islands[0]);
+        passSubstep(crowd, budget, refinement);
+        refinement.choose(crowd.input(), budget);
+        const double share = first - budget.start;
+        QVERIFY(share > 0);
+        QCOMPARE(refinement.refined()[0].budget, share + 0.5 * budget.start);
+    }
+
+    void frameDrawsNoMoreThanABurst() {
+        Crowd crowd(4);
+        crowd.chain({2, 2});
+        crowd.find();
+        const RefinementBudget budget{
+            .floor = 1e5, .perItem = 0, .start = 1e8, .saved = 1e8, .forRest = 4e6, .burst = 1e7};
+        Refinement refinement(4);
+        double sum = 0;
+        for (int part = 0; part < 4; ++part) {
+            refinement.choose(crowd.input(part, 4), budget);
+            for (const Refinement::Choice& one : refinement.refined()) {
+                sum += one.budget;
+                refinement.spend(crowd.islands[one.island], one.budget);
+            }
+            refinement.pay(0, 0);
+        }
+        QVERIFY(sum >= budget.burst);
+        QVERIFY(sum <= budget.burst + Refinement::mostShares * budget.floor);
     }
 
     void islandThatFailsWaitsTwiceAsLongEachTime() {
