@@ -151,11 +151,11 @@ void ExpectationWatch::begin(const World& world) {
     const double time = world.state().time;
     for (std::size_t i = 0; i < m_followed.size(); ++i) {
         const Expectation& asked = *m_judgements[i].expectation;
+        // Of forces nothing is known before the first frame.
+        if (m_followed[i].row != nullptr && m_followed[i].row->word.starts_with("contact_force")) continue;
         if (asked.at || !asked.from || *asked.from <= time) start(i, moment, time);
         const bool now = asked.at ? *asked.at <= time : !asked.from || *asked.from <= time;
-        const bool needsBefore =
-            m_followed[i].row != nullptr && m_followed[i].row->word.starts_with("contact_force");
-        if (now && !needsBefore) judge(i, moment, 1, world.state().frame, time);
+        if (now) judge(i, moment, 1, world.state().frame, time);
     }
 }
 
@@ -177,6 +177,7 @@ void ExpectationWatch::look(const World& world) {
     for (std::size_t i = 0; i < m_followed.size(); ++i) {
         Followed& followed = m_followed[i];
         const Expectation& asked = *m_judgements[i].expectation;
+        if (!followed.started && (asked.at || !asked.from)) start(i, moment, state.time);
         if (asked.at && *asked.at > m_time + near && *asked.at < state.time - near) {
             inside.emplace(*this, world, *asked.at);
             const Moment middle{.pipeline = *m_pipeline,

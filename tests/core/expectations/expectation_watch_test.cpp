@@ -119,6 +119,16 @@ class ExpectationWatchTest : public QObject {
         QVERIFY(std::abs(late.figure - 0.75) < 1e-9);
     }
 
+    // A force is the change of a velocity over a frame: there is none before the first one.
+    void aForceIsComparedWithThatOfTheFirstFrame() {
+        const char* laid = "gravity { accel 0, -10, 0 }\nwall { normal 0, 1, 0  toOrig 0 }\n"
+                           "sphere ball { radius 0.5  mass 2  centre 0, 0.5, 0 }\n";
+        QVERIFY(holds(judgedOne("expect { quantity contact_force  of ball  until 1  drift 1e-9 }", laid)));
+        QVERIFY(holds(judgedOne("expect { quantity contact_force_y  of ball  at 1  drift 1e-9 }", laid)));
+        QVERIFY(
+            holds(judgedOne("expect { quantity contact_force_y  until 1  value 20  within 1e-6 }", laid)));
+    }
+
     void restIsBitwise() {
         const char* laid = "wall { normal 0, 1, 0  toOrig 0 }\n"
                            "sphere ball { radius 0.5  mass 1  centre 0, 0.5, 0 }\n";
