@@ -126,6 +126,7 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     shareBudget();
     m_recording.restart(*m_world);
     beginSamples();
+    beginJudging();
     m_watch.begin(*m_world);
 }
 
@@ -134,6 +135,15 @@ void SimulationThread::beginSamples() {
     m_world->keepLedger(true);
     m_sampled = m_world->state().frame;
     m_guard.emplace(m_world->pipeline(), m_world->statistics());
+}
+
+/// They are judged once a run; a reset goes back in the same one.
+void SimulationThread::beginJudging() {
+    m_expectations.emplace(m_world->sharedPipeline());
+    if (!m_expectations->empty()) m_expectations->begin(*m_world);
+    m_judgedFrame = m_world->state().frame;
+    m_judgedToTheEnd = false;
+    m_judged.reset();
 }
 
 void SimulationThread::execute(const RunCommand&) {
@@ -270,6 +280,7 @@ void SimulationThread::advance() {
     const RunSettings& settings = m_world->pipeline().settings();
     m_world->step();
     if (!m_world->health().finite) {
+        judge();
         enter(RunState::Stopped);
         publish(true);
         return;
@@ -300,6 +311,7 @@ void SimulationThread::waitForRoom() {
 /// Each frame's statistics go up once, in their order. Whether energy has risen from nowhere in this one.
 bool SimulationThread::sample() {
     const std::int64_t frame = m_world->state().frame;
+    judge();
     if (frame <= m_sampled || !m_world->health().finite) return false;
     m_sampled = frame;
     waitForRoom();
@@ -307,6 +319,27 @@ bool SimulationThread::sample() {
     const std::optional<EnergyRise> rise = m_guard->look(m_world->statistics());
     if (rise && m_listener.gained) m_listener.gained(m_run, *rise);
     return rise.has_value();
+}
+
+/// Every frame once, in their order, as far as `carom test` would go.
+void SimulationThread::judge() {
+    const std::int64_t frame = m_world->state().frame;
+    if (m_expectations->empty() || m_judgedToTheEnd || frame <= m_judgedFrame) return;
+    m_judgedFrame = frame;
+    const RunSettings& settings = m_world->pipeline().settings();
+    m_expectations->look(*m_world);
+    m_judged.reset();
+    // A duration written as so many frames must not gain one by rounding.
+    const double time = m_world->state().time + 1e-12 * settings.duration.value_or(0);
+    m_judgedToTheEnd = !m_world->health().finite || (settings.duration && time >= *settings.duration);
+    if (m_judgedToTheEnd) m_expectations->finish();
+}
+
+std::shared_ptr<const JudgedRun> SimulationThread::judged() {
+    if (!m_judged && !m_expectations->empty())
+        m_judged = std::make_shared<const JudgedRun>(
+            JudgedRun{m_world->sharedPipeline(), m_expectations->judgements(), m_judgedFrame});
+    return m_judged;
 }
 
 /// The frames on the way are shown if `showing`. A wish that came meanwhile ends the search: the next command
@@ -361,7 +394,7 @@ void SimulationThread::publish(bool always) {
     const std::size_t recorded = m_recording.bytes() + (m_ghost ? m_ghost->recording.bytes() : 0);
     m_snapshots.publish({m_run, std::make_shared<const Snapshot>(m_world->snapshot()), ghost(),
                          m_structureWanted ? m_world->broadphaseStructure() : std::vector<Aabb>(), recorded,
-                         m_said});
+                         m_said, judged()});
     m_listener.published();
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/player/ghost.h"
+#include "core/player/judged_run.h"
 #include "core/player/latest.h"
 #include "core/player/sample_queue.h"
 
 #include "core/broadphase/broadphase.h"
+#include "core/expectations/expectation_watch.h"
 #include "core/simulation/breakpoint.h"
 #include "core/simulation/energy_guard.h"
 #include "core/simulation/event_story.h"
@@ -127,9 +129,11 @@ struct PublishedSnapshot {
     std::uint64_t run = 0;
     std::shared_ptr<const Snapshot> snapshot;
     Ghost ghost;
-    std::vector<Aabb> structure; ///< World::broadphaseStructure(), empty unless asked for
-    std::size_t recorded = 0;    ///< memory of the checkpoints [bytes]
-    RunStatus status;            ///< what was said last: it may come before the word of it
+    std::vector<Aabb> structure;             ///< World::broadphaseStructure(), empty unless asked for
+    std::size_t recorded = 0;                ///< memory of the checkpoints [bytes]
+    RunStatus status;                        ///< what was said last: it may come before the word of it
+    std::shared_ptr<const JudgedRun> judged; ///< the same pointer until there is something new; null without
+                                             ///< expectations
 };
 
 class SimulationThread {
@@ -186,6 +190,9 @@ class SimulationThread {
     void advance();
     void seek(std::int64_t frame, bool showing);
     bool sample();
+    void beginJudging();
+    void judge();
+    std::shared_ptr<const JudgedRun> judged();
     void waitForRoom();
     void beginSamples();
     void shareBudget();
@@ -218,7 +225,11 @@ class SimulationThread {
     Recording m_recording{usualBudget};
     std::optional<Past> m_ghost;
     BreakWatch m_watch;
-    std::optional<EnergyGuard> m_guard; ///< of the frames whose statistics went up
+    std::optional<EnergyGuard> m_guard;             ///< of the frames whose statistics went up
+    std::optional<ExpectationWatch> m_expectations; ///< of the frames up to m_judgedFrame
+    std::int64_t m_judgedFrame = 0;
+    bool m_judgedToTheEnd = false;             ///< the scene's duration is over, or its state lost
+    std::shared_ptr<const JudgedRun> m_judged; ///< what went up; null where it is old
     bool m_stopsAtRise = true;
     bool m_ghostWanted = true;
     bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored

@@ -1243,6 +1243,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>Show the scene without perspective (5 of the number pad in the viewport)</source>
         <translation>Die Szene ohne Perspektive zeigen (5 des Ziffernblocks im Bild)</translation>
     </message>
+    <message>
+        <source>C&amp;hecks…</source>
+        <translation>&amp;Prüfungen…</translation>
+    </message>
+    <message>
+        <source>Show what the scene expects of its run, and how it fares</source>
+        <translation>Zeigt, was die Szene von ihrem Lauf erwartet und wie es darum steht</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -1646,6 +1654,86 @@ Die Simulation oben geht dabei weiter.</translation>
     </message>
 </context>
 <context>
+    <name>carom::Checks</name>
+    <message>
+        <source>asked of the preset %1 only</source>
+        <translation>nur für die Voreinstellung %1 verlangt</translation>
+    </message>
+    <message>
+        <source>not judged yet</source>
+        <translation>noch nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>holds: %1</source>
+        <translation>erfüllt: %1</translation>
+    </message>
+    <message>
+        <source>did not hold: %1</source>
+        <translation>nicht erfüllt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ChecksDock</name>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Expectations</source>
+        <translation>Erwartungen</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>To spare</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>First failed</source>
+        <translation>Zuerst verfehlt</translation>
+    </message>
+    <message>
+        <source>The scene expects nothing.
+An `expect` declaration says what must come out of the run; it is judged here as the run goes on. The manual has a page about it: State what must happen.</source>
+        <translation>Die Szene erwartet nichts.
+Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beurteilt, während er weitergeht. Im Handbuch steht dazu eine Seite: State what must happen.</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>not judged yet</source>
+        <translation>noch nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s</source>
+        <translation>Bild %1, %2 s</translation>
+    </message>
+    <message>
+        <source>A double click goes there</source>
+        <translation>Ein Doppelklick führt dorthin</translation>
+    </message>
+    <message>
+        <source>%1 of %2 hold, %3 failed, %4 not judged yet</source>
+        <translation>%1 von %2 erfüllt, %3 verfehlt, %4 noch nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Checks (%1 failed)</source>
+        <translation>Prüfungen (%1 verfehlt)</translation>
+    </message>
+</context>
+<context>
     <name>carom::CommandFinder</name>
     <message>
         <source>What do you want to do?</source>
@@ -1809,6 +1897,32 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     <message>
         <source>%1; what is absent takes nothing</source>
         <translation>%1; was fehlt, braucht nichts</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ExpectMenu</name>
+    <message>
+        <source>Nothing has been measured yet</source>
+        <translation>Es ist noch nichts gemessen</translation>
+    </message>
+    <message>
+        <source>Write into the text:</source>
+        <translation>In den Text schreiben:</translation>
+    </message>
+</context>
+<context>
+    <name>carom::ExpectationCommands</name>
+    <message>
+        <source>First failed here: %1</source>
+        <translation>Hier zuerst verfehlt: %1</translation>
+    </message>
+    <message>
+        <source>not written: what is on screen is not the text as it is now</source>
+        <translation>nicht geschrieben: was zu sehen ist, ist nicht der Text, wie er jetzt ist</translation>
+    </message>
+    <message>
+        <source>written into the text: %1</source>
+        <translation>in den Text geschrieben: %1</translation>
     </message>
 </context>
 <context>
@@ -2621,6 +2735,14 @@ Strg+J fügt eine Deklaration ein.</translation>
         <source>greatest %1</source>
         <translation>größter Wert, %1</translation>
     </message>
+    <message>
+        <source>Expect this</source>
+        <translation>Dies erwarten</translation>
+    </message>
+    <message>
+        <source>Write what the selected curve shows into the text, as an expectation</source>
+        <translation>Schreibt, was die gewählte Kurve zeigt, als Erwartung in den Text</translation>
+    </message>
 </context>
 <context>
     <name>carom::Preferences</name>
@@ -3220,6 +3342,12 @@ bis zu %1 neue Kontakte je Bild</translation>
 the run went wrong here</source>
         <translation>
 hier ging im Lauf etwas schief</translation>
+    </message>
+    <message>
+        <source>
+an expectation failed</source>
+        <translation>
+eine Erwartung wurde verfehlt</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,11 @@
 #include "ui/docks/inspector_dock.h"
 
 #include "core/base/text.h"
+#include "core/expectations/expectation_proposals.h"
 #include "core/simulation/quantities.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/expect_menu.h"
 #include "ui/widgets/text_of.h"
 
 #include <QColorDialog>
@@ -12,6 +14,7 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <QLineEdit>
+#include <QMenu>
 #include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
@@ -33,6 +36,8 @@ constexpr int figureRole = Qt::UserRole, unitRole = Qt::UserRole + 1;
 constexpr int parameterRole = Qt::UserRole + 2, literalRole = Qt::UserRole + 3;
 /// Of the curve's cell: the last figures, oldest first.
 constexpr int curveRole = Qt::UserRole + 4;
+/// Of the name's cell of a quantity: what it was when it was shown, with all digits.
+constexpr int measuredRole = Qt::UserRole + 5;
 constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
 constexpr int curveWidth = 56;         // [px]
 constexpr int leastWidth = 250;        // [px] of a panel that has room for curves
@@ -155,6 +160,8 @@ InspectorDock::InspectorDock(QWidget* parent)
     m_tree->header()->setSectionResizeMode(Curve, QHeaderView::Fixed);
     m_tree->header()->resizeSection(Curve, curveWidth);
     m_tree->header()->moveSection(Curve, Value);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_tree, &QWidget::customContextMenuRequested, this, &InspectorDock::showMenu);
     setWidget(m_state);
     setFocusProxy(m_tree);
     m_refresh.setSingleShot(true);
@@ -198,6 +205,35 @@ void InspectorDock::edit(const QString& name, const QString& text) {
 
 void InspectorDock::take(const QString& parameter, const QString& text) {
     if (isValue(text)) Q_EMIT valueWanted(m_body, parameter, text.trimmed());
+}
+
+QMenu* InspectorDock::menuOf(const QString& name) {
+    if (m_live == nullptr) return nullptr;
+    const std::span<const QuantityRow> rows = m_body == noBody ? wholeQuantities() : bodyQuantities();
+    for (int i = 0; i < m_live->childCount(); ++i) {
+        if (m_live->child(i)->text(Name) != name) continue;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&name](const QuantityRow& one) {
+            return !one.booked && textOf(one.name) == name;
+        });
+        const double value = m_live->child(i)->data(Name, measuredRole).toDouble();
+        const double time = static_cast<double>(m_curveFrame) * m_pipeline->settings().step;
+        QMenu* menu = new QMenu(this);
+        fillExpectMenu(
+            *menu, m_pipeline->scene(),
+            proposalsFor({.quantity = &*row, .body = m_body, .time = time, .low = value, .high = value}),
+            [this](const Expectation& chosen) { Q_EMIT expectationWanted(chosen); });
+        return menu;
+    }
+    return nullptr;
+}
+
+void InspectorDock::showMenu(const QPoint& place) {
+    const QTreeWidgetItem* item = m_tree->itemAt(place);
+    if (item == nullptr || item->parent() != m_live) return;
+    QMenu* menu = menuOf(item->text(Name));
+    if (menu == nullptr) return;
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->popup(m_tree->viewport()->mapToGlobal(place));
 }
 
 QTreeWidgetItem* InspectorDock::addGroup(const QString& title) {
@@ -368,6 +404,7 @@ void InspectorDock::refresh() {
         QTreeWidgetItem& item = *m_live->child(child++);
         const double value = row.measure(moment, m_body);
         setFigure(item, figure(value));
+        item.setData(Name, measuredRole, value);
         addToCurve(item, frame, value);
     }
     m_curveFrame = frame;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -38,12 +39,16 @@ class InspectorDock : public Panel {
 
     /// The last figures of that row, oldest first: what its curve shows.
     std::vector<double> curveOf(const QString& name) const;
+    /// What a right click on the row of that name offers; the caller owns it. Null where it offers nothing.
+    QMenu* menuOf(const QString& name);
     /// Puts a value into its field, as one does by typing it there.
     void edit(const QString& name, const QString& text);
 
   Q_SIGNALS:
     /// The user has written another value for a parameter of the body's declaration.
     void valueWanted(carom::BodyIndex body, const QString& parameter, const QString& value);
+    /// A value at the moment on screen is to be expected of the scene from now on.
+    void expectationWanted(const carom::Expectation& expectation);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -62,6 +67,7 @@ class InspectorDock : public Panel {
     void addColour(QTreeWidgetItem* group, const Vec3& colour);
     void pickColour();
     void take(const QString& parameter, const QString& text);
+    void showMenu(const QPoint& place);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::shared_ptr<const Snapshot> m_snapshot, m_before; ///< shown, and the one before it

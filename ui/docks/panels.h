@@ -4,6 +4,7 @@
 #include "ui/docks/accuracy_dock.h"
 #include "ui/docks/breakpoints_dock.h"
 #include "ui/docks/broadphase_dock.h"
+#include "ui/docks/checks_dock.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/docks/inspector_dock.h"
 #include "ui/docks/outline_dock.h"

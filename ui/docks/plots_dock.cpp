@@ -2,8 +2,10 @@
 #include "ui/docks/plots_dock.h"
 
 #include "core/base/csv.h"
+#include "core/expectations/expectation_proposals.h"
 #include "ui/widgets/body_box.h"
 #include "ui/widgets/empty_state.h"
+#include "ui/widgets/expect_menu.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
@@ -13,6 +15,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QShortcut>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -35,6 +38,8 @@ PlotsDock::PlotsDock(QWidget* parent)
       m_quantities(new QComboBox), m_list(new QListWidget),
       m_add(wordButton("plotAdd", tr("Add"), tr("Draw this quantity over time"))),
       m_remove(wordButton("plotRemove", tr("Remove"), tr("Take the selected curve off the chart (Delete)"))),
+      m_expect(wordButton("plotExpect", tr("Expect this"),
+                          tr("Write what the selected curve shows into the text, as an expectation"))),
       m_plot(new PlotWidget),
       m_state(new EmptyState(m_plot, tr("Choose a body and a quantity at the left and "
                                         "press Add to see it over time."))),
@@ -60,6 +65,9 @@ PlotsDock::PlotsDock(QWidget* parent)
     connect(m_bodies, &QComboBox::currentIndexChanged, this, &PlotsDock::fillQuantities);
     connect(m_add, &QToolButton::clicked, this, &PlotsDock::addCurve);
     connect(m_remove, &QToolButton::clicked, this, &PlotsDock::removeCurve);
+    m_expect->setPopupMode(QToolButton::InstantPopup);
+    m_expect->setMenu(new QMenu(m_expect));
+    connect(m_expect->menu(), &QMenu::aboutToShow, this, &PlotsDock::offerExpectations);
     connect(m_plot, &PlotWidget::placeClicked, this, &PlotsDock::pickAt);
     connect(this, &QDockWidget::visibilityChanged, this, &PlotsDock::extend);
     fillQuantities();
@@ -79,6 +87,7 @@ void PlotsDock::layOut() {
     column->addWidget(m_quantities);
     column->addLayout(buttons);
     column->addWidget(m_list, 1);
+    column->addWidget(m_expect, 0, Qt::AlignLeft);
     column->addWidget(m_progress);
     setWidget(besideControls(column, listWidth, m_state));
     setFocusProxy(m_bodies);
@@ -99,6 +108,7 @@ void PlotsDock::reach(std::int64_t frame) {
 }
 
 void PlotsDock::showFrame(std::int64_t frame) {
+    m_shown = frame;
     if (m_pipeline) m_plot->setCursor(static_cast<double>(frame) * step());
 }
 
@@ -172,16 +182,48 @@ QString PlotsDock::titleOf(const Curve& curve) const {
     return QStringLiteral("%1: %2").arg(of, textOf(curve.quantity->name));
 }
 
+/// noBody for the whole; a body the scene no longer has is one it does not have.
+BodyIndex PlotsDock::bodyOf(const Curve& curve) const {
+    if (curve.ofWhole) return noBody;
+    const int row = m_bodies->findText(curve.body);
+    return row > 0 ? m_bodies->bodyAt(row) : noBody - 1;
+}
+
+/// Of the selected curve, else the first, at the frame on screen and up to there.
+void PlotsDock::offerExpectations() {
+    std::vector<Expectation> proposals;
+    const std::size_t row = static_cast<std::size_t>(std::max(0, m_list->currentRow()));
+    const Curve* curve = row < m_curves.size() ? &m_curves[row] : nullptr;
+    const bool there = curve != nullptr && m_pipeline && m_shown < curve->figures.count() &&
+                       (curve->ofWhole || bodyOf(*curve) < m_pipeline->bodies().count());
+    if (there) {
+        const SeriesStretch& now = curve->figures.at(m_shown);
+        Observed seen{.quantity = curve->quantity,
+                      .body = bodyOf(*curve),
+                      .time = static_cast<double>(m_shown) * step(),
+                      .low = now.low,
+                      .high = now.high,
+                      .until = static_cast<double>(m_shown) * step(),
+                      .least = now.low,
+                      .most = now.high};
+        for (const SeriesStretch& stretch : curve->figures.stretches()) {
+            if (stretch.first > m_shown) break;
+            seen.least = std::fmin(seen.least, stretch.low); // passes over what is no number
+            seen.most = std::fmax(seen.most, stretch.high);
+        }
+        proposals = proposalsFor(seen);
+    }
+    const Scene none;
+    fillExpectMenu(*m_expect->menu(), m_pipeline ? m_pipeline->scene() : none, proposals,
+                   [this](const Expectation& chosen) { Q_EMIT expectationWanted(chosen); });
+}
+
 /// All curves from the start: the same scene gives the same figures.
 void PlotsDock::restart() {
     std::vector<Probe> probes;
     for (Curve& curve : m_curves) {
         curve.figures.clear();
-        BodyIndex body = noBody;
-        const int row = curve.ofWhole ? 0 : m_bodies->findText(curve.body);
-        if (!curve.ofWhole) // a body the scene no longer has stays in the list and has no figures
-            body = row > 0 ? m_bodies->bodyAt(row) : noBody - 1;
-        probes.push_back({curve.quantity, body});
+        probes.push_back({curve.quantity, bodyOf(curve)}); // without a body it has no figures
     }
     m_run.start(m_pipeline, std::move(probes));
     extend();
@@ -224,6 +266,7 @@ void PlotsDock::redraw() {
     m_plot->setChart(m_chart);
     m_state->setEmpty(m_curves.empty());
     m_remove->setEnabled(!m_curves.empty());
+    m_expect->setEnabled(!m_curves.empty());
 }
 
 QString PlotsDock::writeCsv(const QString& path) const {

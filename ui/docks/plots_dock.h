@@ -55,6 +55,8 @@ class PlotsDock : public Panel {
   Q_SIGNALS:
     /// A click in the chart, at the time of this frame.
     void framePicked(std::int64_t frame);
+    /// What a curve shows is to be expected of the scene from now on.
+    void expectationWanted(const carom::Expectation& expectation);
 
   private:
     struct Curve {
@@ -69,6 +71,8 @@ class PlotsDock : public Panel {
     void addCurve();
     void add(Curve curve);
     void removeCurve();
+    void offerExpectations();
+    BodyIndex bodyOf(const Curve& curve) const;
     void restart();
     void extend();
     void take(const std::vector<ProbeRow>& rows);
@@ -84,6 +88,7 @@ class PlotsDock : public Panel {
     std::shared_ptr<const Pipeline> m_pipeline;
     std::vector<Curve> m_curves;
     std::int64_t m_reached = 0;
+    std::int64_t m_shown = 0; ///< frame on screen
     ChartSpec m_chart;
     ProbeRun m_run;
     QTimer m_refresh; ///< a chart of thousands of frames takes 10 ms to draw: a few times a second
@@ -92,6 +97,7 @@ class PlotsDock : public Panel {
     QListWidget* m_list;
     QToolButton* m_add;
     QToolButton* m_remove;
+    QToolButton* m_expect;
     PlotWidget* m_plot;
     EmptyState* m_state;
     QLabel* m_progress; ///< of curves that are behind the run

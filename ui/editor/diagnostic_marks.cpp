@@ -5,41 +5,35 @@
 
 #include "core/language/completion.h"
 
-#include <QApplication>
 #include <QToolTip>
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <utility>
 
 namespace carom {
 namespace {
 
 using Sci = QsciScintillaBase;
 
-/// Indicator, marker and message style of a severity, the gravest first.
+/// Indicator and marker of a severity, the gravest first.
 struct SeverityLook {
     Severity severity;
     int indicator;
     EditorMarker marker;
-    int annotationStyle;
     QColor Theme::*colour;
 };
 
-// Scintilla's styles below 128 belong to the lexer; 32 to 39 are its own.
 constexpr std::array looks = {
-    SeverityLook{Severity::Error, 12, ErrorMarker, 60, &Theme::error},
-    SeverityLook{Severity::Warning, 11, WarningMarker, 61, &Theme::warning},
-    SeverityLook{Severity::Hint, 10, HintMarker, 62, &Theme::hint},
+    SeverityLook{Severity::Error, 12, ErrorMarker, &Theme::error},
+    SeverityLook{Severity::Warning, 11, WarningMarker, &Theme::warning},
+    SeverityLook{Severity::Hint, 10, HintMarker, &Theme::hint},
 };
 
 const SeverityLook& lookOf(Severity severity) {
     return *std::find_if(looks.begin(), looks.end(),
                          [severity](const SeverityLook& look) { return look.severity == severity; });
 }
-
-constexpr int messageSize = 9;              // [pt] of the messages in the text
-constexpr std::size_t annotatedLines = 400; // more messages in place than anybody reads only cost time
 
 QString messageOf(const Diagnostic& diagnostic) { return QString::fromStdString(diagnostic.message); }
 
@@ -52,7 +46,7 @@ SourceRange visible(SourceRange range) {
 } // namespace
 
 DiagnosticMarks::DiagnosticMarks(SceneEditor& editor, const Theme& theme)
-    : QObject(&editor), m_editor(editor) {
+    : QObject(&editor), m_editor(editor), m_messages(editor, theme) {
     setTheme(theme);
     connect(&editor, &QsciScintillaBase::SCN_DWELLSTART, this, &DiagnosticMarks::showHover);
     connect(&editor, &QsciScintillaBase::SCN_DWELLEND, this, [] { QToolTip::hideText(); });
@@ -63,16 +57,8 @@ void DiagnosticMarks::setTheme(const Theme& theme) {
         const QColor colour = theme.*look.colour;
         m_editor.indicatorDefine(QsciScintilla::SquigglePixmapIndicator, look.indicator);
         m_editor.setIndicatorForegroundColor(colour, look.indicator);
-        m_editor.SendScintilla(Sci::SCI_STYLESETFORE, static_cast<unsigned long>(look.annotationStyle),
-                               colour);
-        m_editor.SendScintilla(Sci::SCI_STYLESETBACK, static_cast<unsigned long>(look.annotationStyle),
-                               theme.editor);
-        m_editor.SendScintilla(Sci::SCI_STYLESETFONT, static_cast<unsigned long>(look.annotationStyle),
-                               QApplication::font().family().toUtf8().constData());
-        m_editor.send(Sci::SCI_STYLESETSIZE, look.annotationStyle, messageSize);
-        m_editor.send(Sci::SCI_STYLESETBOLD, look.annotationStyle, 0);
     }
-    if (m_result) annotate();
+    m_messages.setTheme(theme);
 }
 
 void DiagnosticMarks::show(const SharedBuild& result) {
@@ -83,6 +69,7 @@ void DiagnosticMarks::show(const SharedBuild& result) {
         m_editor.send(Sci::SCI_INDICATORCLEARRANGE, 0, length);
         m_editor.markerDeleteAll(look.marker);
     }
+    std::vector<LineMessage> messages;
     for (const Diagnostic& diagnostic : diagnostics()) {
         const SeverityLook& look = lookOf(diagnostic.severity());
         const SourceRange range = visible(diagnostic.range);
@@ -90,42 +77,9 @@ void DiagnosticMarks::show(const SharedBuild& result) {
         m_editor.send(Sci::SCI_INDICATORFILLRANGE, range.offset, range.length);
         const int line = static_cast<int>(m_editor.send(Sci::SCI_LINEFROMPOSITION, range.offset));
         m_editor.markerAdd(line, look.marker);
+        messages.push_back({range.offset, diagnostic.severity(), messageOf(diagnostic)});
     }
-    annotate();
-}
-
-void DiagnosticMarks::setInlineMessages(bool shown) {
-    m_inline = shown;
-    if (m_result) annotate();
-}
-
-/// All messages of a line stand under it, in the colour of the gravest, indented like the line.
-void DiagnosticMarks::annotate() {
-    struct LineMessages {
-        Severity gravest = Severity::Hint;
-        QByteArray text;
-    };
-    std::map<long, LineMessages> lines;
-    for (const Diagnostic& diagnostic : diagnostics()) {
-        if (!m_inline || lines.size() >= annotatedLines) break;
-        const long line = m_editor.send(Sci::SCI_LINEFROMPOSITION, visible(diagnostic.range).offset);
-        LineMessages& messages = lines[line];
-        if (!messages.text.isEmpty()) messages.text += '\n';
-        const int indent = m_editor.indentation(static_cast<int>(line));
-        messages.text += QByteArray(2 * indent, ' ') /* its blanks are half as wide as the text's */ +
-                         messageOf(diagnostic).toUtf8();
-        messages.gravest = std::min(messages.gravest, diagnostic.severity());
-    }
-    // Scintilla looks at every line of the text for these: with 200,000 of them that takes 50 ms.
-    if (lines.empty() && !m_annotated) return;
-    m_annotated = !lines.empty();
-    m_editor.send(Sci::SCI_ANNOTATIONCLEARALL);
-    for (const auto& [line, messages] : lines) {
-        m_editor.SendScintilla(Sci::SCI_ANNOTATIONSETTEXT, static_cast<uintptr_t>(line),
-                               messages.text.constData());
-        m_editor.send(Sci::SCI_ANNOTATIONSETSTYLE, line, lookOf(messages.gravest).annotationStyle);
-    }
-    m_editor.send(Sci::SCI_ANNOTATIONSETVISIBLE, Sci::ANNOTATION_STANDARD);
+    m_messages.say(LineMessages::Problems, std::move(messages));
 }
 
 void DiagnosticMarks::showHover(int position, int x, int y) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/editor/line_messages.h"
 #include "ui/editor/live_build.h"
 #include "ui/editor/scene_editor.h"
 
@@ -20,7 +21,9 @@ class DiagnosticMarks : public QObject {
 
     void show(const SharedBuild& result);
     void setTheme(const Theme& theme);
-    void setInlineMessages(bool shown);
+    void setInlineMessages(bool shown) { m_messages.setShown(shown); }
+    /// Where others say something under a line, too.
+    LineMessages& messages() { return m_messages; }
 
     void goToNext();
     void goToPrevious();
@@ -30,15 +33,13 @@ class DiagnosticMarks : public QObject {
     bool applyFixIt(std::int64_t revision);
 
   private:
-    void annotate();
     void showHover(int position, int x, int y);
     QStringList helpAt(std::uint32_t position) const;
     const std::vector<Diagnostic>& diagnostics() const;
 
     SceneEditor& m_editor;
+    LineMessages m_messages;
     SharedBuild m_result;
-    bool m_inline = true;
-    bool m_annotated = false; ///< messages stand in the text
 };
 
 } // namespace carom

@@ -91,7 +91,9 @@ void SceneEditor::configureMargins() {
     setMarginMarkerMask(NumberMargin, 0);
     setMarginType(SymbolMargin, MarginType::SymbolMargin);
     setMarginWidth(SymbolMargin, 16);
-    setMarginMarkerMask(SymbolMargin, 1 << HintMarker | 1 << WarningMarker | 1 << ErrorMarker);
+    int symbols = 0;
+    for (int marker = WaitingCheckMarker; marker <= ErrorMarker; ++marker) symbols |= 1 << marker;
+    setMarginMarkerMask(SymbolMargin, symbols);
     setMarginSensitivity(SymbolMargin, true);
     setFolding(PlainFoldStyle, FoldMargin);
     for (const int marker : {SC_MARKNUM_FOLDER, SC_MARKNUM_FOLDEREND, SC_MARKNUM_FOLDEROPENMID})

@@ -13,11 +13,20 @@ namespace carom {
 struct Theme;
 class SceneLexer;
 
-/// Margins of the editor, from the left.
-enum EditorMargin { NumberMargin, SymbolMargin, FoldMargin };
+/// Margins of the editor, from the left. Inside QsciScintilla the first two names are its kinds of margins,
+/// with the same values.
+enum EditorMargin { SymbolMargin, NumberMargin, FoldMargin };
 
 /// Markers: Scintilla draws higher numbers over lower ones.
-enum EditorMarker { DeclarationMarker = 1, HintMarker, WarningMarker, ErrorMarker };
+enum EditorMarker {
+    DeclarationMarker = 1,
+    WaitingCheckMarker,
+    HeldCheckMarker,
+    FailedCheckMarker,
+    HintMarker,
+    WarningMarker,
+    ErrorMarker
+};
 
 /// The text of a scene. Its bytes are UTF-8 and its positions are byte offsets, so the ranges of core's
 /// tokens, declarations and diagnostics fit without conversion.

@@ -171,6 +171,8 @@ void Simulation::show(const PublishedSnapshot& published) {
     m_haunted = haunted;
     if (m_structureWanted) Q_EMIT structureArrived(published.structure);
     Q_EMIT snapshotArrived(published.snapshot);
+    if (published.judged && published.judged != m_judged) Q_EMIT judged(published.judged);
+    m_judged = published.judged;
 }
 
 } // namespace carom

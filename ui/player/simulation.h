@@ -94,6 +94,8 @@ class Simulation : public QObject {
     void structureArrived(const std::vector<carom::Aabb>& boxes);
     void snapshotArrived(const std::shared_ptr<const carom::Snapshot>& snapshot);
     void framesArrived(const std::vector<carom::FrameStatistics>& frames);
+    /// How the expectations of the loaded scene fare now; of scenes that have some.
+    void judged(const std::shared_ptr<const carom::JudgedRun>& run);
 
   private:
     void rest();
@@ -109,8 +111,9 @@ class Simulation : public QObject {
     bool m_underWay = false;
     bool m_haunted = false; ///< the snapshot before came with a ghost
     bool m_structureWanted = false;
-    std::size_t m_recorded = 0;       ///< [bytes]
-    std::uint64_t m_statusNumber = 0; ///< of the one taken last
+    std::shared_ptr<const JudgedRun> m_judged; ///< the last that came
+    std::size_t m_recorded = 0;                ///< [bytes]
+    std::uint64_t m_statusNumber = 0;          ///< of the one taken last
     QTimer m_timer;
     SimulationThread m_thread; ///< last: it is gone before anything it posts to
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -24,9 +25,13 @@ double roundUp(double value) {
     return 10 * power;
 }
 
+bool contains(const std::vector<std::int64_t>& frames, std::int64_t frame) {
+    return std::find(frames.begin(), frames.end(), frame) != frames.end();
+}
+
 /// A run that is played again comes to its marks again.
 void addOnce(std::vector<std::int64_t>& frames, std::int64_t frame) {
-    if (std::find(frames.begin(), frames.end(), frame) == frames.end()) frames.push_back(frame);
+    if (!contains(frames, frame)) frames.push_back(frame);
 }
 
 } // namespace
@@ -46,6 +51,7 @@ void Timeline::restart(double step, std::optional<double> duration) {
     m_impacts.clear();
     m_warnings.clear();
     m_hits.clear();
+    m_failures.clear();
     update();
 }
 
@@ -70,6 +76,12 @@ void Timeline::markWarning(std::int64_t frame) {
 
 void Timeline::markHit(std::int64_t frame) {
     addOnce(m_hits, frame);
+    update();
+}
+
+void Timeline::setFailures(std::vector<std::int64_t> frames) {
+    if (frames == m_failures) return;
+    m_failures = std::move(frames);
     update();
 }
 
@@ -119,7 +131,7 @@ std::optional<std::int64_t> Timeline::eventAt(const QPointF& position) const {
         nearest = frame;
     };
     if (below > 0) {
-        for (const std::vector<std::int64_t>* marks : {&m_warnings, &m_hits})
+        for (const std::vector<std::int64_t>* marks : {&m_failures, &m_warnings, &m_hits})
             for (const std::int64_t frame : *marks) look(frame);
     } else {
         for (const SeriesStretch& stretch : m_impacts.stretches())
@@ -136,7 +148,10 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
         return;
     }
     showFrame(*mark);
-    Q_EMIT eventClicked(*mark);
+    if (contains(m_failures, *mark))
+        Q_EMIT failureClicked(*mark);
+    else
+        Q_EMIT eventClicked(*mark);
 }
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
@@ -165,8 +180,9 @@ QString Timeline::tellOf(double x) const {
     if (impactsIn(frame) > 0)
         text += (m_impacts.length() > 1 ? tr("\nup to %1 new contacts a frame") : tr("\n%1 new contacts"))
                     .arg(impactsIn(frame));
-    if (std::count(m_warnings.begin(), m_warnings.end(), frame) > 0) text += tr("\nthe run went wrong here");
-    if (std::count(m_hits.begin(), m_hits.end(), frame) > 0) text += tr("\na breakpoint held");
+    if (contains(m_warnings, frame)) text += tr("\nthe run went wrong here");
+    if (contains(m_hits, frame)) text += tr("\na breakpoint held");
+    if (contains(m_failures, frame)) text += tr("\nan expectation failed");
     return text;
 }
 
@@ -200,6 +216,16 @@ void Timeline::paintMarks(QPainter& painter, const std::vector<std::int64_t>& fr
     }
 }
 
+/// Crosses, as in the editor's margin.
+void Timeline::paintFailures(QPainter& painter) const {
+    painter.setPen(QPen(m_theme.error, 2.2, Qt::SolidLine, Qt::RoundCap));
+    for (const std::int64_t frame : m_failures) {
+        const double x = xOf(frame), y = lineY + 8, arm = 3.5;
+        painter.drawLine(QPointF(x - arm, y - arm), QPointF(x + arm, y + arm));
+        painter.drawLine(QPointF(x - arm, y + arm), QPointF(x + arm, y - arm));
+    }
+}
+
 void Timeline::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), m_theme.panel);
@@ -215,6 +241,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     line(0, m_frame, m_theme.accent, 3);
     paintMarks(painter, m_warnings, m_theme.error);
     paintMarks(painter, m_hits, m_theme.warning);
+    paintFailures(painter);
 
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.8);

@@ -34,6 +34,8 @@ class Timeline : public ScrubStrip {
     void markWarning(std::int64_t frame);
     /// Frames at which a breakpoint held.
     void markHit(std::int64_t frame);
+    /// Frames at which an expectation first failed, in place of those before.
+    void setFailures(std::vector<std::int64_t> frames);
     void setTheme(const Theme& theme);
 
     std::int64_t frame() const { return m_frame; }
@@ -44,6 +46,7 @@ class Timeline : public ScrubStrip {
     std::uint64_t impactsIn(std::int64_t frame) const;
     const std::vector<std::int64_t>& warnings() const { return m_warnings; }
     const std::vector<std::int64_t>& hits() const { return m_hits; }
+    const std::vector<std::int64_t>& failures() const { return m_failures; }
     std::size_t bytes() const { return m_impacts.bytes(); }
     double xOf(std::int64_t frame) const; ///< [px]
     std::int64_t frameAt(double x) const;
@@ -55,6 +58,8 @@ class Timeline : public ScrubStrip {
     void seeked(std::int64_t frame);
     /// A bar or a mark was clicked, off the line.
     void eventClicked(std::int64_t frame);
+    /// The mark of an expectation that failed was clicked.
+    void failureClicked(std::int64_t frame);
 
   protected:
     void mousePressEvent(QMouseEvent* event) override;
@@ -68,6 +73,7 @@ class Timeline : public ScrubStrip {
     std::optional<std::int64_t> eventAt(const QPointF& position) const;
     void paintImpacts(QPainter& painter) const;
     void paintMarks(QPainter& painter, const std::vector<std::int64_t>& frames, const QColor& colour) const;
+    void paintFailures(QPainter& painter) const;
 
     Theme m_theme;
     double m_step = 1.0 / 60; ///< [s]
@@ -75,7 +81,7 @@ class Timeline : public ScrubStrip {
     std::int64_t m_frame = 0;
     std::uint64_t m_touching = 0; ///< contacts of the last frame added
     BoundedSeries m_impacts;      ///< of frame 1 at place 0
-    std::vector<std::int64_t> m_warnings, m_hits;
+    std::vector<std::int64_t> m_warnings, m_hits, m_failures;
 };
 
 } // namespace carom

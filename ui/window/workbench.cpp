@@ -26,6 +26,7 @@
 #include "ui/base/actions.h"
 #include "ui/window/body_drag.h"
 #include "ui/window/edit_commands.h"
+#include "ui/window/expectation_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_commands.h"
 #include "ui/window/inspector_edits.h"
@@ -64,6 +65,7 @@ Workbench::Workbench()
       m_help(new HelpCommands(*m_window, *m_document, *m_files, m_settings)),
       m_runs(new RunCommands(*m_window, *m_simulation, *m_frames, *m_preview)),
       m_memory(new MemoryUse(*m_window, *m_simulation)),
+      m_expectations(new ExpectationCommands(*m_window, *m_simulation, *m_builds, *m_preview, *m_marks)),
       m_selection(new Selection(m_window->editor(), m_window->viewport(), *m_builds, *m_preview)) {
     new EditCommands(*m_window, *m_document, *m_marks, m_settings);
     new ViewCommands(*m_window, *m_preview);
@@ -201,6 +203,7 @@ void Workbench::showBuild(const SharedBuild& result) {
     m_window->effects().show(result);
     m_window->accuracy().setScene(result, m_document->name());
     m_preview->take(result);
+    m_expectations->takeText();
     m_selection->followCaret();
     if (!result->fresh) return;
     warnOfNoScene(*result);
@@ -233,6 +236,7 @@ void Workbench::connectReports() {
     connect(m_files, &FileCommands::reported, this, report);
     connect(m_runs, &RunCommands::reported, this, report);
     connect(m_pictures, &PictureCommands::reported, this, report);
+    connect(m_expectations, &ExpectationCommands::reported, this, report);
     for (const Panel* panel : m_window->panels()) connect(panel, &Panel::reported, this, report);
     connect(&m_window->stability(), &StabilityDock::sceneWanted, m_files, &FileCommands::openText);
     connect(&m_window->viewport(), &Viewport::failed, this, report);
@@ -299,6 +303,7 @@ void Workbench::setDark(bool dark) {
     applyTheme(*qApp, theme);
     m_window->setTheme(theme);
     m_marks->setTheme(theme);
+    m_expectations->setTheme(theme);
     m_language->setTheme(theme);
     m_runs->setTheme(theme);
 }

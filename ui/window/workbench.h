@@ -12,6 +12,7 @@
 namespace carom {
 
 class DiagnosticMarks;
+class ExpectationCommands;
 class FileCommands;
 class FrameLog;
 class HelpCommands;
@@ -44,6 +45,7 @@ class Workbench : public QObject {
     PictureCommands& pictures() const { return *m_pictures; }
 
     HelpCommands& help() const { return *m_help; }
+    const ExpectationCommands& expectations() const { return *m_expectations; }
 
     /// What a session without a scene begins with: the file opened last, at the place one was at; else, and
     /// then it returns false, a first scene to play with.
@@ -83,6 +85,7 @@ class Workbench : public QObject {
     HelpCommands* m_help;
     RunCommands* m_runs;
     MemoryUse* m_memory;
+    ExpectationCommands* m_expectations;
     PictureCommands* m_pictures = nullptr;
     Selection* m_selection;
 };

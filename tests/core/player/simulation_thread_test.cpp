@@ -2,6 +2,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
+#include "core/expectations/scene_check.h"
 #include "core/player/simulation_thread.h"
 #include "core/simulation/build.h"
 
@@ -61,6 +62,7 @@ class Player {
     RunState shownState = RunState::Paused; ///< what the newest snapshot says
     std::vector<BreakHit> hits;
     std::vector<EnergyRise> rises;
+    std::shared_ptr<const JudgedRun> judged;
 
     std::int64_t frame() const { return newest ? newest->frame : -1; }
 
@@ -78,6 +80,7 @@ class Player {
             ghost = published->ghost;
             recorded = published->recorded;
             shownState = published->status.state;
+            judged = published->judged;
         }
         m_changed.notify_all();
     }
@@ -162,6 +165,57 @@ class SimulationThreadTest : public QObject {
         QCOMPARE(player.rises.back().frame, frame);
         player.post(PauseCommand{});
         QVERIFY(player.waitFor([&] { return player.state != RunState::Running; }));
+    }
+
+    void expectationsAreJudgedOnceAFrameWhereverOneGoes() {
+        // An elastic ball falls 5 m at 10 m/s²: it bounces after 1 s and after 3 s, and is then at 10 m/s.
+        const std::shared_ptr<const Pipeline> pipeline =
+            build("gravity { accel 0, -10, 0 }\nwall { normal 0, 1, 0  toOrig 0 }\n"
+                  "sphere ball { radius 0.5  mass 1  centre 0, 5.5, 0 }\n"
+                  "expect { quantity impacts  of ball  at 3.5  value 2  within 0 }\n"
+                  "expect { quantity speed  max 5 }\n"
+                  "expect { quantity y  of ball  at 100  value 0  within 1 }\n")
+                .pipeline;
+        const SceneCheck alone = *checkScene(pipeline, {}, 4.0);
+        Player player;
+        player.post(LoadCommand{pipeline, 1, 0});
+        QVERIFY(player.waitFor([&] { return player.judged != nullptr; }));
+        QCOMPARE(player.judged->frame, std::int64_t{0});
+        for (const std::int64_t frame : {100, 30, 0, 200, 150, 240}) {
+            player.post(SeekCommand{frame});
+            QVERIFY(player.waitFor([&] { return player.frame() == frame; }));
+            // Back at the start nothing of the run is forgotten, and what is played again is not judged
+            // again.
+            if (frame == 200) player.post(ResetCommand{2});
+        }
+        QVERIFY(player.waitFor([&] { return player.frame() == 240 && player.judged->frame == 240; }));
+        const std::vector<Judgement>& judgements = player.judged->judgements;
+        QCOMPARE(judgements[0].state, ExpectationState::Holds);
+        QCOMPARE(judgements[0].figure, 2.0);
+        QCOMPARE(judgements[1].state, ExpectationState::Fails);
+        QCOMPARE(*judgements[1].failedAt, *alone.judgements[1].failedAt);
+        QCOMPARE(*judgements[1].failedAt, std::int64_t{31}); // the speed is 10 t
+        QCOMPARE(judgements[2].state, ExpectationState::Waiting);
+        player.post(LoadCommand{threeBalls(), 3, 0}); // expects nothing
+        QVERIFY(player.waitFor([&] { return player.judged == nullptr; }));
+    }
+
+    void whatTheEndOfARunLeavesUnjudgedHasFailed() {
+        Player player;
+        player.post(LoadCommand{build("simulation { duration 1 }\n"
+                                      "sphere ball { radius 0.5  mass 1  centre 0, 5.5, 0 }\n"
+                                      "expect late { quantity y  of ball  at 2  value 0  within 1e9 }\n"
+                                      "expect kept { quantity energy  drift 1e-9 }\n")
+                                    .pipeline,
+                                1, 0});
+        player.post(SeekCommand{59});
+        QVERIFY(player.waitFor([&] { return player.frame() == 59; }));
+        QCOMPARE(player.judged->judgements[0].state, ExpectationState::Waiting);
+        player.post(SeekCommand{90});
+        QVERIFY(player.waitFor([&] { return player.frame() == 90; }));
+        QCOMPARE(player.judged->frame, std::int64_t{60}); // what comes behind the duration is not asked about
+        QCOMPARE(player.judged->judgements[0].state, ExpectationState::Fails);
+        QCOMPARE(player.judged->judgements[1].state, ExpectationState::Holds);
     }
 
     void everyFrameOfARunArrivesAndItsStatesAreTheWorlds() {

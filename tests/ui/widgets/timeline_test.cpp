@@ -138,6 +138,22 @@ class TimelineTest : public QObject {
         QVERIFY(shown.hasColour(loadTheme(true).warning, QRect(shown.at(80).x() - 2, 24, 5, 5)));
     }
 
+    void whereAnExpectationFailedIsMarkedAndAClickSaysSo() {
+        Shown shown;
+        const QPoint place(shown.at(40).x(), 27);
+        const QRect below(place.x() - 2, 25, 5, 5);
+        QSignalSpy failures(&shown.timeline, &Timeline::failureClicked);
+        QSignalSpy events(&shown.timeline, &Timeline::eventClicked);
+        shown.timeline.setFailures({40});
+        QVERIFY(shown.hasColour(loadTheme(true).error, below));
+        QTest::mouseClick(&shown.timeline, Qt::LeftButton, {}, place);
+        QCOMPARE(failures.count(), 1);
+        QCOMPARE(failures.first().first().toLongLong(), 40);
+        QCOMPARE(events.count(), 0);
+        shown.timeline.setFailures({});
+        QVERIFY(!shown.hasColour(loadTheme(true).error, below));
+    }
+
     void aRunWithoutAnEndGetsARoundScaleThatGrowsWithIt() {
         Shown shown(std::nullopt);
         QCOMPARE(shown.timeline.end(), std::int64_t{200}); // two seconds

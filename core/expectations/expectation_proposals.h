@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/simulation/quantities.h"
+
+#include <vector>
+
+// Expectations made from what a run has shown, so that a later run can be held to it.
+
+namespace carom {
+
+/// What was seen of a quantity; all figures in its unit.
+struct Observed {
+    const QuantityRow* quantity = nullptr;
+    BodyIndex body = noBody;  ///< noBody: the whole
+    double time = 0;          ///< the moment [s]
+    double low = 0, high = 0; ///< the figure then; two where only its bounds are known
+    double until = 0;         ///< from the start to here [s] it was
+    double least = 0, most = 0;
+};
+
+/// What one may want to hold: the figure at the moment, its least and greatest, that it does not drift; those
+/// that say something, none where there is no number. What is asked for holds in the run it comes from:
+/// numbers are rounded outwards, and a value may be off by a millionth of it.
+std::vector<Expectation> proposalsFor(const Observed& observed);
+
+} // namespace carom

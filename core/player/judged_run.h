@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/expectations/expectation_watch.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace carom {
+
+/// How the expectations of a scene fare in a run that goes on.
+struct JudgedRun {
+    std::shared_ptr<const Pipeline> pipeline; ///< what the judgements point into
+    std::vector<Judgement> judgements;        ///< of those meant for its preset, in the order of the text
+    std::int64_t frame = 0;                   ///< the last one judged
+};
+
+} // namespace carom
