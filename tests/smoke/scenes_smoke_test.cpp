@@ -47,6 +47,11 @@ class ScenesSmokeTest : public QObject {
     }
     /// Hard cases ask for what the editor warns of.
     static bool isHard(const QString& path) { return path.contains(QLatin1String("/scenes/hard/")); }
+    /// What they are about.
+    static bool isOfOverlaps(const QString& path) {
+        return path.endsWith(QLatin1String("/39_deep_overlap.sdl")) ||
+               path.endsWith(QLatin1String("/40_one_centre.sdl"));
+    }
     static Build built(const QString& path) { return build(test::readFile(path).toStdString()); }
 };
 
@@ -69,6 +74,7 @@ void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
 
 void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {
     QFETCH(QString, path);
+    if (isOfOverlaps(path)) return;
     // Bodies that stand on each other touch but for rounding [m]; hard cases are up to 1 km large.
     const double rounding = isHard(path) ? 1e-12 : 1e-15;
     const Build scene = built(path);

@@ -31,6 +31,16 @@ QString headOf(const QString& resourceName) {
     return lines.join(u' ').trimmed();
 }
 
+/// "pool_break" is "Pool break", "hard/09_middle_axis" is "9: middle axis", by the number of the hard case.
+QString titleOf(const QString& name) {
+    QString title = name.section(u'/', -1).replace(u'_', u' ');
+    if (!name.contains(u'/')) {
+        title[0] = title[0].toUpper();
+        return title;
+    }
+    return QStringLiteral("%1: %2").arg(title.section(u' ', 0, 0).toInt()).arg(title.section(u' ', 1));
+}
+
 } // namespace
 
 std::vector<GalleryScene> galleryScenes() {
@@ -123,10 +133,7 @@ QListWidget* Welcome::gallery() {
     list->setSpacing(6);
     list->setWordWrap(true);
     for (const GalleryScene& scene : galleryScenes()) {
-        QString title = scene.name;
-        title.replace(u'_', u' ');
-        title[0] = title[0].toUpper();
-        QListWidgetItem* item = new QListWidgetItem(QIcon(scene.picture), title, list);
+        QListWidgetItem* item = new QListWidgetItem(QIcon(scene.picture), titleOf(scene.name), list);
         item->setSizeHint(pictureSize + QSize(16, 36));
         item->setToolTip(headOf(scene.text));
         item->setData(Qt::UserRole, scene.text);

@@ -2,10 +2,12 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "core/study/hard_scenes.h"
 #include "ui/docks/broadphase_dock.h"
 #include "ui/docks/outline_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/viewport/navigation.h"
+#include "ui/widgets/text_of.h"
 #include "ui/window/command_finder.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_commands.h"
@@ -324,6 +326,21 @@ class ShellTest : public QObject {
             QFile text(QStringLiteral(":/") + scene.text);
             QVERIFY2(text.open(QIODevice::ReadOnly), qPrintable(scene.name));
             QVERIFY2(!build(text.readAll().toStdString()).hasErrors(), qPrintable(scene.name));
+        }
+    }
+
+    void theGalleryShowsTheHardCasesByTheirNumbers() {
+        Ide ide;
+        ide.bench.help().showWelcome();
+        const QListWidget* gallery = openDialog<Welcome>(ide)->findChild<QListWidget*>();
+        for (const HardScene& scene : hardScenes()) {
+            const int number = textOf(scene.name).section(u'_', 0, 0).toInt();
+            constexpr int first = 50; // cases; those of the second list are for measuring
+            if (number > first) continue;
+            const QString head = QStringLiteral("%1: ").arg(number);
+            const QList<QListWidgetItem*> found = gallery->findItems(head, Qt::MatchStartsWith);
+            QCOMPARE(found.size(), 1);
+            QVERIFY(found.first()->toolTip().startsWith(QStringLiteral("Hard case %1: ").arg(number)));
         }
     }
 
