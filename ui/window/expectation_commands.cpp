@@ -2,6 +2,7 @@
 #include "ui/window/expectation_commands.h"
 
 #include "ui/base/actions.h"
+#include "core/base/clock.h"
 #include "core/language/expectation_edit.h"
 #include "ui/docks/checks_dock.h"
 #include "ui/docks/inspector_dock.h"
@@ -20,7 +21,8 @@ namespace carom {
 
 namespace {
 constexpr int refreshInterval = 200; // [ms]
-}
+constexpr double mostShare = 0.1;    // of the window's time that goes into it
+} // namespace
 
 ExpectationCommands::ExpectationCommands(MainWindow& window, Simulation& simulation, const LiveBuild& builds,
                                          const LivePreview& preview, DiagnosticMarks& marks)
@@ -94,6 +96,7 @@ void ExpectationCommands::refresh() {
     if (!m_builds.isCurrent()) return; // its places are of an older text; the build that follows shows them
     const SharedBuild& written = m_builds.latest();
     if (written->scene().expectations.empty() && m_rows.empty()) return;
+    const Stopwatch clock;
     const JudgedRun* run = runsWhatIsWritten() ? m_run.get() : nullptr;
     m_rows = checkRows(*written, run);
     m_marks->show(m_rows);
@@ -103,6 +106,7 @@ void ExpectationCommands::refresh() {
     for (const CheckRow& row : m_rows)
         if (row.failedAt) failures.push_back(*row.failedAt);
     m_window.timeline().setFailures(std::move(failures));
+    m_refresh.setInterval(std::max(refreshInterval, static_cast<int>(clock.elapsed() / mostShare)));
 }
 
 } // namespace carom
