@@ -11,10 +11,20 @@ constexpr std::size_t fewPoints = 192;
 /// So many times fewer points, so many times more looks in a substep.
 constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 
+/// That is nearer than this part of the smaller one's size.
+constexpr double nearPart = 2 * slackPart;
+
 /// Bodies that move by more than this part of their size in the mean are busy.
 constexpr double busyPath = 0.1;
 /// But where a body has so many pairs in the mean, most of those it can meet in a frame are near already.
 constexpr std::size_t densePairs = 2;
+
+/// Whether a pair is so near that it touches, or soon does; of pairs that are solved as balls.
+bool isNear(const SteppedInput& input, BodyPair pair) {
+    const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
+    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has none
+    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
+}
 
 /// From the fewest points to the most.
 constexpr std::array<Division, 4> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}};
@@ -141,7 +151,11 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                      Manifolds& manifolds) {
     findPairs(input, list, neighbours, known);
     m_pairs.clear();
-    for (const Entry& entry : m_entering) m_pairs.push_back(entry.pair);
+    m_isNear.clear();
+    for (const Entry& entry : m_entering) {
+        m_pairs.push_back(entry.pair);
+        m_isNear.push_back(isNear(input, entry.pair));
+    }
     m_islands.find(input.bodies, list, m_pairs, links);
     m_isEmpty = m_isEmpty && list.empty();
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
@@ -156,18 +170,20 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
             block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(number - 1), m_passes), substep);
         block.addIsland(input, island.bodies, island.links);
         block.beginPairs();
-        for (const std::uint32_t index : island.pairs) {
-            Entry& entry = m_entering[index];
-            const BodyIndex here = hereOf(entry.pair);
-            if (here != noBody && m_block[here] != number) {
-                m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
-                if (entry.place != Manifolds::none) manifolds.remove(entry.place);
-                continue;
+        for (const bool near : {true, false}) // what touches side by side: the others are idle together
+            for (const std::uint32_t index : island.pairs) {
+                Entry& entry = m_entering[index];
+                if (m_isNear[index] != near) continue;
+                const BodyIndex here = hereOf(entry.pair);
+                if (here != noBody && m_block[here] != number) {
+                    m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
+                    if (entry.place != Manifolds::none) manifolds.remove(entry.place);
+                    continue;
+                }
+                if (here != noBody)
+                    block.joinIslands(block.islandOf(here), block.islandOf(island.bodies.front()));
+                block.addPair(input, entry, manifolds);
             }
-            if (here != noBody)
-                block.joinIslands(block.islandOf(here), block.islandOf(island.bodies.front()));
-            block.addPair(input, entry, manifolds);
-        }
         for (const BodyIndex body : island.bodies) m_block[body] = number;
     }
 }

@@ -106,7 +106,8 @@ class BasePath {
     std::vector<std::uint8_t> m_block; // by body
     std::array<SteppedMotion, divisions> m_blocks;
     std::vector<Entry> m_entering, m_upward, m_downward, m_leaving;
-    std::vector<BodyPair> m_pairs; // of m_entering
+    std::vector<BodyPair> m_pairs;      // of m_entering
+    std::vector<std::uint8_t> m_isNear; // of m_entering
     Islands m_islands;
 };
 
