@@ -87,6 +87,7 @@ class Contacts final : public Solver {
         std::vector<double> calm;
     };
     void findMembers(const SolverInput& input);
+    bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
     bool wakeTouched(const SolverInput& input);
     void followMembers(const SolverInput& input);
@@ -123,6 +124,10 @@ class Contacts final : public Solver {
     }
     void take(const SteppedReport& stepped, SolverReport& report);
     double baseOperations() const;
+    /// An impact may speed bodies up in the last substep of `time` [s].
+    static double reachTime(const SolverInput& input, double time) {
+        return time + (Neighbours::reachFactor - 1) * input.substep;
+    }
     ManifoldInput here(const SolverInput& input) const {
         return {input.bodies, input.state, input.gravity, input.substep};
     }
@@ -240,7 +245,7 @@ void Contacts::findMembers(const SolverInput& input) {
                             input.broadphase);
     followMembers(input);
     const bool isOver = input.part == 0 && m_stayed >= m_patience;
-    if (!m_base.isEmpty() && (isOver || !m_base.holds(stepped(input), input.substep, m_neighbours))) {
+    if (!m_base.isEmpty() && (isOver || !renewBase(input))) {
         leave(input, m_base);
         m_found.carryWith(m_left);
     }
@@ -250,6 +255,12 @@ void Contacts::findMembers(const SolverInput& input) {
         coverMembers(input);
     }
     m_resting.exchange(input.bodies, m_contacts);
+}
+
+// False if all must leave the base path.
+bool Contacts::renewBase(const SolverInput& input) {
+    return m_base.renew(stepped(input), input.substep, reachTime(input, input.parts * input.substep),
+                        lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
 }
 
 void Contacts::followMembers(const SolverInput& input) {
@@ -347,8 +358,7 @@ void Contacts::enter(const SolverInput& input, BasePath& path, std::vector<BodyI
     if (list.empty()) return;
     std::sort(list.begin(), list.end());
     const SteppedInput stepping = stepped(input);
-    const double reachTime = time + (Neighbours::reachFactor - 1) * input.substep;
-    while (!path.prepare(stepping, list, reachTime, skin, m_neighbours))
+    while (!path.prepare(stepping, list, reachTime(input, time), skin, m_neighbours))
         m_neighbours.search(input.bodies, input.state, input.broadphase);
     path.enter(stepping, list, m_neighbours, m_links, input.substep, m_known, m_found.manifolds());
 }
@@ -420,10 +430,10 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
     m_rest.addIsland(stepping, island.bodies, island.links);
     m_rest.beginPairs();
     for (const std::uint32_t index : island.pairs)
-        m_rest.addPair(
-            stepping,
-            {m_found.set().pairs[index].bodies(), m_found.placeOf(index), m_found.set().pairs[index].margin},
-            manifolds);
+        m_rest.addPair(stepping,
+                       {m_found.set().pairs[index].bodies(), m_found.placeOf(index),
+                        m_found.set().pairs[index].margin, true},
+                       manifolds);
     take(m_rest.advance(stepping, manifolds, duration / input.substep), report);
     m_rest.end(stepping, manifolds, m_unused);
 }

@@ -8,8 +8,13 @@ namespace {
 
 /// Islands of so few contact points are swept there and back, in steps of half the length.
 constexpr std::size_t fewPoints = 192;
+/// Balls with more than so many take one step a look: their contacts turn with them.
+constexpr std::size_t manyPoints = 4 * fewPoints;
 /// So many times fewer points, so many times more looks in a substep.
 constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
+
+/// Of so many bodies one at most is renewed: of more, pairs are found for all.
+constexpr std::size_t fewRenewed = 16;
 
 /// That is nearer than this part of the smaller one's size.
 constexpr double nearPart = 2 * slackPart;
@@ -27,11 +32,12 @@ bool isNear(const SteppedInput& input, BodyPair pair) {
 }
 
 /// From the fewest points to the most.
-constexpr std::array<Division, 4> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}};
+constexpr std::array<Division, 5> divisionsOfSubstep{
+    Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}, {1, 1, 1}};
 
 /// Which of them.
 std::uint8_t divisionNumber(const ContactCount& count) {
-    if (count.points > fewPoints) return 3;
+    if (count.points > fewPoints) return count.round && count.points > manyPoints ? 4 : 3;
     const std::size_t looks =
         count.round
             ? 1
@@ -68,33 +74,124 @@ std::size_t BasePath::islands() const {
     return sum;
 }
 
-bool BasePath::holds(const SteppedInput& input, double substep, const Neighbours& neighbours) const {
-    if (m_isBroken || std::any_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
-            return !block.isEmpty() && !block.isUnchanged(input.state);
-        }))
-        return false;
-    const double fall = 0.5 * input.gravity.norm() * substep * substep;
+// How far its surface comes within the time [m].
+double BasePath::pathOf(const SteppedInput& input, BodyIndex body, double time,
+                        const Neighbours& neighbours) const {
+    return Neighbours::surfaceSpeed(input.bodies, input.state, body) * time +
+           0.5 * input.gravity.norm() * time * time + neighbours.pull(body, time);
+}
+
+bool BasePath::isUnchanged(const State& state) const {
+    return std::all_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
+        return block.isEmpty() || block.isUnchanged(state);
+    });
+}
+
+bool BasePath::renew(const SteppedInput& input, double substep, double time, double skin,
+                     Neighbours& neighbours, Broadphase& broadphase, Manifolds& manifolds) {
+    if (m_isBroken || !isUnchanged(input.state)) return false;
+    std::size_t all = 0;
+    for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
+    const auto forget = [&] {
+        for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
+        m_renewed.clear();
+    };
+    forget();
+    findOutrun(input, substep, time, skin, neighbours);
+    if (fewRenewed * m_renewed.size() > all) return false;
+    while (!findStruck(input, neighbours)) { // what is found depends on nothing but where the bodies are
+        neighbours.search(input.bodies, input.state, broadphase);
+        forget();
+        findOutrun(input, substep, time, skin, neighbours);
+    }
+    return m_renewed.empty() || takeUpPairs(input, neighbours, manifolds);
+}
+
+// Those that may outrun their reach, with a new one.
+void BasePath::findOutrun(const SteppedInput& input, double substep, double time, double skin,
+                          const Neighbours& neighbours) {
     for (const SteppedMotion& block : m_blocks)
         for (const BodyIndex i : block.bodies()) {
-            const double moved = Neighbours::displacement(input.bodies, i, m_origin[i], input.state.pose[i]);
-            const double path = Neighbours::surfaceSpeed(input.bodies, input.state, i) * substep + fall +
-                                neighbours.pull(i, substep);
-            if (moved + Neighbours::reachFactor * path > m_reach[i]) return false;
+            if (Neighbours::reachFactor * pathOf(input, i, substep, neighbours) <= roomOf(input, i)) continue;
+            m_renewed.push_back(
+                {i, pathOf(input, i, time, neighbours) + skin * input.bodies.boundingRadius[i]});
+            m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
+}
+
+// Those that one of these may strike come as far as prepare() would let them. False if the neighbours must
+// search and this be asked again.
+bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
+    for (std::size_t n = 0, outrun = m_renewed.size(); n < outrun; ++n) {
+        const auto [i, reach] = m_renewed[n];
+        for (const BodyIndex k : neighbours.around(i)) {
+            if (input.bodies.mobile[k] == 0 || !has(k)) continue;
+            const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : roomOf(input, k);
+            if (room >= reach || !areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
+            const double after = Neighbours::reachAfter(input.bodies, k, room, i, reach);
+            if (!(after > room)) continue;
+            if (m_renewal[k] == 0) {
+                m_renewed.push_back({k, after});
+                m_renewal[k] = static_cast<std::uint32_t>(m_renewed.size());
+            } else {
+                m_renewed[m_renewal[k] - 1].reach = after;
+            }
+        }
+    }
+    bool covered = true;
+    for (const Renewed& renewed : m_renewed)
+        covered = neighbours.covers(renewed.body, renewed.reach) && covered;
+    return covered;
+}
+
+// Pairs of the renewed that are not here yet. False if one joins two blocks.
+bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
+    for (const auto& [body, reach] : m_renewed) {
+        m_reach[body] = reach;
+        m_origin[body] = input.state.pose[body];
+    }
+    m_present.clear();
+    for (SteppedMotion& block : m_blocks) {
+        if (block.isEmpty()) continue;
+        block.forEachEntry([&](Entry& entry) {
+            if (m_renewal[entry.pair.a] == 0 && m_renewal[entry.pair.b] == 0) return;
+            entry.margin = std::max(entry.margin, marginOf(input.bodies, entry.pair));
+            m_present.push_back(entry.pair);
+        });
+        block.beginPairs();
+    }
+    std::sort(m_present.begin(), m_present.end());
+    m_entering.clear();
+    for (const auto& [i, reach] : m_renewed)
+        for (const BodyIndex k : neighbours.around(i)) {
+            const bool mobile = input.bodies.mobile[k] != 0;
+            if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i))) continue;
+            const BodyPair pair{std::min(i, k), std::max(i, k)};
+            const double margin = marginOf(input.bodies, pair);
+            if (!areWithin(input.bodies, input.state, pair, margin) ||
+                std::binary_search(m_present.begin(), m_present.end(), pair))
+                continue;
+            if (mobile && m_block[i] != m_block[k]) return false;
+            m_entering.push_back({pair, Manifolds::none, margin});
+        }
+    std::sort(m_entering.begin(), m_entering.end());
+    for (const Entry& entry : m_entering) {
+        const auto [a, b] = entry.pair;
+        SteppedMotion& block = m_blocks[m_block[hereOf(entry.pair)] - 1u];
+        if (has(a) && has(b)) block.joinIslands(block.islandOf(a), block.islandOf(b));
+        block.addPair(input, entry, manifolds);
+    }
     return true;
 }
 
 bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                        Neighbours& neighbours) {
     const Bodies& bodies = input.bodies;
-    const double fall = 0.5 * input.gravity.norm() * time * time;
     bool covered = true;
     for (const BodyIndex i : list) {
         m_block[i] = entering;
         m_origin[i] = input.state.pose[i];
-        const double path =
-            Neighbours::surfaceSpeed(bodies, input.state, i) * time + fall + neighbours.pull(i, time);
-        m_reach[i] = path + skin * bodies.boundingRadius[i];
+        m_reach[i] = pathOf(input, i, time, neighbours) + skin * bodies.boundingRadius[i];
         covered = neighbours.covers(i, m_reach[i]) && covered;
     }
     if (!covered) return false;
@@ -134,7 +231,9 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
     auto old = known.begin();
     for (Entry& entry : m_entering) {
         while (old != known.end() && old->pair < entry.pair) ++old;
-        if (old != known.end() && old->pair == entry.pair) std::swap(entry.place, old->place);
+        if (old == known.end() || old->pair != entry.pair) continue;
+        std::swap(entry.place, old->place);
+        entry.isFresh = old->isFresh;
     }
 }
 
@@ -176,7 +275,8 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                 if (m_isNear[index] != near) continue;
                 const BodyIndex here = hereOf(entry.pair);
                 if (here != noBody && m_block[here] != number) {
-                    m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
+                    m_isBroken =
+                        true; // beyond the reach of this substep, or the solver would have begun anew
                     if (entry.place != Manifolds::none) manifolds.remove(entry.place);
                     continue;
                 }

@@ -20,9 +20,9 @@
 //     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
 //              body that turns comes down with another part of it, and a chain of bodies passes an impact
 //              on by a few of them a pass. So there is a block of bodies for every division of the substep.
-//     holds    while no body outruns its reach and nobody else has moved it. Bodies at rest stay for many
-//              frames. If it does not hold, or if others join two blocks, all leave, and the solver begins
-//              anew.
+//     renewal  where a few bodies outrun their reach, pairs are found for these anew. If many do, if somebody
+//              else has moved one, or if others join two blocks, all leave, and the solver begins anew.
+//              Bodies at rest stay for many frames.
 
 namespace carom {
 
@@ -42,15 +42,19 @@ class BasePath {
 
     /// `passes` times the passes that are usual.
     BasePath(std::size_t bodies, int passes)
-        : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock) {}
+        : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock),
+          m_renewal(bodies, 0) {}
 
     bool isEmpty() const { return m_isEmpty; }
     bool has(BodyIndex body) const { return isHere(m_block[body]); }
     /// By body: 0 for those that are not here, otherwise a number for all that are in one block.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
-    /// Whether the pairs serve for another `substep` [s].
-    bool holds(const SteppedInput& input, double substep, const Neighbours& neighbours) const;
+    /// Sees to it that the pairs serve for another `substep` [s]. The few that may outrun their reach, or be
+    /// struck by one of those, get a new one for `time` [s] and `skin` times their size, and the pairs that
+    /// are within it.
+    bool renew(const SteppedInput& input, double substep, double time, double skin, Neighbours& neighbours,
+               Broadphase& broadphase, Manifolds& manifolds);
 
     /// Notes how far bodies that are to enter, ascending, may come within `time` [s], and by `skin` times
     /// their size further. False if the neighbours must search and this be asked again.
@@ -89,8 +93,23 @@ class BasePath {
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
-    static constexpr std::size_t divisions = 4;
+    static constexpr std::size_t divisions = 5;
     static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
+    struct Renewed {
+        BodyIndex body = 0;
+        double reach = 0; // [m]
+    };
+    double pathOf(const SteppedInput& input, BodyIndex body, double time, const Neighbours& neighbours) const;
+    /// What is left of a body's reach [m].
+    double roomOf(const SteppedInput& input, BodyIndex body) const {
+        return m_reach[body] -
+               Neighbours::displacement(input.bodies, body, m_origin[body], input.state.pose[body]);
+    }
+    bool isUnchanged(const State& state) const;
+    void findOutrun(const SteppedInput& input, double substep, double time, double skin,
+                    const Neighbours& neighbours);
+    bool findStruck(const SteppedInput& input, Neighbours& neighbours);
+    bool takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
     double marginOf(const Bodies& bodies, BodyPair pair) const;
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
@@ -109,6 +128,9 @@ class BasePath {
     std::vector<BodyPair> m_pairs;      // of m_entering
     std::vector<std::uint8_t> m_isNear; // of m_entering
     Islands m_islands;
+    std::vector<Renewed> m_renewed;
+    std::vector<std::uint32_t> m_renewal; // by body: its number in m_renewed and 1, or 0
+    std::vector<BodyPair> m_present;      // pairs of renewed bodies that are here
 };
 
 } // namespace carom

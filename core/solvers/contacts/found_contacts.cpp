@@ -37,7 +37,8 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     auto carried = m_manifolds.entries().begin();
     const auto carriedEnd = m_manifolds.entries().end();
     for (const BodyPair pair : candidates) {
-        while (carried != carriedEnd && carried->pair < pair) m_distant.push_back(*carried++);
+        for (; carried != carriedEnd && carried->pair < pair; ++carried)
+            m_distant.push_back({carried->pair, carried->place});
         const bool isCarried = carried != carriedEnd && carried->pair == pair;
         const double margin = margins.marginOf(pair);
         const ContactPair contact = pairOf(here.bodies, pair, margin);
@@ -46,7 +47,7 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
             work.pairsCollided += updateManifold(here, margin, m_manifolds[place]) ? 1 : 0;
             const PersistentManifold& manifold = m_manifolds[place];
             if (manifold.count == 0) {
-                m_apart.push_back({pair, place});
+                m_apart.push_back({pair, place, true});
                 continue;
             }
             m_found.pairs.push_back(contact);
@@ -81,7 +82,7 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
         m_canMeet.push_back(carom::canMeet(here, pair, gap) ? 1 : 0);
         m_gap.push_back(gap);
     }
-    m_distant.insert(m_distant.end(), carried, carriedEnd);
+    for (; carried != carriedEnd; ++carried) m_distant.push_back({carried->pair, carried->place});
 }
 
 void FoundContacts::findPoints(const ManifoldInput& here, std::uint32_t index, WorkCounters& work) {
@@ -136,7 +137,7 @@ void FoundContacts::list() {
         if (m_place[i] == Manifolds::none) continue;
         const BodyPair pair = m_found.pairs[i].bodies();
         while (apart != m_apart.end() && apart->pair < pair) m_listed.push_back(*apart++);
-        m_listed.push_back({pair, m_place[i]});
+        m_listed.push_back({pair, m_place[i], true});
     }
     m_listed.insert(m_listed.end(), apart, m_apart.end());
 }

@@ -191,6 +191,20 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
     inherit(old, sameWithin * size, manifold);
 }
 
+// Whether the balls about two bodies show that these cannot touch within the substep: then the manifold is
+// open.
+bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
+    const auto [a, b] = manifold.pair;
+    const Vec3 between = input.state.pose[b].position - input.state.pose[a].position;
+    const double distance = between.norm();
+    const double gap = distance - input.bodies.boundingRadius[a] - input.bodies.boundingRadius[b];
+    if (!(gap > 0) || canMeet(input, manifold.pair, gap)) return false;
+    manifold.hasNormal = manifold.open = true;
+    manifold.normal = input.state.pose[a].directionToBody(between / distance);
+    manifold.gap = gap;
+    return true;
+}
+
 } // namespace
 
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
@@ -217,6 +231,9 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
     const double size = sizeOf(input.bodies, pair);
     const bool wallA = isWall(input.bodies.shape[pair.a]);
     manifold.open = false;
+    if (!manifold.hasNormal && manifold.count == 0 &&
+        haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]) && openByBalls(input, manifold))
+        return false;
     if (manifold.hasNormal && !wallA && !isWall(input.bodies.shape[pair.b])) {
         // How far they are apart at least, seen along the normal there was.
         const double gap = gapAlong(state.pose[pair.a].directionToWorld(manifold.normal),

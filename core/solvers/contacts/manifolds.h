@@ -106,6 +106,7 @@ class Manifolds {
     struct Entry {
         BodyPair pair;
         std::uint32_t place = none;
+        bool isFresh = false; ///< of the present poses
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
     std::span<const Entry> entries() const { return m_entries; }

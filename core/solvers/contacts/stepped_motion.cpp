@@ -48,7 +48,6 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_general.clear();
     m_balls.clear();
     m_forced.clear();
-    m_isFresh = true;
 }
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
@@ -161,20 +160,18 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     for (const std::uint32_t entry : m_general) {
         PersistentManifold& manifold = manifolds[m_entries[entry].place];
-        if (!m_isFresh)
-            report.work.pairsCollided += updateManifold(here, m_entries[entry].margin, manifold) ? 1 : 0;
+        const double margin = m_entries[entry].margin;
+        if (!std::exchange(m_entries[entry].isFresh, false))
+            report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
+        if (manifold.open && manifold.gap <= margin) watch(here, entry, manifolds);
         if (manifold.count == 0) continue;
         ++report.contacts;
-        if (manifold.open) {
-            watch(here, entry, manifolds);
-            continue;
-        }
+        if (manifold.open) continue;
         const PlacedManifold contact = placed(here, manifold);
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
             report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
         addRow(input, entry, contact);
     }
-    m_isFresh = false;
     m_rows.end();
     m_rows.scaleImpulses(m_step);
 }

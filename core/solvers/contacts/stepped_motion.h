@@ -66,7 +66,8 @@ class SteppedMotion {
     struct Entry {
         BodyPair pair;
         std::uint32_t place = Manifolds::none;
-        double margin = 0; ///< [m]
+        double margin = 0;    ///< [m]
+        bool isFresh = false; ///< the manifold is of the present poses
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
 
@@ -111,6 +112,11 @@ class SteppedMotion {
         for (std::size_t i = 1; i < m_island.size(); ++i)
             if (!isCalm(m_list[i - 1])) m_isCalm[m_island[i]] = 0;
         return std::find(m_isCalm.begin(), m_isCalm.end(), 1) != m_isCalm.end();
+    }
+    /// visit(entry) for every pair.
+    template<class Visit>
+    void forEachEntry(const Visit& visit) {
+        std::for_each(m_entries.begin(), m_entries.end(), visit);
     }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
@@ -181,7 +187,6 @@ class SteppedMotion {
     PairSort<Entry> m_sort;
     ForcedSteps m_forced;         // of the bodies that force terms act on; owners are their numbers
     std::vector<Vec3> m_halfWays; // by number: how far the velocity at the end is too far, if there are terms
-    bool m_isFresh = false;       // manifolds are those of now
 };
 
 } // namespace carom
