@@ -2383,6 +2383,22 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <source>Every key can be changed in the preferences. Alt with 1 to 9 goes to a panel, Esc back to the text. In the picture: the left button turns, the right one moves, the wheel zooms, F frames the selection, Home everything, Space plays. At the start the left button moves bodies, and the handles of a selected one move and turn it, with Ctrl in round steps; a right click opens a menu.</source>
         <translation>Jede Taste lässt sich in den Einstellungen ändern. Alt mit 1 bis 9 geht zu einem Feld, Esc zurück zum Text. Im Bild: die linke Taste dreht, die rechte verschiebt, das Rad vergrößert, F zeigt die Auswahl, Pos1 alles, die Leertaste spielt ab. Am Anfang bewegt die linke Taste Körper, und die Griffe eines gewählten bewegen und drehen ihn, mit Strg in runden Schritten; ein Rechtsklick öffnet ein Menü.</translation>
     </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>Harte Fälle</translation>
+    </message>
+    <message>
+        <source>Scenes that are hard to simulate and have a right answer, which their `expect` declarations ask for. The welcome page opens them; `carom test` judges them, and so does the Stability panel, beside those that are no scenes. The comment at the top of each says where its answer comes from.</source>
+        <translation>Szenen, die schwer zu simulieren sind und eine richtige Antwort haben, die ihre Deklarationen `expect` verlangen. Die Willkommensseite öffnet sie; `carom test` beurteilt sie, ebenso das Feld „Stabilität“, neben denen, die keine Szenen sind. Der Kommentar am Anfang sagt, woher die Antwort kommt.</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>what is right</source>
+        <translation>was richtig ist</translation>
+    </message>
 </context>
 <context>
     <name>carom::MemoryUse</name>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/manual_window.h"
 
+#include "core/study/hard_scenes.h"
 #include "ui/widgets/resources.h"
+#include "ui/widgets/text_of.h"
 #include "ui/base/actions.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -150,6 +152,23 @@ QString keysPage(const Actions& actions) {
     return page;
 }
 
+QString hardCasesPage() {
+    QString page = QStringLiteral("# %1\n\n").arg(ManualWindow::tr("Hard cases"));
+    page += ManualWindow::tr(
+        "Scenes that are hard to simulate and have a right answer, which their `expect` "
+        "declarations ask for. The welcome page opens them; `carom test` judges them, and so "
+        "does the Stability panel, beside those that are no scenes. The comment at the top of "
+        "each says where its answer comes from.");
+    page += QStringLiteral("\n\n| | %1 | %2 |\n| --- | --- | --- |\n")
+                .arg(ManualWindow::tr("scene"), ManualWindow::tr("what is right"));
+    for (const HardCase& row : sceneCases())
+        page += QStringLiteral("| %1 | %2 | %3 |\n")
+                    .arg(row.number)
+                    .arg(textOf(row.title).replace(u'|', QStringLiteral("\\|")),
+                         textOf(row.answer).replace(u'|', QStringLiteral("\\|")));
+    return page;
+}
+
 ManualWindow::ManualWindow(const Actions& actions, QWidget* parent)
     : QWidget(parent, Qt::Window), m_contents(new QTreeWidget), m_text(new QTextBrowser),
       m_search(new QLineEdit) {
@@ -160,6 +179,7 @@ ManualWindow::ManualWindow(const Actions& actions, QWidget* parent)
     };
     m_pages = {{QStringLiteral("tutorial"), tr("Ten minutes to a measured answer"), file("tutorial.md")},
                {QStringLiteral("expectations"), tr("State what must happen"), file("expectations.md")},
+               {QStringLiteral("hardCases"), tr("Hard cases"), hardCasesPage()},
                {QStringLiteral("language"), tr("The scene language"), file("language.md")},
                {QStringLiteral("diagrams"), tr("Reading a work–precision diagram"), file("diagrams.md")},
                {QStringLiteral("keys"), tr("Shortcuts"), keysPage(actions)}};

@@ -15,8 +15,9 @@ namespace carom {
 
 class Actions;
 
-/// The manual: a tutorial, the language's reference, how to read the diagrams, and the keys, which are read
-/// off the table of actions. A window of its own, so that it can stand beside the scene.
+/// The manual: a tutorial, expectations, the language's reference, how to read the diagrams; the hard cases,
+/// which are read off their scenes, and the keys, off the table of actions. A window of its own, so that it
+/// can stand beside the scene.
 class ManualWindow : public QWidget {
     Q_OBJECT
   public:
@@ -50,5 +51,7 @@ class ManualWindow : public QWidget {
 
 /// Every action of the menus with its keys and what it does, as Markdown.
 QString keysPage(const Actions& actions);
+/// The hard cases that are scenes, with what is right, as Markdown.
+QString hardCasesPage();
 
 } // namespace carom

@@ -293,6 +293,18 @@ class ShellTest : public QObject {
         QVERIFY(page.contains(QStringLiteral("| Ctrl+Shift+P |")));
     }
 
+    void theManualSaysWhatIsRightInEveryHardCase() {
+        const Ide ide;
+        ManualWindow& manual = ide.bench.help().manual();
+        manual.open(QStringLiteral("hardCases"));
+        const QString page = manual.findChild<QTextBrowser*>()->toPlainText();
+        QVERIFY(sceneCases().size() >= 35);
+        for (const HardCase& row : sceneCases()) {
+            QVERIFY2(page.contains(textOf(row.title)), row.name.data());
+            QVERIFY2(page.contains(textOf(row.answer)), row.name.data());
+        }
+    }
+
     void everyPictureOfTheManualIsThereAndFitsThePage() {
         const Ide ide;
         ManualWindow& manual = ide.bench.help().manual();
