@@ -5,18 +5,28 @@
 #include "app/scene_options.h"
 #include "core/base/json.h"
 
+#include <algorithm>
+
 namespace carom {
 
 CommandRow effectsCommand();
 
 namespace {
 
+std::string padded(std::string_view word, std::size_t width) {
+    return std::string(word) + std::string(width - word.size(), ' ');
+}
+
 std::string textOf(const Build& built, const std::string& file) {
+    const std::vector<EffectDecision>& decisions = built.pipeline->effects();
+    std::size_t names = 0, states = 0; // widths of the columns
+    for (const EffectDecision& decision : decisions) {
+        names = std::max(names, decision.effect.size() + 2);
+        states = std::max(states, nameOf(decision.status).size() + 2);
+    }
     std::string text;
-    for (const EffectDecision& decision : built.pipeline->effects()) {
-        text.append(decision.effect).append(std::string(20 - decision.effect.size(), ' '));
-        const std::string status(nameOf(decision.status));
-        text.append(status).append(std::string(20 - status.size(), ' '));
+    for (const EffectDecision& decision : decisions) {
+        text += padded(decision.effect, names) + padded(nameOf(decision.status), states);
         if (decision.source) {
             const SourcePosition position = built.analysis.positionOf(decision.source->offset);
             text += file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";

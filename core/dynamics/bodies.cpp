@@ -69,7 +69,6 @@ Bodies bodiesOf(const Scene& scene) {
         append(bodies, body,
                resists || (rubs && body.friction > 0) || pulledAside[i] != 0 || canRotate(scene, body));
     }
-    bodies.springs = springsOf(scene);
     bodies.order = canonicalOrder(scene);
     bodies.origin = originNear(scene);
     return bodies;

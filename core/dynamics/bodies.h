@@ -38,17 +38,21 @@ struct Bodies {
     /// larger: with one body that has some, all are.
     std::vector<BodyIndex> rotating;
 
+    // What effects contribute (effects/effect.h): without it bodies move uniformly until they meet.
+    Vec3 gravity = Vec3::Zero();      ///< acceleration of whatever can move [m/s²]
     std::vector<SpringForce> springs; ///< those with an end that can move
-    Forces forces;                    ///< what effects contribute (force_term.h)
-    std::vector<BodyIndex> order;     ///< all bodies, canonically (numbering.h)
-    Vec3 origin = Vec3::Zero();       ///< where coordinates had better begin [m] (numbering.h)
-    BoxKind boxes = BoxKind::Tight;   ///< that the broad-phase works on
+    Forces forces;                    ///< on single bodies
+
+    std::vector<BodyIndex> order;   ///< all bodies, canonically (numbering.h)
+    Vec3 origin = Vec3::Zero();     ///< where coordinates had better begin [m] (numbering.h)
+    BoxKind boxes = BoxKind::Tight; ///< that the broad-phase works on
 
     std::size_t count() const { return shape.size(); }
     /// Of a bounded body.
     Aabb boxAt(BodyIndex body, const Pose& pose) const { return boxOf(shape[body], pose, boxes); }
 };
 
+/// Without what effects contribute.
 Bodies bodiesOf(const Scene& scene);
 
 /// Whether a body's orientation can change without springs, friction and rolling resistance: the first part

@@ -138,6 +138,7 @@ Bodies renumbered(const Bodies& bodies, std::span<const BodyIndex> order, const 
     result.bounded = placesOf(bodies.bounded);
     result.rotating = placesOf(bodies.rotating);
     result.boxes = bodies.boxes;
+    result.gravity = bodies.gravity;
     result.order.resize(order.size());
     std::iota(result.order.begin(), result.order.end(), BodyIndex{0});
 

@@ -93,7 +93,7 @@ class AirDrag final : public ForceTerm {
 
 bool isDragged(const Body& body) { return body.mobile() && !isWall(body.shape) && body.drag > 0; }
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "air"};
     const Air& air = scene.air;
     if (air.source) decision.source = placeOf(scene, *air.source, "density");
@@ -105,11 +105,11 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
     } else if (dragged == scene.bodies.end()) {
         decision.reason = "nothing that can move has `drag`";
     } else {
-        decision.status = method.bentPaths ? EffectStatus::On : EffectStatus::NotSimulatedYet;
+        decision.status = run.method.bentPaths ? EffectStatus::On : EffectStatus::NotSimulatedYet;
         decision.reason = "air of " + figure(air.density) + " kg/m³ slows " +
                           scene.nameOf(indexOf(scene, *dragged)) + ", which has drag " +
                           figure(dragged->drag);
-        if (!method.bentPaths) {
+        if (!run.method.bentPaths) {
             decision.reason += "; it moves as in a vacuum";
             decision.unmet.push_back(decision.source.value_or(SourceRange{}));
         }

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities&) {
+EffectDecision decide(const Scene& scene, const RunFacts&) {
     EffectDecision decision{.effect = "collision"};
     const Body* mobile = firstMobile(scene);
     if (mobile == nullptr) {

@@ -7,12 +7,13 @@
 namespace carom {
 
 // One a file; in the order of every list a user sees.
-extern const EffectRow gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
-    rollingResistanceRow, springRow, airRow, restingRow;
+extern const EffectRow gravityRow, rotationRow, gyroscopicTermRow, collisionRow, continuousCollisionRow,
+    broadphaseRow, restitutionRow, frictionRow, rollingResistanceRow, springRow, airRow, restingRow;
 
 std::span<const EffectRow> effects() {
-    return rowsOf<gravityRow, rotationRow, gyroscopicTermRow, collisionRow, restitutionRow, frictionRow,
-                  rollingResistanceRow, springRow, airRow, restingRow>();
+    return rowsOf<gravityRow, rotationRow, gyroscopicTermRow, collisionRow, continuousCollisionRow,
+                  broadphaseRow, restitutionRow, frictionRow, rollingResistanceRow, springRow, airRow,
+                  restingRow>();
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }

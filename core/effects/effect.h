@@ -39,16 +39,23 @@ struct EffectDecision {
     std::vector<SourceRange> unmet = {};
 };
 
+/// What a decision goes by besides the scene: how the scene is run.
+struct RunFacts {
+    Abilities method = {};                  ///< what the method of motion simulates
+    double substep = 0;                     ///< [s]
+    std::string_view broadphase = {};       ///< a row's name
+    std::string_view broadphaseReason = {}; ///< why `auto` chose it; empty where it was asked for
+};
+
 struct EffectRow {
     std::string_view name;  ///< "rolling_resistance"
     std::string_view title; ///< "Rolling resistance"
     std::string_view help;  ///< one sentence
-    /// `method` says what the chosen method of motion simulates.
-    EffectDecision (*decide)(const Scene& scene, const Abilities& method) = nullptr;
+    EffectDecision (*decide)(const Scene& scene, const RunFacts& run) = nullptr;
     /// What a warning says at each unmet place; empty for effects that have none.
     std::string_view unmetMessage = {};
-    /// Adds what the effect does to bodies of the scene, where it is on: force terms. Null: it is left to the
-    /// methods of motion.
+    /// Adds what the effect does to the bodies of the scene, where it is on. Null: methods of motion read it
+    /// from the bodies' own constants.
     void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
     /// Why a method that knows parabolas alone cannot treat a scene with the effect; empty where it can.
     std::string_view bendsPaths = {};

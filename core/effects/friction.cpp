@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "friction"};
     const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
     if (!pair) {
@@ -18,7 +18,7 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
     decision.source = placeOf(scene, pair.first->source, "friction");
     decision.reason = scene.nameOf(indexOf(scene, *pair.first)) + " and " +
                       scene.nameOf(indexOf(scene, *pair.second)) + " have friction";
-    if (method.friction) {
+    if (run.method.friction) {
         decision.status = EffectStatus::On;
         return decision;
     }

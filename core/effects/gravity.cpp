@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities&) {
+EffectDecision decide(const Scene& scene, const RunFacts&) {
     EffectDecision decision{.effect = "gravity"};
     const Gravity& gravity = scene.gravity;
     if (gravity.source) decision.source = placeOf(scene, *gravity.source, "accel");
@@ -28,6 +28,8 @@ EffectDecision decide(const Scene& scene, const Abilities&) {
     return decision;
 }
 
+void contribute(const Scene& scene, Bodies& bodies) { bodies.gravity = scene.gravity.acceleration; }
+
 } // namespace
 
 extern const EffectRow gravityRow;
@@ -36,6 +38,7 @@ constinit const EffectRow gravityRow = {
     .title = "Gravity",
     .help = "Accelerates every mobile body by the same constant vector.",
     .decide = decide,
+    .contribute = contribute,
 };
 
 } // namespace carom

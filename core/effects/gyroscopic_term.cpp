@@ -26,7 +26,7 @@ bool spinsAboutPrincipalAxis(const Body& body) {
     return torque.norm() <= equalMoments * inertiaOf(body.shape, 1).maxCoeff() * spin.squaredNorm();
 }
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "gyroscopic_term"};
     const Body* possible = nullptr; // could come to spin askew
     for (const Body& body : scene.bodies) {
@@ -43,7 +43,7 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
     decision.source = placeOf(scene, possible->source, "angvel");
     decision.reason = scene.nameOf(indexOf(scene, *possible)) +
                       (decision.unmet.empty() ? " may come to spin" : " spins") + " askew to its axes; its ";
-    if (method.gyroscopicTerm) {
+    if (run.method.gyroscopicTerm) {
         decision.status = EffectStatus::On;
         decision.unmet.clear();
         decision.reason += "angular velocity precesses between impacts";

@@ -37,7 +37,7 @@ Loser firstLoser(const Scene& scene) {
     return {};
 }
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "resting"};
     if (!anyCanMeet(scene)) {
         decision.reason = "no two bodies can meet, so nothing can come to rest on anything";
@@ -50,8 +50,8 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
     }
     decision.source = placeOf(scene, *loser.source, loser.parameter);
     decision.reason = loser.reason + ", so bodies can come to rest";
-    decision.status = method.resting ? EffectStatus::On : EffectStatus::NotSimulatedYet;
-    if (!method.resting) decision.reason += "; they are simulated at full cost";
+    decision.status = run.method.resting ? EffectStatus::On : EffectStatus::NotSimulatedYet;
+    if (!run.method.resting) decision.reason += "; they are simulated at full cost";
     return decision;
 }
 

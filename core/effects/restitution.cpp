@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities&) {
+EffectDecision decide(const Scene& scene, const RunFacts&) {
     EffectDecision decision{.effect = "restitution"};
     if (!anyCanMeet(scene)) {
         decision.reason = "no two bodies can meet";

@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "rolling_resistance"};
     if (anyCanMeet(scene)) {
         for (const Body& body : scene.bodies)
@@ -23,7 +23,7 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
         if (body.rolling <= 0) continue;
         decision.source = placeOf(scene, body.source, "rolling");
         decision.reason = scene.nameOf(indexOf(scene, body)) + " has rolling resistance";
-        if (method.rollingResistance) {
+        if (run.method.rollingResistance) {
             decision.status = EffectStatus::On;
             decision.unmet.clear();
         } else {

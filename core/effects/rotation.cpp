@@ -20,7 +20,7 @@ const Spring* firstOffCentre(const Scene& scene) {
     return nullptr;
 }
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "rotation"};
     if (firstMobile(scene) == nullptr) {
         decision.reason = "no body can move";
@@ -37,13 +37,13 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
         return decision;
     }
     const MeetingPair rough = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
-    if (method.friction && rough) {
+    if (run.method.friction && rough) {
         decision.status = EffectStatus::On;
         decision.source = placeOf(scene, rough.first->source, "friction");
         decision.reason = "friction can set " + scene.nameOf(indexOf(scene, *rough.second)) + " turning";
         return decision;
     }
-    if (method.rollingResistance && anyCanMeet(scene)) {
+    if (run.method.rollingResistance && anyCanMeet(scene)) {
         for (const Body& body : scene.bodies) {
             if (!(body.rolling > 0)) continue;
             decision.status = EffectStatus::On;
@@ -52,7 +52,7 @@ EffectDecision decide(const Scene& scene, const Abilities& method) {
             return decision;
         }
     }
-    if (method.springs) {
+    if (run.method.springs) {
         if (const Spring* spring = firstOffCentre(scene)) {
             decision.status = EffectStatus::On;
             decision.source = placeOf(scene, spring->source, "");

@@ -9,22 +9,24 @@ namespace {
 
 bool movable(const Scene& scene, BodyIndex body) { return body != noBody && scene.bodies[body].mobile(); }
 
-EffectDecision decide(const Scene& scene, const Abilities& method) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "spring"};
     for (const Spring& spring : scene.springs) {
         if (!movable(scene, spring.from) && !movable(scene, spring.to)) continue;
-        if (!method.springs)
+        if (!run.method.springs)
             decision.unmet.push_back(placeOf(scene, spring.source, "").value_or(SourceRange{}));
         if (decision.status != EffectStatus::Absent) continue;
-        decision.status = method.springs ? EffectStatus::On : EffectStatus::NotSimulatedYet;
+        decision.status = run.method.springs ? EffectStatus::On : EffectStatus::NotSimulatedYet;
         decision.source = placeOf(scene, spring.source, "");
         decision.reason = "a spring joins " + scene.nameOf(spring.from) + " and " + scene.nameOf(spring.to);
-        if (!method.springs) decision.reason += "; it exerts no force";
+        if (!run.method.springs) decision.reason += "; it exerts no force";
     }
     if (decision.status == EffectStatus::Absent)
         decision.reason = scene.springs.empty() ? "none is declared" : "no spring has an end that can move";
     return decision;
 }
+
+void contribute(const Scene& scene, Bodies& bodies) { bodies.springs = springsOf(scene); }
 
 } // namespace
 
@@ -35,6 +37,7 @@ constinit const EffectRow springRow = {
     .help = "Pull and damp along the line between two points of bodies.",
     .decide = decide,
     .unmetMessage = "springs are not simulated yet; this one exerts no force",
+    .contribute = contribute,
     .bendsPaths = "springs bend the flight of a body between events",
 };
 

@@ -36,7 +36,7 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
     if (!method.abilities.bentPaths) {
         for (const EffectRow& row : effects()) {
             if (row.bendsPaths.empty()) continue;
-            const EffectDecision decision = row.decide(scene, method.abilities);
+            const EffectDecision decision = row.decide(scene, {.method = method.abilities});
             if (decision.status != EffectStatus::Absent)
                 return SolverObjection{std::string(row.bendsPaths), decision.source.value_or(SourceRange{})};
         }

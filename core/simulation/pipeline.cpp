@@ -76,8 +76,12 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
     stage.reach(started);
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     stage.reach(settled);
+    const RunFacts run{.method = m_settings.method->abilities,
+                       .substep = m_settings.substep(),
+                       .broadphase = m_settings.broadphase->name,
+                       .broadphaseReason = m_settings.broadphaseReason};
     for (const EffectRow& row : carom::effects()) {
-        m_effects.push_back(row.decide(m_scene, m_settings.method->abilities));
+        m_effects.push_back(row.decide(m_scene, run));
         if (row.name == "collision") sayMethod(m_settings, m_effects.back());
         warnOfUnmet(row, m_effects.back(), m_warnings);
         if (row.contribute != nullptr && m_effects.back().status == EffectStatus::On)
@@ -97,7 +101,5 @@ bool Pipeline::simulates(std::string_view effect) const {
         return decision.effect == effect && decision.status == EffectStatus::On;
     });
 }
-
-Vec3 Pipeline::gravity() const { return simulates("gravity") ? m_scene.gravity.acceleration : Vec3::Zero(); }
 
 } // namespace carom

@@ -31,7 +31,7 @@ class Pipeline {
     const std::vector<EffectDecision>& effects() const { return m_effects; }
     bool simulates(std::string_view effect) const;
     /// The acceleration of every mobile body [m/s²]; zero where gravity is absent.
-    Vec3 gravity() const;
+    const Vec3& gravity() const { return m_bodies.gravity; }
     /// The integrator's, but that nothing is called to turn bodies where none can turn.
     const SmoothMotion& motion() const { return m_motion; }
     /// What the scene asks for and this version does not do, and what would go wrong in the run, as warnings

@@ -57,7 +57,8 @@ void account(const Pipeline& pipeline, const State& state, FrameStatistics& fram
     frame.kinetic = invariants.kinetic;
     frame.potential = invariants.potential;
     frame.momentum = invariants.momentum;
-    if (pipeline.simulates("spring")) frame.potential += springEnergy(pipeline.bodies().springs, state);
+    const std::vector<SpringForce>& springs = pipeline.bodies().springs;
+    if (!springs.empty()) frame.potential += springEnergy(springs, state);
 }
 
 // One frame: `substeps` times the method's smooth motion, pairs, contacts and responses; then the accounts.

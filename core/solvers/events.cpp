@@ -107,7 +107,7 @@ constinit const SolverRow eventsRow = {
     .source = "B. J. Alder, T. E. Wainwright, Studies in molecular dynamics I, 1959",
     .create = create,
     .objection = objection,
-    .abilities = {.locatesImpacts = true},
+    .abilities = {.locatesImpacts = true, .ownPairs = true},
     .isExact = true,
 };
 

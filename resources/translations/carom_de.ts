@@ -1873,6 +1873,14 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <source>Air drag</source>
         <translation>Luftwiderstand</translation>
     </message>
+    <message>
+        <source>Broad-phase</source>
+        <translation>Grobphase</translation>
+    </message>
+    <message>
+        <source>Continuous collision</source>
+        <translation>Kontinuierliche Kollision</translation>
+    </message>
 </context>
 <context>
     <name>carom::EffectsDock</name>
@@ -2226,6 +2234,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>rolling resistance</source>
         <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>drag coefficient</source>
+        <translation>Widerstandsbeiwert</translation>
     </message>
     <message>
         <source>moment of inertia</source>

@@ -23,7 +23,9 @@ QString toHtml(std::string_view text) { return textOf(text).toHtmlEscaped(); }
 /// Titles and states of core, which speaks English; its reasons name what stands in the text, and stay so.
 [[maybe_unused]] constexpr const char* wordsOfCore[] = {
     QT_TRANSLATE_NOOP("carom::Effects", "Air drag"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Broad-phase"),
     QT_TRANSLATE_NOOP("carom::Effects", "Collision"),
+    QT_TRANSLATE_NOOP("carom::Effects", "Continuous collision"),
     QT_TRANSLATE_NOOP("carom::Effects", "Friction"),
     QT_TRANSLATE_NOOP("carom::Effects", "Gravity"),
     QT_TRANSLATE_NOOP("carom::Effects", "Gyroscopic term"),

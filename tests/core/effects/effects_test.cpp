@@ -91,6 +91,37 @@ class EffectsTest : public QObject {
         row("collision of fixed ones", "collision",
             s("sphere { radius 1 centre 0, 5, 0 fixed yes } sphere { radius 1 centre 0, 6, 0 fixed yes }"),
             "absent", "");
+        row("continuous collision of what may fall for ever", "continuous_collision", two,
+            "not simulated yet", "sphere");
+        const QString floor = s("wall { normal 0, 1, 0 toOrig 0 }\n");
+        row("continuous collision above a floor", "continuous_collision", floor + one, "absent", "");
+        row("continuous collision of a bullet", "continuous_collision",
+            floor + s("sphere { radius 0.01 mass 1 centre 0, 1, 0 vel 90, 0, 0 }"), "not simulated yet",
+            "90, 0, 0");
+        row("continuous collision of what a heavy one may strike", "continuous_collision",
+            s("gravity { accel 0, 0, 0 }\nsphere { radius 1 mass 100 centre 0, 5, 0 vel 1, 0, 0 }\n"
+              "sphere bead { radius 0.05 mass 0.01 centre 9, 5, 0 }"),
+            "not simulated yet", "sphere");
+        row("continuous collision in the wind", "continuous_collision",
+            floor + s("air { density 1 wind 1, 0, 0 }\n") + one, "not simulated yet", "sphere");
+        row("continuous collision of one", "continuous_collision", one, "absent", "");
+        row("continuous collision behind the floor", "continuous_collision",
+            s("wall { normal 0, 1, 0 toOrig -9 }\n") + one, "not simulated yet", "sphere");
+        row("continuous collision above two floors", "continuous_collision",
+            floor + s("wall { normal 0, 1, 0 toOrig 1e9 }\n") + one, "absent", "");
+        const QString still = s("gravity { accel 0, 0, 0 }\nsphere { radius 1 mass 1 centre 9, 0, 0 }\n"
+                                "sphere a { radius 0.1 mass 1 centre 0, 5, 0 }\n");
+        row("continuous collision of a slack spring", "continuous_collision",
+            still + s("spring { from world to a fromAt 0, 6, 0 stiffness 1e6 }"), "absent", "");
+        row("continuous collision of a stretched spring", "continuous_collision",
+            still + s("spring { from world to a fromAt 0, 6, 0 stiffness 1e6 length 0.5 }"),
+            "not simulated yet", "sphere");
+        row("continuous collision of a whirling rod", "continuous_collision",
+            s("gravity { accel 0, 0, 0 }\nsphere { radius 1 mass 1 centre 9, 0, 0 }\n"
+              "cuboid { size 0.01, 2, 0.01 mass 1 centre 0, 0, 0 angvel 0, 0, 9 }"),
+            "not simulated yet", "cuboid");
+        row("continuous collision of a wall that gives energy", "continuous_collision",
+            s("wall { normal 0, 1, 0 toOrig 0 elastic 2 }\n") + one, "not simulated yet", "sphere");
         row("restitution by default", "restitution", two, "on", "sphere");
         row("restitution 0 everywhere but in one", "restitution",
             one + s("sphere { radius 1 mass 1 centre 3, 5, 0 elastic 0 }"), "absent", "");
@@ -150,7 +181,8 @@ class EffectsTest : public QObject {
         QFETCH(int, warnings);
         const Analysis analysis = analyse(text.toStdString());
         QVERIFY(analysis.diagnostics.empty());
-        const EffectDecision decision = findEffect(effect.toStdString())->decide(analysis.scene, {});
+        const EffectDecision decision =
+            findEffect(effect.toStdString())->decide(analysis.scene, {.substep = 1.0 / 60});
         QCOMPARE(q(nameOf(decision.status)), status);
         QVERIFY(!decision.reason.empty());
         const QString seen = decision.source ? q(textOf(analysis.text, *decision.source)) : QString();
@@ -164,8 +196,32 @@ class EffectsTest : public QObject {
         const Analysis analysis = analyse("sphere { radius 1 mass 1 centre 0, 5, 0 elastic 0.5 }\n"
                                           "wall { normal 0, 1, 0 toOrig 0 }");
         const EffectRow& resting = *findEffect("resting");
-        QCOMPARE(q(nameOf(resting.decide(analysis.scene, {.resting = true}).status)), QString("on"));
+        QCOMPARE(q(nameOf(resting.decide(analysis.scene, {.method = {.resting = true}}).status)),
+                 QString("on"));
         QCOMPARE(q(nameOf(resting.decide(analysis.scene, {}).status)), QString("not simulated yet"));
+    }
+
+    void theBroadPhaseSaysWhichAndWhyOrThatItIsNotNeeded() {
+        const EffectRow& row = *findEffect("broadphase");
+        const Scene scene =
+            analyse(std::string(ball) + second + "simulation { broadphase uniform_grid }").scene;
+        const RunFacts asked{.broadphase = "uniform_grid"};
+        QCOMPARE(q(nameOf(row.decide(scene, asked).status)), QStringLiteral("on"));
+        QVERIFY(row.decide(scene, asked).source.has_value());
+        const EffectDecision few =
+            row.decide(scene, {.broadphase = "all_pairs", .broadphaseReason = "all_pairs: 2 bodies"});
+        QCOMPARE(q(nameOf(few.status)), QStringLiteral("absent"));
+        QCOMPARE(q(few.reason), QStringLiteral("all_pairs: 2 bodies"));
+        QCOMPARE(q(nameOf(row.decide(scene, {.method = {.ownPairs = true}, .broadphase = "sweep"}).status)),
+                 QStringLiteral("absent"));
+    }
+
+    void impactsAreLocatedByMethodsThatCan() {
+        const Scene scene = analyse(std::string(ball) + second).scene;
+        const EffectRow& row = *findEffect("continuous_collision");
+        QCOMPARE(q(nameOf(row.decide(scene, {.method = {.locatesImpacts = true}}).status)),
+                 QStringLiteral("on"));
+        QCOMPARE(q(nameOf(row.decide(scene, {}).status)), QStringLiteral("not simulated yet"));
     }
 
     void aReasonNamesTheBodyByItsLabel() {
