@@ -356,6 +356,7 @@ void InspectorDock::addDeclared() {
     addField(group, tr("elasticity"), "elastic", {body.elastic}, {});
     addField(group, tr("friction"), "friction", {body.friction}, {});
     addField(group, tr("rolling resistance"), "rolling", {body.rolling}, metres);
+    if (bodies.mobile[m_body] != 0) addField(group, tr("drag coefficient"), "drag", {body.drag}, {});
 }
 
 /// Each frame once; one that lies before the last begins anew.

@@ -18,7 +18,7 @@ namespace {
 using carom::test::patience;
 
 const char* const scene = "gravity { accel 0,-10,0 } wall { normal 0,1,0 toOrig 0 }\n"
-                          "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 elastic .5 }\n"
+                          "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 elastic .5 drag .47 }\n"
                           "cuboid box { size 1,2,3 mass 12 centre 9,9,9 fixed yes }\n";
 
 } // namespace
@@ -34,12 +34,14 @@ class InspectorDockTest : public QObject {
         QCOMPARE(dock.valueOf(QStringLiteral("radius")), QStringLiteral("0.25"));
         QCOMPARE(dock.valueOf(QStringLiteral("mass")), QStringLiteral("2"));
         QCOMPARE(dock.valueOf(QStringLiteral("elasticity")), QStringLiteral("0.5"));
+        QCOMPARE(dock.valueOf(QStringLiteral("drag coefficient")), QStringLiteral("0.47"));
         QCOMPARE(dock.valueOf(QStringLiteral("position y")), QStringLiteral("5"));
         QCOMPARE(dock.valueOf(QStringLiteral("kinetic energy")), QStringLiteral("9"));
         QCOMPARE(dock.valueOf(QStringLiteral("potential energy")), QStringLiteral("100"));
         dock.showBody(2);
         QCOMPARE(dock.valueOf(QStringLiteral("size")), QStringLiteral("1, 2, 3"));
         QCOMPARE(dock.valueOf(QStringLiteral("mass")), QStringLiteral("immobile"));
+        QCOMPARE(dock.valueOf(QStringLiteral("drag coefficient")), QString());
         dock.showBody(0);
         QCOMPARE(dock.valueOf(QStringLiteral("normal")), QStringLiteral("0, 1, 0"));
     }
