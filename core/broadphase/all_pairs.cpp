@@ -26,4 +26,13 @@ void AllPairs::update(const BroadphaseInput& input) {
         m_columns.bytes() + m_hits.capacity() * sizeof(std::uint32_t) + m_pairs.capacity() * sizeof(BodyPair);
 }
 
+extern const BroadphaseRow allPairsRow;
+constinit const BroadphaseRow allPairsRow = {
+    .name = "all_pairs",
+    .title = "All pairs",
+    .cost = "O(n^2) a frame, whatever happens",
+    .source = "S. Stokes, Collision Detection in the Simulation of Rigid Body Motion, 2005, section 2.3.2",
+    .create = createBroadphase<AllPairs>,
+};
+
 } // namespace carom

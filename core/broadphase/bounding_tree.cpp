@@ -227,4 +227,14 @@ std::vector<Aabb> BoundingTree::structure() const {
     return boxes;
 }
 
+extern const BroadphaseRow boundingTreeRow;
+constinit const BroadphaseRow boundingTreeRow = {
+    .name = "bounding_tree",
+    .title = "Bounding tree",
+    .cost = "O(n log n + pairs) a frame of motion, O(n + pairs) at rest",
+    .source = "G. van den Bergen, Efficient Collision Detection of Complex Deformable Models using AABB "
+              "Trees, 1997",
+    .create = createBroadphase<BoundingTree>,
+};
+
 } // namespace carom

@@ -67,6 +67,12 @@ struct BroadphaseRow {
     std::unique_ptr<Broadphase> (*create)() = nullptr;
 };
 
+/// BroadphaseRow::create of most.
+template<class Algorithm>
+std::unique_ptr<Broadphase> createBroadphase() {
+    return std::make_unique<Algorithm>();
+}
+
 /// Every algorithm, the reference's naive one first.
 std::span<const BroadphaseRow> broadphases();
 const BroadphaseRow* findBroadphase(std::string_view name);

@@ -16,4 +16,13 @@ void SingleAxisSweep::update(const BroadphaseInput& input) {
                              m_pairs.capacity() * sizeof(BodyPair);
 }
 
+extern const BroadphaseRow singleAxisSweepRow;
+constinit const BroadphaseRow singleAxisSweepRow = {
+    .name = "single_axis_sweep",
+    .title = "Single-axis sweep",
+    .cost = "O(n log n + n^(5/3)) a frame in a gas, O(n) in a line",
+    .source = "C. Ericson, Real-Time Collision Detection, 2005, section 7.5.2",
+    .create = createBroadphase<SingleAxisSweep>,
+};
+
 } // namespace carom

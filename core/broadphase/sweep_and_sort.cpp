@@ -229,4 +229,13 @@ void SweepAndSort::publish(const BroadphaseInput& input) {
     m_counters.memoryBytes = bytes + m_sweep.bytes() + m_order.bytes();
 }
 
+extern const BroadphaseRow sweepAndSortRow;
+constinit const BroadphaseRow sweepAndSortRow = {
+    .name = "sweep_and_sort",
+    .title = "Sweep and sort",
+    .cost = "O(n + exchanges) a frame, O(n log n) the first",
+    .source = "D. Baraff, Dynamic Simulation of Non-Penetrating Rigid Bodies, 1992",
+    .create = createBroadphase<SweepAndSort>,
+};
+
 } // namespace carom

@@ -234,4 +234,14 @@ std::vector<Aabb> UniformGrid::structure() const {
     return cells;
 }
 
+extern const BroadphaseRow uniformGridRow;
+constinit const BroadphaseRow uniformGridRow = {
+    .name = "uniform_grid",
+    .title = "Uniform grid",
+    .cost = "O(n + pairs) a frame",
+    .source =
+        "M. Teschner et al., Optimized Spatial Hashing for Collision Detection of Deformable Objects, 2003",
+    .create = createBroadphase<UniformGrid>,
+};
+
 } // namespace carom

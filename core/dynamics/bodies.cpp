@@ -34,7 +34,7 @@ void append(Bodies& bodies, const Body& body, bool rotates) {
     bodies.friction.push_back(body.friction);
     bodies.rolling.push_back(body.rolling);
     bodies.mobile.push_back(mobile ? 1 : 0);
-    bodies.turnedByImpacts.push_back(mobile && kindOf(body.shape) != ShapeKind::Sphere ? 1 : 0);
+    bodies.turnedByImpacts.push_back(mobile && !hasCentralNormals(body.shape) ? 1 : 0);
 
     (wall ? bodies.walls : bodies.bounded).push_back(index);
     if (!mobile) return;
@@ -77,7 +77,7 @@ Bodies bodiesOf(const Scene& scene) {
 bool canRotate(const Scene& scene, const Body& body) {
     if (!body.mobile() || isWall(body.shape)) return false;
     if (body.angularVelocity != Vec3::Zero()) return true;
-    return scene.bodies.size() > 1 && kindOf(body.shape) != ShapeKind::Sphere;
+    return scene.bodies.size() > 1 && !hasCentralNormals(body.shape);
 }
 
 } // namespace carom

@@ -9,8 +9,10 @@ namespace carom {
 
 std::string_view nameOf(LedgerAccount account) {
     static constexpr std::array<std::string_view, ledgerAccounts> names = {
-        "gravity", "restitution", "contact", "friction", "rolling",
-        "spring",  "rotation",    "parting", "rest",     "drag"};
+#define CAROM_LEDGER_ACCOUNT(account, word) #word,
+#include "core/scene/ledger_accounts.def"
+#undef CAROM_LEDGER_ACCOUNT
+    };
     return names[static_cast<std::size_t>(account)];
 }
 

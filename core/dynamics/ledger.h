@@ -24,20 +24,17 @@ struct Bodies;
 struct Invariants;
 struct State;
 
-/// What is booked apart, in the order of ledger names.
+/// What is booked apart (scene/ledger_accounts.def).
 enum class LedgerAccount : std::uint8_t {
-    Gravity,     ///< work and loss of height together: 0 where its motion is exact
-    Restitution, ///< impacts, and what they lose along the normal
-    Contact,     ///< forces of bodies that stay in touch, along the normal
-    Friction,    ///< tangential forces and impacts
-    Rolling,     ///< rolling resistance
-    Spring,      ///< springs with what they store: what their dampers take
-    Rotation,    ///< turning of bodies with unequal moments, over a finite time
-    Parting,     ///< positions corrected where bodies overlapped
-    Rest,        ///< what is left of a motion too slow to be one
-    Drag,        ///< air, the work of its wind included
+#define CAROM_LEDGER_ACCOUNT(account, word) account,
+#include "core/scene/ledger_accounts.def"
+#undef CAROM_LEDGER_ACCOUNT
 };
-inline constexpr std::size_t ledgerAccounts = 10;
+inline constexpr std::size_t ledgerAccounts = 0
+#define CAROM_LEDGER_ACCOUNT(account, word) +1
+#include "core/scene/ledger_accounts.def"
+#undef CAROM_LEDGER_ACCOUNT
+    ;
 
 /// "gravity", "restitution", ...: as columns name them.
 std::string_view nameOf(LedgerAccount account);

@@ -14,6 +14,7 @@ namespace carom {
 /// other. Bodies in all but `swing` do not know each other either: a call for two bodies is two calls. Every
 /// function advances the state by h seconds.
 struct SmoothMotion {
+    bool isExactInFreeFall = false; ///< several substeps of free fall are one, but for rounding
     /// Moves the centres of `bodies` under an acceleration [m/s²] that is constant over the substep.
     void (*move)(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
                  State& state) = nullptr;
@@ -31,9 +32,6 @@ struct SmoothMotion {
 /// Moves bodies by the mean of the velocities at both ends: SmoothMotion::move of every scheme that is exact
 /// in free fall.
 void moveOnParabola(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h, State& state);
-
-/// Whether several substeps of free fall are one, but for rounding.
-inline bool fallsExactly(const SmoothMotion& motion) { return motion.move == moveOnParabola; }
 
 /// Turns bodies by exactly h|ω| about ω, which stays as it is: the SmoothMotion::turn of every scheme better
 /// than the reference's. A body without spin keeps its orientation to the bit.

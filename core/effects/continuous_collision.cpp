@@ -62,7 +62,7 @@ std::optional<double> energyOf(const Scene& scene) {
 /// The furthest that a point of the body comes in a substep with that energy [m].
 double furthest(const Body& body, double energy, double substep) {
     double perMass = 1 / body.mass;
-    if (kindOf(body.shape) != ShapeKind::Sphere) {
+    if (!hasCentralNormals(body.shape)) {
         const double radius = boundingRadiusOf(body.shape);
         perMass += radius * radius / inertiaOf(body.shape, body.mass).minCoeff();
     }
@@ -90,10 +90,11 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     } else {
         decision.source = placeOf(scene, fast->source, "vel");
         const std::string name = scene.nameOf(indexOf(scene, *fast));
-        decision.reason = energy ? name + " may move " + figure(way) +
-                                       " m in a substep by the energy there is, more than its half-extent of " +
-                                       figure(halfThicknessOf(fast->shape)) + " m"
-                                 : "nothing bounds the speed of " + name;
+        decision.reason = energy
+                              ? name + " may move " + figure(way) +
+                                    " m in a substep by the energy there is, more than its half-extent of " +
+                                    figure(halfThicknessOf(fast->shape)) + " m"
+                              : "nothing bounds the speed of " + name;
     }
     if (run.method.locatesImpacts) {
         decision.status = EffectStatus::On;

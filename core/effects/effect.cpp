@@ -2,18 +2,22 @@
 #include "core/effects/effect.h"
 
 #include "core/base/catalogue.h"
-#include "core/base/rows.h"
+
+#include <array>
 
 namespace carom {
 
-// One a file; in the order of every list a user sees.
-extern const EffectRow gravityRow, rotationRow, gyroscopicTermRow, collisionRow, continuousCollisionRow,
-    broadphaseRow, restitutionRow, frictionRow, rollingResistanceRow, springRow, airRow, restingRow;
+#define CAROM_EFFECT(row) extern const EffectRow row;
+#include "core/effects/effects.def"
+#undef CAROM_EFFECT
 
 std::span<const EffectRow> effects() {
-    return rowsOf<gravityRow, rotationRow, gyroscopicTermRow, collisionRow, continuousCollisionRow,
-                  broadphaseRow, restitutionRow, frictionRow, rollingResistanceRow, springRow, airRow,
-                  restingRow>();
+    static const std::array rows = {
+#define CAROM_EFFECT(row) row,
+#include "core/effects/effects.def"
+#undef CAROM_EFFECT
+    };
+    return rows;
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }

@@ -14,7 +14,7 @@
 #include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
-// and its name in effect.cpp. A force on single bodies is a term (dynamics/force_term.h) that its effect
+// and its line in effects.def. A force on single bodies is a term (dynamics/force_term.h) that its effect
 // contributes, and every method of motion takes it into account.
 
 namespace carom {

@@ -2,15 +2,22 @@
 #include "core/integrators/integrator.h"
 
 #include "core/base/catalogue.h"
-#include "core/base/rows.h"
+
+#include <array>
 
 namespace carom {
 
-// One a file; in the order of every list a user sees.
-extern const IntegratorRow eulerRow, symplecticRow, verletRow, rungeKutta4Row, midpointRow;
+#define CAROM_INTEGRATOR(word, row) extern const IntegratorRow row;
+#include "core/scene/integrators.def"
+#undef CAROM_INTEGRATOR
 
 std::span<const IntegratorRow> integrators() {
-    return rowsOf<eulerRow, symplecticRow, verletRow, rungeKutta4Row, midpointRow>();
+    static const std::array rows = {
+#define CAROM_INTEGRATOR(word, row) row,
+#include "core/scene/integrators.def"
+#undef CAROM_INTEGRATOR
+    };
+    return rows;
 }
 
 const IntegratorRow* findIntegrator(std::string_view name) { return findByName(integrators(), name); }

@@ -42,7 +42,11 @@ constinit const IntegratorRow midpointRow = {
         "any step.",
     .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
     .stableUpTo = std::numeric_limits<double>::infinity(),
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumbleFreely, .drive = drive},
+    .motion = {.isExactInFreeFall = true,
+               .move = moveOnParabola,
+               .turn = turnBySpin,
+               .tumble = tumbleFreely,
+               .drive = drive},
 };
 
 } // namespace carom

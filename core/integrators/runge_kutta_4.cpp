@@ -76,7 +76,12 @@ constinit const IntegratorRow rungeKutta4Row = {
             "oscillation.",
     .source = "W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, 1901",
     .stableUpTo = 2.8284271247461903, // 2√2
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
+    .motion = {.isExactInFreeFall = true,
+               .move = moveOnParabola,
+               .turn = turnBySpin,
+               .tumble = tumble,
+               .drive = swing,
+               .swing = swing},
 };
 
 } // namespace carom

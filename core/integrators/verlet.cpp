@@ -73,7 +73,12 @@ constinit const IntegratorRow verletRow = {
             "bounded.",
     .source = "L. Verlet, Computer experiments on classical fluids, 1967",
     .stableUpTo = 2,
-    .motion = {.move = moveOnParabola, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
+    .motion = {.isExactInFreeFall = true,
+               .move = moveOnParabola,
+               .turn = turnBySpin,
+               .tumble = tumble,
+               .drive = swing,
+               .swing = swing},
 };
 
 } // namespace carom

@@ -12,9 +12,9 @@ bool collide(const PlacedShape& a, const PlacedShape& b, double margin, Manifold
     const ShapeKind kindA = kindOf(*a.shape);
     const ShapeKind kindB = kindOf(*b.shape);
     // The two pairs that dominate nearly every scene skip the table, so that the compiler can inline them.
-    if (kindA == ShapeKind::Sphere) {
-        if (kindB == ShapeKind::Sphere) return collideSphereSphere(a, b, margin, manifold);
-        if (kindB == ShapeKind::Wall) return collideSphereWall(a, b, margin, manifold);
+    if (kindA == kindOf<Sphere>()) {
+        if (kindB == kindOf<Sphere>()) return collideSphereSphere(a, b, margin, manifold);
+        if (kindB == kindOf<Wall>()) return collideSphereWall(a, b, margin, manifold);
     }
     manifold.count = 0;
     return pairMethods(kindA, kindB).collide(a, b, margin, manifold);

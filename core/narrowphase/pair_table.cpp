@@ -65,20 +65,13 @@ int compare(const Row& a, const Row& b) {
 }
 
 Vec3 sizeOf(const Shape& shape) {
-    switch (kindOf(shape)) {
-    case ShapeKind::Sphere:
-        return {std::get_if<Sphere>(&shape)->radius, 0, 0};
-    case ShapeKind::Cylinder: {
-        const Cylinder& cylinder = *std::get_if<Cylinder>(&shape);
-        return {cylinder.radius, cylinder.halfHeight, 0};
-    }
-    case ShapeKind::Cuboid:
-        return std::get_if<Cuboid>(&shape)->halfSize;
-    case ShapeKind::Wall:
-        break;
-    }
-    const Wall& wall = *std::get_if<Wall>(&shape);
-    return wall.normal * wall.offset;
+    struct Size {
+        Vec3 operator()(const Sphere& sphere) const { return {sphere.radius, 0, 0}; }
+        Vec3 operator()(const Wall& wall) const { return wall.normal * wall.offset; }
+        Vec3 operator()(const Cylinder& cylinder) const { return {cylinder.radius, cylinder.halfHeight, 0}; }
+        Vec3 operator()(const Cuboid& cuboid) const { return cuboid.halfSize; }
+    };
+    return std::visit(Size{}, shape);
 }
 
 } // namespace

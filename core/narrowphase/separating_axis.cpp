@@ -13,12 +13,12 @@ double extentOf(const PlacedShape& placed, const Vec3& axis) {
         return extentAlong(*cylinder, axisOf(*placed.pose), axis);
     if (const Cuboid* cuboid = std::get_if<Cuboid>(placed.shape))
         return cuboid->halfSize.dot(placed.pose->directionToBody(axis).cwiseAbs());
-    ASSERT(kindOf(*placed.shape) == ShapeKind::Sphere);
+    ASSERT(kindOf(*placed.shape) == kindOf<Sphere>());
     return std::get_if<Sphere>(placed.shape)->radius;
 }
 
 bool keepsAxes(const Shape& shape) {
-    return kindOf(shape) == ShapeKind::Cylinder || kindOf(shape) == ShapeKind::Cuboid;
+    return kindOf(shape) == kindOf<Cylinder>() || kindOf(shape) == kindOf<Cuboid>();
 }
 
 } // namespace

@@ -36,13 +36,13 @@ constexpr int maxNarrowings = 200;
 constexpr double partingStep = 1e-6, longestPartingStep = 1e-3;
 
 double spinRadius(const Shape& shape) {
-    return isWall(shape) || kindOf(shape) == ShapeKind::Sphere ? 0 : boundingRadiusOf(shape);
+    return isWall(shape) || hasCentralNormals(shape) ? 0 : boundingRadiusOf(shape);
 }
 
 // The part of the angular velocity that moves the surface [rad/s]; it is constant, as the axis turns about
 // it.
 double effectiveSpin(const MovingShape& moving) {
-    if (kindOf(*moving.start.shape) != ShapeKind::Cylinder) return moving.angularVelocity.norm();
+    if (kindOf(*moving.start.shape) != kindOf<Cylinder>()) return moving.angularVelocity.norm();
     return moving.angularVelocity.cross(axisOf(*moving.start.pose)).norm();
 }
 
@@ -248,11 +248,11 @@ Pose poseAfter(const MovingShape& moving, double time) {
 std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration) {
     const ShapeKind kindA = kindOf(*a.start.shape);
     const ShapeKind kindB = kindOf(*b.start.shape);
-    if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) return std::nullopt;
+    if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) return std::nullopt;
     const Flight flight(a, b);
-    if (kindA == ShapeKind::Sphere && kindB == ShapeKind::Wall) return sphereWall(a, b, duration, flight);
-    if (kindA == ShapeKind::Wall && kindB == ShapeKind::Sphere) return sphereWall(b, a, duration, flight);
-    if (kindA == ShapeKind::Sphere && kindB == ShapeKind::Sphere && a.acceleration == b.acceleration)
+    if (kindA == kindOf<Sphere>() && kindB == kindOf<Wall>()) return sphereWall(a, b, duration, flight);
+    if (kindA == kindOf<Wall>() && kindB == kindOf<Sphere>()) return sphereWall(b, a, duration, flight);
+    if (kindA == kindOf<Sphere>() && kindB == kindOf<Sphere>() && a.acceleration == b.acceleration)
         return sphereSphere(a, b, duration);
     return advance(flight, duration);
 }

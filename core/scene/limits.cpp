@@ -11,15 +11,11 @@ bool invertible(double x) { return x > 0 && std::isfinite(x) && std::isfinite(1 
 
 bool invertible(const Vec3& v) { return invertible(v.x()) && invertible(v.y()) && invertible(v.z()); }
 
-std::string_view sizeParameter(const Shape& shape) {
-    return kindOf(shape) == ShapeKind::Cuboid ? "size" : "radius";
-}
-
 } // namespace
 
 std::optional<LimitFault> limitFaultOf(const Body& body) {
     if (isWall(body.shape)) return std::nullopt;
-    const std::string_view size = sizeParameter(body.shape);
+    const std::string_view size = sizeParameterOf(body.shape);
     const std::string named = std::string("`").append(size).append("`");
     const double reach = boundingRadiusOf(body.shape);
     if (!invertible(reach * reach) || !invertible(halfThicknessOf(body.shape)))

@@ -183,7 +183,7 @@ DeclarationRow sphereDeclaration() {
     addSurfaceRows(rows);
     rows.push_back(dragRow());
     rows.push_back(fixedRow());
-    return {.name = "sphere",
+    return {.name = Sphere::name,
             .help = "A solid ball of uniform density.",
             .isBody = true,
             .parameters = std::move(rows),
@@ -222,7 +222,7 @@ DeclarationRow cylinderDeclaration() {
     addSurfaceRows(rows);
     rows.push_back(dragRow());
     rows.push_back(fixedRow());
-    return {.name = "cylinder",
+    return {.name = Cylinder::name,
             .help = "A solid cylinder of uniform density.",
             .isBody = true,
             .parameters = std::move(rows),
@@ -252,7 +252,7 @@ DeclarationRow wallDeclaration() {
              shape<Wall>(into).offset = -value.number;
          }}};
     addSurfaceRows(rows);
-    return {.name = "wall",
+    return {.name = Wall::name,
             .help = "An immobile half-space: everything behind a plane is solid.",
             .isBody = true,
             .parameters = std::move(rows),
@@ -291,7 +291,7 @@ DeclarationRow cuboidDeclaration() {
     rows.push_back(dragRow());
     rows.push_back(fixedRow());
     for (ParameterRow& row : rows) row.layer = Layer::Carom;
-    return {.name = "cuboid",
+    return {.name = Cuboid::name,
             .help = "A solid box of uniform density.",
             .layer = Layer::Carom,
             .isBody = true,

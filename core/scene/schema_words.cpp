@@ -9,74 +9,50 @@
 namespace carom {
 namespace {
 
-constexpr std::array<std::string_view, 4> methods = {"auto", "contacts", "microcollisions", "events"};
-constexpr std::array<std::string_view, 5> integratorNames = {"euler", "symplectic", "verlet", "rk4",
-                                                             "midpoint"};
-constexpr std::array<std::string_view, 6> broadphaseNames = {
-    "auto", "all_pairs", "sweep_and_sort", "single_axis_sweep", "uniform_grid", "bounding_tree"};
+constexpr auto methods = std::to_array<std::string_view>({
+    "auto",
+#define CAROM_METHOD(word, row) #word,
+#include "core/scene/methods.def"
+#undef CAROM_METHOD
+});
+constexpr auto integratorNames = std::to_array<std::string_view>({
+#define CAROM_INTEGRATOR(word, row) #word,
+#include "core/scene/integrators.def"
+#undef CAROM_INTEGRATOR
+});
+constexpr auto broadphaseNames = std::to_array<std::string_view>({
+    "auto",
+#define CAROM_BROADPHASE(word, row) #word,
+#include "core/scene/broadphases.def"
+#undef CAROM_BROADPHASE
+});
+constexpr auto presets = std::to_array<std::string_view>({
+#define CAROM_PRESET(word, help) #word,
+#include "core/scene/presets.def"
+#undef CAROM_PRESET
+});
 constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};
 constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
 // Of a body, or of each; then of the whole scene only; then what is found by other means.
-constexpr std::array quantities = std::to_array<std::string_view>({"x",
-                                                                   "y",
-                                                                   "z",
-                                                                   "displacement",
-                                                                   "speed",
-                                                                   "velocity_x",
-                                                                   "velocity_y",
-                                                                   "velocity_z",
-                                                                   "turn",
-                                                                   "tilt",
-                                                                   "angular_speed",
-                                                                   "angular_velocity_x",
-                                                                   "angular_velocity_y",
-                                                                   "angular_velocity_z",
-                                                                   "energy",
-                                                                   "kinetic_energy",
-                                                                   "potential_energy",
-                                                                   "momentum",
-                                                                   "momentum_x",
-                                                                   "momentum_y",
-                                                                   "momentum_z",
-                                                                   "angular_momentum",
-                                                                   "angular_momentum_x",
-                                                                   "angular_momentum_y",
-                                                                   "angular_momentum_z",
-                                                                   "penetration",
-                                                                   "contact_force",
-                                                                   "contact_force_x",
-                                                                   "contact_force_y",
-                                                                   "contact_force_z",
-                                                                   "impacts",
-                                                                   "distance",
-                                                                   "centre_of_mass_x",
-                                                                   "centre_of_mass_y",
-                                                                   "centre_of_mass_z",
-                                                                   "contact_residual",
-                                                                   "contacts",
-                                                                   "overlapping_pairs",
-                                                                   "pairs_collided",
-                                                                   "rows_swept",
-                                                                   "factorisations",
-                                                                   "impacts_treated",
-                                                                   "searches",
-                                                                   "islands",
-                                                                   "islands_unfinished",
-                                                                   "energy_by_gravity",
-                                                                   "energy_by_restitution",
-                                                                   "energy_by_contact",
-                                                                   "energy_by_friction",
-                                                                   "energy_by_rolling",
-                                                                   "energy_by_spring",
-                                                                   "energy_by_rotation",
-                                                                   "energy_by_parting",
-                                                                   "energy_by_rest",
-                                                                   "energy_by_drag",
-                                                                   "energy_unexplained"});
+constexpr auto quantities = std::to_array<std::string_view>({
+    // clang-format off
+    "x", "y", "z", "displacement", "speed", "velocity_x", "velocity_y", "velocity_z", "turn", "tilt",
+    "angular_speed", "angular_velocity_x", "angular_velocity_y", "angular_velocity_z", "energy",
+    "kinetic_energy", "potential_energy", "momentum", "momentum_x", "momentum_y", "momentum_z",
+    "angular_momentum", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z", "penetration",
+    "contact_force", "contact_force_x", "contact_force_y", "contact_force_z", "impacts", "distance",
+    "centre_of_mass_x", "centre_of_mass_y", "centre_of_mass_z", "contact_residual", "contacts",
+    "overlapping_pairs", "pairs_collided", "rows_swept", "factorisations", "impacts_treated", "searches",
+    "islands", "islands_unfinished",
+// clang-format on
+#define CAROM_LEDGER_ACCOUNT(account, word) "energy_by_" #word,
+#include "core/scene/ledger_accounts.def"
+#undef CAROM_LEDGER_ACCOUNT
+    "energy_unexplained",
+});
 constexpr std::string_view firstOfWhole = "centre_of_mass_x";
 
 constexpr std::array<std::string_view, 2> yesOrNo = {"yes", "no"};
-constexpr std::array<std::string_view, 3> presets = {"fast", "default", "accurate"};
 
 } // namespace
 

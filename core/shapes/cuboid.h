@@ -4,10 +4,19 @@
 #include "core/math/aabb.h"
 #include "core/math/pose.h"
 
+#include <string_view>
+
 namespace carom {
 
 /// A solid box of uniform density, edges along the body's axes, centre at the body's origin.
 struct Cuboid {
+    static constexpr std::string_view name = "cuboid"; ///< the word of the scene language
+    static constexpr std::string_view sizeParameter =
+        "size"; ///< what in the language makes it larger or smaller
+    /// Whether every normal of the surface passes through the centre, so that no frictionless impulse turns
+    /// it.
+    static constexpr bool hasCentralNormals = false;
+
     Vec3 halfSize = Vec3::Zero(); ///< half the edge lengths [m], each > 0
 };
 

@@ -4,6 +4,8 @@
 #include "core/math/aabb.h"
 #include "core/math/pose.h"
 
+#include <string_view>
+
 namespace carom {
 
 /// A solid cylinder of uniform density; its axis is the body's y axis, its centre the body's origin.
@@ -15,6 +17,13 @@ namespace carom {
 ///        |       |
 ///        '-------'  radius
 struct Cylinder {
+    static constexpr std::string_view name = "cylinder"; ///< the word of the scene language
+    static constexpr std::string_view sizeParameter =
+        "radius"; ///< what in the language makes it larger or smaller
+    /// Whether every normal of the surface passes through the centre, so that no frictionless impulse turns
+    /// it.
+    static constexpr bool hasCentralNormals = false;
+
     double radius = 0;     ///< [m] > 0
     double halfHeight = 0; ///< from the centre to a cap [m] > 0
 };

@@ -9,17 +9,17 @@ namespace {
 // Calls `function` with the bounded shape inside; walls are the caller's mistake.
 template<class Function>
 auto visitBounded(const Shape& shape, const Function& function) {
-    switch (kindOf(shape)) {
-    case ShapeKind::Cylinder:
-        return function(*std::get_if<Cylinder>(&shape));
-    case ShapeKind::Cuboid:
-        return function(*std::get_if<Cuboid>(&shape));
-    case ShapeKind::Sphere:
-    case ShapeKind::Wall:
-        break;
-    }
-    ASSERT(kindOf(shape) == ShapeKind::Sphere);
-    return function(*std::get_if<Sphere>(&shape));
+    return std::visit(
+        [&function](const auto& inside) {
+            using Inside = std::remove_cvref_t<decltype(inside)>;
+            if constexpr (std::is_same_v<Inside, Wall>) {
+                ASSERT(false);
+                return function(Sphere{});
+            } else {
+                return function(inside);
+            }
+        },
+        shape);
 }
 
 } // namespace
@@ -55,6 +55,15 @@ double projectedArea(const Shape& shape, const Vec3& direction) {
 
 double largestProjectedArea(const Shape& shape) {
     return visitBounded(shape, [](const auto& s) { return largestProjectedArea(s); });
+}
+
+bool hasCentralNormals(const Shape& shape) {
+    return visitBounded(shape,
+                        [](const auto& s) { return std::remove_cvref_t<decltype(s)>::hasCentralNormals; });
+}
+
+std::string_view sizeParameterOf(const Shape& shape) {
+    return visitBounded(shape, [](const auto& s) { return std::remove_cvref_t<decltype(s)>::sizeParameter; });
 }
 
 } // namespace carom

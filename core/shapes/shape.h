@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 // All shapes there are. A shape is registered by its place in this variant and nowhere else; whoever must
@@ -19,16 +20,27 @@ namespace carom {
 
 using Shape = std::variant<Sphere, Wall, Cylinder, Cuboid>;
 
-enum class ShapeKind : std::uint8_t { Sphere, Wall, Cylinder, Cuboid };
+/// Which of them a shape is: its place in the variant.
+enum class ShapeKind : std::uint8_t {};
 inline constexpr std::size_t shapeKindCount = std::variant_size_v<Shape>;
-static_assert(shapeKindCount == 4);
 
 inline ShapeKind kindOf(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
 
+template<class S>
+constexpr ShapeKind kindOf() {
+    return []<class... Each>(const std::variant<Each...>*) {
+        std::size_t place = 0;
+        static_cast<void>(((std::is_same_v<S, Each> || (++place, false)) || ...));
+        return static_cast<ShapeKind>(place);
+    }(static_cast<const Shape*>(nullptr));
+}
+
 /// The word of the scene language: "sphere", "wall", "cylinder", "cuboid".
 constexpr std::string_view nameOf(ShapeKind kind) {
-    constexpr std::array<std::string_view, shapeKindCount> names = {"sphere", "wall", "cylinder", "cuboid"};
-    return names[static_cast<std::size_t>(kind)];
+    return [kind]<class... Each>(const std::variant<Each...>*) {
+        constexpr std::array<std::string_view, shapeKindCount> names = {Each::name...};
+        return names[static_cast<std::size_t>(kind)];
+    }(static_cast<const Shape*>(nullptr));
 }
 
 inline bool isWall(const Shape& shape) { return std::holds_alternative<Wall>(shape); }
@@ -48,5 +60,7 @@ double halfThicknessOf(const Shape& shape);
 double boundingRadiusOf(const Shape& shape);
 double projectedArea(const Shape& shape, const Vec3& direction);
 double largestProjectedArea(const Shape& shape);
+bool hasCentralNormals(const Shape& shape);
+std::string_view sizeParameterOf(const Shape& shape);
 
 } // namespace carom

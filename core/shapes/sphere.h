@@ -4,10 +4,19 @@
 #include "core/math/aabb.h"
 #include "core/math/pose.h"
 
+#include <string_view>
+
 namespace carom {
 
 /// A solid ball of uniform density around the body's origin.
 struct Sphere {
+    static constexpr std::string_view name = "sphere"; ///< the word of the scene language
+    static constexpr std::string_view sizeParameter =
+        "radius"; ///< what in the language makes it larger or smaller
+    /// Whether every normal of the surface passes through the centre, so that no frictionless impulse turns
+    /// it.
+    static constexpr bool hasCentralNormals = true;
+
     double radius = 0; ///< [m] > 0
 };
 

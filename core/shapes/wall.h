@@ -3,6 +3,8 @@
 
 #include "core/math/types.h"
 
+#include <string_view>
+
 namespace carom {
 
 /// An immobile half-space in world coordinates: the surface is { x : normal·x = offset }, the solid lies
@@ -14,6 +16,8 @@ namespace carom {
 ///     -------+------- surface
 ///     ///////////////  solid
 struct Wall {
+    static constexpr std::string_view name = "wall"; ///< the word of the scene language
+
     Vec3 normal = Vec3::UnitY(); ///< unit
     double offset = 0;           ///< [m]
 };

@@ -8,12 +8,13 @@
 #include "core/broadphase/broadphase.h"
 #include "core/broadphase/crowding.h"
 #include "core/narrowphase/narrowphase.h"
-#include "core/solvers/contact_settings.h"
+#include "core/solvers/solver.h"
 
 #include "core/base/figures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carom {
 namespace {
@@ -43,13 +44,12 @@ constexpr std::size_t mostWallPairs = 10'000'000;
 constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
 
-/// Mass ratio in contact up to which a run that does not solve for the forces exactly still holds.
-constexpr double mostRatio = 1000;
-
 // What touches what at the start: bodies behind walls, overlaps and mass ratios, each found at most so often.
 class Touches {
   public:
-    Touches(const Scene& scene, const RunSettings& settings) : m_scene(scene), m_settings(settings) {}
+    Touches(const Scene& scene, const RunSettings& settings)
+        : m_scene(scene), m_settings(settings),
+          m_leastLimit(limitFor(std::numeric_limits<std::size_t>::max()).most) {}
 
     void findAll(const Bodies& bodies, const WorkStage& stage) {
         constexpr double besideWalls = 0.1, paired = 0.5; // the stages' shares of the time, in a gas
@@ -149,35 +149,33 @@ class Touches {
     }
 
     void noteRatio(BodyIndex a, BodyIndex b) {
-        m_points += m_manifold.count;
+        m_points += static_cast<std::size_t>(m_manifold.count);
         if (!m_scene.bodies[a].mobile() || !m_scene.bodies[b].mobile() || m_ratios.size() >= mostOfAKind)
             return;
         const bool aIsHeavy = m_scene.bodies[a].mass > m_scene.bodies[b].mass;
         const Ratio ratio{aIsHeavy ? a : b, aIsHeavy ? b : a};
-        if (ratioOf(ratio) > mostRatio) m_ratios.push_back(ratio);
+        if (ratioOf(ratio) > m_leastLimit) m_ratios.push_back(ratio);
     }
 
-    // Small islands are solved exactly by `contacts`, larger ones only to the accurate tolerance.
     void sayRatios() {
-        const bool sweeps = m_settings.iterations > 0 && m_points > pointsRefined &&
-                            m_settings.tolerance >= accurateTolerance;
-        const bool pairByPair = m_settings.iterations == 0 && !m_settings.method->abilities.locatesImpacts;
-        if (!sweeps && !pairByPair) return;
-        const std::string why =
-            sweeps
-                ? "; " + std::to_string(m_settings.iterations) +
-                      " iterations over a pile of this size may not hold that, `preset accurate` would"
-                : "; `" + std::string(m_settings.method->name) +
-                      "` meets each pair once a substep and lets it sink in, `method contacts` would hold it";
-        for (const Ratio& ratio : m_ratios)
+        const MassRatioLimit limit = limitFor(m_points);
+        for (const Ratio& ratio : m_ratios) {
+            if (!(ratioOf(ratio) > limit.most)) continue;
             diagnostics.push_back(
                 {.code = DiagnosticCode::MassRatio,
                  .range = placeOf(m_scene, ratio.heavy, "mass"),
                  .message = m_scene.nameOf(ratio.heavy) + " is " + figure(ratioOf(ratio)) +
-                            " times as heavy as " + m_scene.nameOf(ratio.light) + ", which it touches" + why,
+                            " times as heavy as " + m_scene.nameOf(ratio.light) + ", which it touches; " +
+                            limit.reason,
                  .notes = {{placeOf(m_scene, ratio.light, "mass"), m_scene.nameOf(ratio.light) + " is here"}},
-                 .fixIt = sweeps ? settingFixIt(m_scene, "preset", "accurate")
-                                 : settingFixIt(m_scene, "method", "contacts")});
+                 .fixIt = settingFixIt(m_scene, limit.parameter, std::string(limit.word))});
+        }
+    }
+
+    /// What the method holds with so many contact points.
+    MassRatioLimit limitFor(std::size_t points) const {
+        const auto limit = m_settings.method->massRatioLimit;
+        return limit != nullptr ? limit(m_settings.solver(false), points) : MassRatioLimit{};
     }
 
     struct Ratio {
@@ -190,8 +188,9 @@ class Touches {
     const Scene& m_scene;
     const RunSettings& m_settings;
     Manifold m_manifold;
-    std::vector<Ratio> m_ratios;
-    int m_points = 0; // of contact at the start
+    double m_leastLimit;         // whatever the number of contact points
+    std::vector<Ratio> m_ratios; // beyond it
+    std::size_t m_points = 0;    // of contact at the start
     std::size_t m_overlaps = 0;
     std::size_t m_behind = 0;
 };

@@ -23,10 +23,10 @@ std::optional<std::string> loss(const Scene& scene) {
     return "impacts on " + scene.nameOf(indexOf(scene, *lossy)) + " lose energy";
 }
 
-std::optional<std::string> objectionToEvents(const Scene& scene, const SolverRow& events, bool simultaneous) {
+std::optional<std::string> objectionToExact(const Scene& scene, const SolverRow& method, bool simultaneous) {
     if (firstMobile(scene) == nullptr) return "no body can move";
     if (simultaneous) return "impacts at one moment are to act as one";
-    if (const std::optional<SolverObjection> objection = objectionTo(events, scene)) return objection->reason;
+    if (const std::optional<SolverObjection> objection = objectionTo(method, scene)) return objection->reason;
     return loss(scene);
 }
 
@@ -45,10 +45,14 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
 }
 
 MethodChoice chooseMethod(const Scene& scene, bool simultaneous) {
-    const SolverRow* events = findSolver("events");
-    if (std::optional<std::string> objection = objectionToEvents(scene, *events, simultaneous))
-        return {findSolver("contacts"), *std::move(objection)};
-    return {events, "what moves are smooth spheres, and no impact loses energy"};
+    MethodChoice choice{&generalSolver(), {}};
+    for (const SolverRow& row : solvers()) {
+        if (!row.isExact) continue;
+        std::optional<std::string> objection = objectionToExact(scene, row, simultaneous);
+        if (!objection) return {&row, std::string(row.choice)};
+        choice.reason = *std::move(objection);
+    }
+    return choice;
 }
 
 } // namespace carom

@@ -10,9 +10,9 @@
 // What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
 // there are or where they are.
 //
-//     events     what moves are spheres without friction, and no impact loses energy: the exact method treats
-//                the scene, and there are no series of ever shorter bounces
-//     contacts   everything else
+//     an exact method      treats the scene, and no impact loses energy: there are no series of ever shorter
+//                          bounces
+//     the general method   everything else
 
 namespace carom {
 

@@ -204,24 +204,15 @@ constexpr std::array wholeRows = {
     QuantityRow{"searches", "searches", "", workOf<&WorkCounters::searches>},
     QuantityRow{"islands", "islands", "", workOf<&WorkCounters::islands>},
     QuantityRow{"islands unfinished", "islands_unfinished", "", workOf<&WorkCounters::unfinished>},
-    QuantityRow{"energy by gravity", "energy_by_gravity", "J", bookedOf<LedgerAccount::Gravity>,
-                totalKineticOf, true},
-    QuantityRow{"energy by restitution", "energy_by_restitution", "J", bookedOf<LedgerAccount::Restitution>,
-                totalKineticOf, true},
-    QuantityRow{"energy by contact", "energy_by_contact", "J", bookedOf<LedgerAccount::Contact>,
-                totalKineticOf, true},
-    QuantityRow{"energy by friction", "energy_by_friction", "J", bookedOf<LedgerAccount::Friction>,
-                totalKineticOf, true},
-    QuantityRow{"energy by rolling", "energy_by_rolling", "J", bookedOf<LedgerAccount::Rolling>,
-                totalKineticOf, true},
-    QuantityRow{"energy by spring", "energy_by_spring", "J", bookedOf<LedgerAccount::Spring>, totalKineticOf,
+#define CAROM_LEDGER_ACCOUNT(account, word)                                                                  \
+    QuantityRow{"energy by " #word,                                                                          \
+                "energy_by_" #word,                                                                          \
+                "J",                                                                                         \
+                bookedOf<LedgerAccount::account>,                                                            \
+                totalKineticOf,                                                                              \
                 true},
-    QuantityRow{"energy by rotation", "energy_by_rotation", "J", bookedOf<LedgerAccount::Rotation>,
-                totalKineticOf, true},
-    QuantityRow{"energy by parting", "energy_by_parting", "J", bookedOf<LedgerAccount::Parting>,
-                totalKineticOf, true},
-    QuantityRow{"energy by rest", "energy_by_rest", "J", bookedOf<LedgerAccount::Rest>, totalKineticOf, true},
-    QuantityRow{"energy by drag", "energy_by_drag", "J", bookedOf<LedgerAccount::Drag>, totalKineticOf, true},
+#include "core/scene/ledger_accounts.def"
+#undef CAROM_LEDGER_ACCOUNT
     QuantityRow{"energy unexplained", "energy_unexplained", "J", unexplainedOf, totalKineticOf, true},
 };
 

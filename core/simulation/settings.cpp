@@ -50,28 +50,16 @@ const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> r
 
 constexpr std::string_view defaultPreset = "default";
 constexpr std::string_view automatic = "auto";
-/// The method that treats every scene. It iterates to a tolerance, and the integrator that fits it is stable
-/// at any step, as it is.
-constexpr std::string_view generalMethod = "contacts", alwaysStable = "midpoint";
-/// Sweeps a substep over the contacts of a big pile.
-constexpr int sweeps = 20;
-/// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on
-/// what was saved. A tower of 100 cubes built by hand lands in four frames that take twice a second in all:
-/// at half the reserve it falls. At half the effort steps of the pyramid overlap; at twice as much a pile
-/// takes 50 times what it takes by default.
-constexpr double mostEffort = 12, mostReserve = 100;
 
 } // namespace
 
 std::span<const PresetRow> presets() {
     static constexpr std::array rows = {
-        PresetRow{"fast", "One substep a frame; contacts to a thousandth.", 1, 1, 1e-3, 0.25, 1},
-        PresetRow{"default", "One substep a frame as the reference did, four with `contacts`.", 1, 4, 1e-6, 1,
-                  1},
-        PresetRow{"accurate",
-                  "Eight substeps a frame; with `contacts` forces to 1e-10, and stops are located.", 8, 8,
-                  1e-10, mostEffort, mostReserve},
+#define CAROM_PRESET(word, help) PresetRow{#word, help},
+#include "core/scene/presets.def"
+#undef CAROM_PRESET
     };
+    static_assert(rows.size() == presetCount);
     return rows;
 }
 
@@ -80,7 +68,7 @@ namespace {
 // The method asked for, or what `auto` stands for.
 void settleMethod(const Scene& scene, const SimulationSettings& options, const SimulationSettings& wanted,
                   RunSettings& settings, std::vector<Diagnostic>& warnings) {
-    const SolverRow* fallback = findSolver(generalMethod);
+    const SolverRow* fallback = &generalSolver();
     const Asked asked{scene, "method", options.method.has_value()};
     if (!wanted.method || wanted.method == automatic) {
         MethodChoice choice = chooseMethod(scene, wanted.impacts == "simultaneous");
@@ -115,46 +103,46 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     settings.preset = preset;
     if (wanted.step) settings.step = *wanted.step;
     settleMethod(scene, options, wanted, settings, warnings);
-    const std::string method(settings.method->name);
-    const bool iterates = method == generalMethod;
-    const IntegratorRow* integrator = iterates ? findIntegrator(alwaysStable) : integrators().data();
+    const SolverRow& method = *settings.method;
+    const PresetValues& values = method.presets[static_cast<std::size_t>(preset - presets().data())];
+    const IntegratorRow* integrator = findIntegrator(method.integrator);
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
-    if (!iterates && settings.integrator->motion.swing == nullptr && !scene.springs.empty()) {
+    if (!method.iterates() && settings.integrator->motion.swing == nullptr && !scene.springs.empty()) {
         Asked{scene, "integrator", options.integrator.has_value()}.warn(
             "integrator `" + std::string(settings.integrator->name) + "` moves springs by method `" +
-                std::string(generalMethod) + "` only; `" + std::string(integrator->name) +
+                std::string(generalSolver().name) + "` only; `" + std::string(integrator->name) +
                 "` runs in its place",
             warnings);
         settings.integrator = integrator;
     }
-    settings.substeps =
-        std::max(1, wanted.substeps.value_or(iterates ? preset->contactSubsteps : preset->substeps));
-    if (settings.method->isExact) settings.substeps = 1;
+    settings.substeps = std::max(1, wanted.substeps.value_or(values.substeps));
+    if (method.isExact) settings.substeps = 1;
     settings.threads = std::max(1, wanted.threads.value_or(1));
     settings.duration = wanted.duration;
     settings.boxes = wanted.boxes == "cube" ? BoxKind::Cube : BoxKind::Tight;
     settings.simultaneousImpacts = wanted.impacts == "simultaneous";
-    if (iterates) {
-        settings.effort = preset->effort;
-        settings.reserve = preset->reserve;
-        settings.iterations = std::max(1, wanted.iterations.value_or(sweeps));
-        settings.tolerance = wanted.tolerance.value_or(preset->tolerance);
+    if (method.iterates()) {
+        settings.effort = values.effort;
+        settings.reserve = values.reserve;
+        settings.iterations = std::max(1, wanted.iterations.value_or(method.iterations));
+        settings.tolerance = wanted.tolerance.value_or(values.tolerance);
         return settings;
     }
 
+    const std::string name(method.name);
     if (wanted.impacts == "simultaneous")
         Asked{scene, "impacts", options.impacts.has_value()}.warn(
-            "impacts `simultaneous` is not simulated yet; method `" + method +
+            "impacts `simultaneous` is not simulated yet; method `" + name +
                 "` treats impacts one after the other",
             warnings);
     if (wanted.iterations)
         Asked{scene, "iterations", options.iterations.has_value()}.warn(
-            "`iterations` has no effect yet; method `" + method + "` treats every pair once a substep",
+            "`iterations` has no effect yet; method `" + name + "` treats every pair once a substep",
             warnings);
     if (wanted.tolerance)
         Asked{scene, "tolerance", options.tolerance.has_value()}.warn(
-            "`tolerance` has no effect yet; method `" + method + "` does not iterate", warnings);
+            "`tolerance` has no effect yet; method `" + name + "` does not iterate", warnings);
     return settings;
 }
 

@@ -32,7 +32,7 @@ struct RunSettings {
     BoxKind boxes = BoxKind::Tight;
     int iterations = 0;   ///< 0: the method does not iterate
     double tolerance = 0; ///< 0: the method does not iterate
-    double effort = 1;    ///< times the work that method `contacts` may spend on refinement
+    double effort = 1;    ///< times the work that the method may spend on refinement
     double reserve = 1;   ///< times what it may save of that for frames that need more
     bool simultaneousImpacts = false;
     int threads = 1;
@@ -46,15 +46,10 @@ struct RunSettings {
     }
 };
 
-/// What `preset` sets where nothing else does.
+/// A word of `preset`; what it sets is said by the method (SolverRow::presets).
 struct PresetRow {
     std::string_view name;
     std::string_view help;
-    int substeps = 1;        ///< of methods that do not iterate
-    int contactSubsteps = 4; ///< of method `contacts`
-    double tolerance = 1e-6; ///< of method `contacts`
-    double effort = 1;       ///< of method `contacts`: times the budget of refinement
-    double reserve = 1;      ///< of method `contacts`: times what refinement may save
 };
 std::span<const PresetRow> presets();
 

@@ -76,7 +76,7 @@ std::optional<SolverObjection> objection(const Scene& scene) {
     const Body* rough = nullptr;
     for (const Body& body : scene.bodies) {
         const ShapeKind kind = kindOf(body.shape);
-        if (kind != ShapeKind::Sphere && kind != ShapeKind::Wall)
+        if (kind != kindOf<Sphere>() && kind != kindOf<Wall>())
             return SolverObjection{"a " + std::string(nameOf(kind)) + " is neither a sphere nor a wall",
                                    body.source.type};
         if (body.rolling > 0)
@@ -109,6 +109,7 @@ constinit const SolverRow eventsRow = {
     .objection = objection,
     .abilities = {.locatesImpacts = true, .ownPairs = true},
     .isExact = true,
+    .choice = "what moves are smooth spheres, and no impact loses energy",
 };
 
 } // namespace carom

@@ -306,6 +306,19 @@ std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings&) {
     return std::make_unique<Microcollisions>(bodies);
 }
 
+/// Ratio of masses in contact up to which a light body does not sink visibly into what presses on it, as each
+/// pair is treated once a substep. At twice that the overlap doubles.
+constexpr double mostMassRatio = 1000;
+
+MassRatioLimit massRatioLimit(const SolverSettings&, std::size_t) {
+    return {.most = mostMassRatio,
+            .reason =
+                "`microcollisions` meets each pair once a substep and lets it sink in, `method contacts` "
+                "would hold it",
+            .parameter = "method",
+            .word = "contacts"};
+}
+
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
     return inOwnTerms(bodies, settings, Numbering::AsDeclared, make);
 }
@@ -322,6 +335,8 @@ constinit const SolverRow microcollisionsRow = {
               "bodies, 1995",
     .create = create,
     .abilities = {.springs = true, .bentPaths = true},
+    .presets = {{{.substeps = 1}, {.substeps = 1}, {.substeps = 8}}},
+    .massRatioLimit = massRatioLimit,
 };
 
 } // namespace carom

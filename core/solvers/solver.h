@@ -13,7 +13,9 @@
 #include "core/math/types.h"
 #include "core/scene/scene.h"
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -140,6 +142,27 @@ struct SolverObjection {
     SourceRange place;
 };
 
+/// What a preset sets for a method where nothing else does.
+struct PresetValues {
+    int substeps = 1;     ///< a frame
+    double tolerance = 0; ///< of methods that iterate
+    double effort = 1;    ///< of methods that refine: times the budget of refinement
+    double reserve = 1;   ///< of methods that refine: times what refinement may save
+};
+inline constexpr std::size_t presetCount = 0
+#define CAROM_PRESET(word, help) +1
+#include "core/scene/presets.def"
+#undef CAROM_PRESET
+    ;
+
+/// Up to which ratio of two masses in contact a run holds.
+struct MassRatioLimit {
+    double most = std::numeric_limits<double>::infinity();
+    std::string reason = {};         ///< a clause: why not more, and what would hold more
+    std::string_view parameter = {}; ///< of `simulation`: what would
+    std::string_view word = {};      ///< its value
+};
+
 struct SolverRow {
     std::string_view name; ///< "contacts"
     std::string_view title;
@@ -150,10 +173,21 @@ struct SolverRow {
     std::optional<SolverObjection> (*objection)(const Scene& scene) = nullptr;
     Abilities abilities = {};
     bool isExact = false; ///< parts of a frame change nothing: a frame is one
+    /// It treats every scene with every effect: it runs where no other one is asked for or can.
+    bool isGeneral = false;
+    std::string_view choice = {};          ///< of an exact method: a clause, why `auto` takes it where it can
+    std::string_view integrator = "euler"; ///< that fits it, where no other one is asked for
+    int iterations = 0; ///< sweeps a substep where nobody asks for others; 0: the method does not iterate
+    std::array<PresetValues, presetCount> presets = {}; ///< in the order of scene/presets.def
+    /// With these settings and so many contact points at the start. Null: whatever the ratio.
+    MassRatioLimit (*massRatioLimit)(const SolverSettings& settings, std::size_t points) = nullptr;
+
+    bool iterates() const { return iterations > 0; }
 };
 
 /// Every method, the reference's first.
 std::span<const SolverRow> solvers();
 const SolverRow* findSolver(std::string_view name);
+const SolverRow& generalSolver();
 
 } // namespace carom

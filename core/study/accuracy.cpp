@@ -16,8 +16,6 @@
 namespace carom {
 namespace {
 
-const char* const stepping[] = {"microcollisions", "contacts"};
-
 /// Whether integrators differ on this scene: something accelerates bodies, or turns them unevenly.
 bool integratorsMatter(const Pipeline& pipeline) {
     return pipeline.simulates("gravity") || pipeline.simulates("spring") ||
@@ -25,11 +23,14 @@ bool integratorsMatter(const Pipeline& pipeline) {
 }
 
 /// Schemes that are exact in free fall are one and the same where nothing bends the fall; one will do.
-bool duplicates(const IntegratorRow& integrator, bool iterates, const Pipeline& pipeline) {
+bool duplicates(const IntegratorRow& integrator, const SolverRow& method, const Pipeline& pipeline) {
     const bool bent = pipeline.simulates("spring") || !pipeline.bodies().forces.empty() ||
-                      (iterates && pipeline.simulates("gyroscopic_term"));
-    return !bent && integrator.motion.move == moveOnParabola &&
-           integrator.name != (iterates ? "midpoint" : "verlet");
+                      (method.abilities.gyroscopicTerm && pipeline.simulates("gyroscopic_term"));
+    if (bent || !integrator.motion.isExactInFreeFall) return false;
+    const auto isExact = [](const IntegratorRow& row) { return row.motion.isExactInFreeFall; };
+    const IntegratorRow* own = findIntegrator(method.integrator);
+    const std::span<const IntegratorRow> rows = integrators();
+    return &integrator != (isExact(*own) ? own : &*std::find_if(rows.begin(), rows.end(), isExact));
 }
 
 bool losesNothing(const Scene& scene) {
@@ -66,7 +67,7 @@ class Runner {
     void addPoints() {
         const RunSettings& own = m_study.settings;
         AccuracySetting standard{own.method, own.integrator, own.substeps, own.tolerance};
-        if (own.method->name == "events") standard = {own.method, nullptr, 1, 0};
+        if (own.method->isExact) standard = {own.method, nullptr, 1, 0};
         m_study.points.push_back({.setting = standard, .isDefault = true});
         for (const AccuracySetting& setting : m_study.plan.settings)
             if (!(setting == standard)) m_study.points.push_back({.setting = setting});
@@ -205,29 +206,29 @@ double AccuracyPoint::mostCost() const {
 AccuracyPlan planFor(const Scene& scene) {
     AccuracyPlan plan;
     if (scene.simulation.duration) plan.duration = std::min(*scene.simulation.duration, 10.0);
-    SimulationSettings contacts;
-    contacts.method = "contacts";
-    const Pipeline pipeline(scene, contacts);
+    SimulationSettings general;
+    general.method = std::string(generalSolver().name);
+    const Pipeline pipeline(scene, general);
     const bool collides = pipeline.bodies().count() > 1;
-    for (const char* method : stepping) {
-        const SolverRow* row = findSolver(method);
-        const bool iterates = row->abilities.friction;
+    for (const SolverRow& method : solvers()) {
+        if (method.isExact) continue;
         std::vector<double> tolerances = {0};
-        if (iterates) tolerances = collides ? std::vector<double>{1e-6, 1e-10} : std::vector<double>{1e-6};
+        if (method.iterates())
+            tolerances = collides ? std::vector<double>{1e-6, 1e-10} : std::vector<double>{1e-6};
         for (const IntegratorRow& integrator : integrators()) {
-            const bool standard = iterates ? integrator.name == "midpoint" : integrator.name == "euler";
+            const bool standard = integrator.name == method.integrator;
             if (!standard && !integratorsMatter(pipeline)) continue;
-            if (duplicates(integrator, iterates, pipeline)) continue;
-            if (!iterates && integrator.motion.swing == nullptr) continue;
+            if (duplicates(integrator, method, pipeline)) continue;
+            if (!method.iterates() && integrator.motion.swing == nullptr) continue;
             for (const double tolerance : tolerances) {
                 if (!standard && tolerance == tolerances.back() && tolerances.size() > 1) continue;
                 for (int substeps = 1; substeps <= 64; substeps *= 2)
-                    plan.settings.push_back({row, &integrator, substeps, tolerance});
+                    plan.settings.push_back({&method, &integrator, substeps, tolerance});
             }
         }
     }
-    const SolverRow* events = findSolver("events");
-    if (!objectionTo(*events, scene)) plan.settings.push_back({events, nullptr, 1, 0});
+    for (const SolverRow& method : solvers())
+        if (method.isExact && !objectionTo(method, scene)) plan.settings.push_back({&method, nullptr, 1, 0});
     return plan;
 }
 

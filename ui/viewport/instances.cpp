@@ -62,9 +62,9 @@ void InstanceTable::build(const Scene& scene) {
         }
         return InstanceRange{first, static_cast<int>(m_sources.size()) - first};
     };
-    m_spheres = add(ShapeKind::Sphere);
-    m_cylinders = add(ShapeKind::Cylinder);
-    m_cuboids = add(ShapeKind::Cuboid);
+    m_spheres = add(kindOf<Sphere>());
+    m_cylinders = add(kindOf<Cylinder>());
+    m_cuboids = add(kindOf<Cuboid>());
     m_instances.resize(m_sources.size());
 }
 

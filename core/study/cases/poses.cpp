@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t seed = 20261121;
 
-constexpr std::array kinds = {ShapeKind::Sphere, ShapeKind::Wall, ShapeKind::Cylinder, ShapeKind::Cuboid};
+constexpr std::array kinds = {kindOf<Sphere>(), kindOf<Wall>(), kindOf<Cylinder>(), kindOf<Cuboid>()};
 
 struct PoseErrors {
     double beaten = 0;      ///< a direction parts them further than was said, of the size
@@ -56,7 +56,7 @@ void runPoses(Trial& trial) {
     PoseErrors errors;
     for (std::size_t a = 0; a < kinds.size(); ++a)
         for (std::size_t b = a; b < kinds.size(); ++b) {
-            if (kinds[a] == ShapeKind::Wall && kinds[b] == ShapeKind::Wall) continue;
+            if (kinds[a] == kindOf<Wall>() && kinds[b] == kindOf<Wall>()) continue;
             Random random(seed, 8 * a + b);
             for (int i = 0; i < each && trial.goesOn(); ++i) {
                 const double spread = i % 7 == 0 ? 30 : 3; // aspect ratios to 900

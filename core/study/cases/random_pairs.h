@@ -51,16 +51,9 @@ inline Shape randomShape(Random& random, ShapeKind kind, double spread) {
     const double x = randomLength(random, spread);
     const double y = randomLength(random, spread);
     const double z = randomLength(random, spread);
-    switch (kind) {
-    case ShapeKind::Sphere:
-        return Sphere{x};
-    case ShapeKind::Wall:
-        return Wall{randomDirection(random), random.uniform(-1, 1)};
-    case ShapeKind::Cylinder:
-        return Cylinder{x, y};
-    case ShapeKind::Cuboid:
-        break;
-    }
+    if (kind == kindOf<Sphere>()) return Sphere{x};
+    if (kind == kindOf<Wall>()) return Wall{randomDirection(random), random.uniform(-1, 1)};
+    if (kind == kindOf<Cylinder>()) return Cylinder{x, y};
     return Cuboid{Vec3(x, y, z)};
 }
 

@@ -43,8 +43,8 @@ class ConvexTest : public QObject {
     void agreesWithTheClosedFormsOfEveryBoundedPair_data() {
         QTest::addColumn<int>("kindA");
         QTest::addColumn<int>("kindB");
-        for (const ShapeKind a : {ShapeKind::Sphere, ShapeKind::Cylinder, ShapeKind::Cuboid})
-            for (const ShapeKind b : {ShapeKind::Sphere, ShapeKind::Cylinder, ShapeKind::Cuboid})
+        for (const ShapeKind a : {kindOf<Sphere>(), kindOf<Cylinder>(), kindOf<Cuboid>()})
+            for (const ShapeKind b : {kindOf<Sphere>(), kindOf<Cylinder>(), kindOf<Cuboid>()})
                 if (a <= b)
                     QTest::addRow("%s with %s", nameOf(a).data(), nameOf(b).data())
                         << static_cast<int>(a) << static_cast<int>(b);

@@ -67,7 +67,7 @@ Shape randomForm(Random& random, Form form) {
     case Form::Any:
         break;
     }
-    return randomShape(random, isCylinder ? ShapeKind::Cylinder : ShapeKind::Cuboid, 2);
+    return randomShape(random, isCylinder ? kindOf<Cylinder>() : kindOf<Cuboid>(), 2);
 }
 
 /// Near each other: apart by up to a tenth of the smaller one's size, or overlapping by up to a fiftieth.
@@ -322,8 +322,8 @@ class CoreDirectionTest : public QObject {
         int same = 0;
         for (int i = 0; i < 2000; ++i) {
             const ShapePair pair =
-                randomPair(random, random.below(2) == 0 ? ShapeKind::Cylinder : ShapeKind::Cuboid,
-                           random.below(2) == 0 ? ShapeKind::Cylinder : ShapeKind::Cuboid, Poses::OneCentre);
+                randomPair(random, random.below(2) == 0 ? kindOf<Cylinder>() : kindOf<Cuboid>(),
+                           random.below(2) == 0 ? kindOf<Cylinder>() : kindOf<Cuboid>(), Poses::OneCentre);
             const double deep = 0.3 * pair.size();
             if (proximityOf(pair.a(), pair.b()).distance > -deep) continue; // a rim is at most .05 of a size
             const Found found = quickOf(pair.a(), pair.b(), randomDirection(random), 0);

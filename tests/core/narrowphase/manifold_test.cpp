@@ -159,15 +159,14 @@ class ManifoldTest : public QObject {
     }
 
     void everyPointLiesOnBothSurfacesAndTheDeepestIsTheDistance() {
-        const ShapeKind kinds[] = {ShapeKind::Sphere, ShapeKind::Wall, ShapeKind::Cylinder,
-                                   ShapeKind::Cuboid};
+        const ShapeKind kinds[] = {kindOf<Sphere>(), kindOf<Wall>(), kindOf<Cylinder>(), kindOf<Cuboid>()};
         Random random(seed, 2);
         int found = 0;
         double worst = 0;
         for (int i = 0; i < 40000; ++i) {
             const ShapeKind kindA = kinds[random.below(4)];
             const ShapeKind kindB = kinds[random.below(4)];
-            if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) continue;
+            if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) continue;
             const ShapePair pair = randomPair(random, kindA, kindB, allPoses[i % 5]);
             const double size = pair.size();
             const double margin = 0.01 * size;

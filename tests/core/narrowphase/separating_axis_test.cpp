@@ -14,7 +14,7 @@ constexpr std::uint64_t seed = 20261124;
 // A shadow's gap can exceed the true distance by rounding only.
 constexpr double tolerance = 1e-14;
 
-constexpr ShapeKind solid[] = {ShapeKind::Cylinder, ShapeKind::Cuboid};
+constexpr ShapeKind solid[] = {kindOf<Cylinder>(), kindOf<Cuboid>()};
 
 } // namespace
 

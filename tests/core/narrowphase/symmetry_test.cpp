@@ -60,7 +60,7 @@ void forAllPairs(const Check& check) {
         for (std::size_t b = 0; b < shapeKindCount; ++b) {
             const ShapeKind kindA = static_cast<ShapeKind>(a);
             const ShapeKind kindB = static_cast<ShapeKind>(b);
-            if (kindA == ShapeKind::Wall && kindB == ShapeKind::Wall) continue;
+            if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) continue;
             Random random(seed, 8 * a + b);
             for (int i = 0; i < trials; ++i) {
                 check(randomPair(random, kindA, kindB, allPoses[i % 5], i % 3 == 0 ? 30 : 3),

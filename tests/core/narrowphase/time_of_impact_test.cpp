@@ -131,7 +131,7 @@ class TimeOfImpactTest : public QObject {
 
     void nothingIsMissedOrReportedEarlyAgainstSmallSteps() {
         Random random(seed, 2);
-        const ShapeKind kinds[] = {ShapeKind::Sphere, ShapeKind::Cylinder, ShapeKind::Cuboid};
+        const ShapeKind kinds[] = {kindOf<Sphere>(), kindOf<Cylinder>(), kindOf<Cuboid>()};
         constexpr int steps = 2000;
         int met = 0;
         for (int i = 0; i < 300; ++i) {

@@ -128,8 +128,8 @@ class ImpulseTest : public QObject {
             QVERIFY((momentumAfter - momentum).norm() < tight * (1 + momentum.norm()));
 
             // A sphere's own spin takes no part: its contact is where the normal passes through its centre.
-            const bool anySphere = kindOf(scene.bodies[0].shape) == ShapeKind::Sphere ||
-                                   kindOf(scene.bodies[1].shape) == ShapeKind::Sphere;
+            const bool anySphere = kindOf(scene.bodies[0].shape) == kindOf<Sphere>() ||
+                                   kindOf(scene.bodies[1].shape) == kindOf<Sphere>();
             if (!anySphere) {
                 const Vec3 angular = angularMomentumOf(hit.bodies, hit.before);
                 const Vec3 angularAfter = angularMomentumOf(hit.bodies, hit.after);
