@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 // Forces on single bodies besides gravity: what an effect contributes (effects/effect.h) and every method of
@@ -53,6 +54,8 @@ class ForceTerm {
     /// Where its work is booked.
     virtual LedgerAccount account() const = 0;
     virtual bool actsOn(BodyIndex body) const = 0;
+    /// The parameter of a body by which it acts: what messages point to.
+    virtual std::string_view parameter() const = 0;
     /// Adds the force in each of `samples` to `values`.
     virtual void add(std::span<const ForceSample> samples, std::span<ForceValue> values) const = 0;
     /// Adds to `rates` the fastest rate [1/s] at which the force makes differences of velocity vanish, on any

@@ -40,6 +40,7 @@ class AirDrag final : public ForceTerm {
     AirDrag(const Vec3& wind, std::vector<Dragged> bodies) : m_wind(wind), m_bodies(std::move(bodies)) {}
 
     LedgerAccount account() const override { return LedgerAccount::Drag; }
+    std::string_view parameter() const override { return "drag"; }
     bool actsOn(BodyIndex body) const override { return m_bodies[body].factor > 0; }
 
     void add(std::span<const ForceSample> samples, std::span<ForceValue> values) const override {

@@ -63,6 +63,7 @@ constinit const IntegratorRow eulerRow = {
     .help = "Moves by the velocity at the beginning of the substep; the error is proportional to the step.",
     .source = "L. Euler, Institutiones calculi integralis, 1768; rotation as in the reference work, 3.6.1",
     .stableUpTo = 0,
+    .decaysUpTo = 2,
     .motion = {.move = move, .turn = turn, .tumble = tumble, .drive = swing, .swing = swing},
 };
 

@@ -17,6 +17,8 @@ struct IntegratorRow {
     std::string_view source; ///< author, title, year
     /// The largest ωh (angular frequency times substep) at which an undamped oscillation stays bounded.
     double stableUpTo = 0;
+    /// The largest λh (rate times substep) at which what decays as e^(−λt) does not grow.
+    double decaysUpTo = 0;
     SmoothMotion motion;
 };
 

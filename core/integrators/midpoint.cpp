@@ -42,6 +42,7 @@ constinit const IntegratorRow midpointRow = {
         "any step.",
     .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
     .stableUpTo = std::numeric_limits<double>::infinity(),
+    .decaysUpTo = std::numeric_limits<double>::infinity(),
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,

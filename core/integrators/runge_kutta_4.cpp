@@ -76,6 +76,7 @@ constinit const IntegratorRow rungeKutta4Row = {
             "oscillation.",
     .source = "W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, 1901",
     .stableUpTo = 2.8284271247461903, // 2√2
+    .decaysUpTo = 2.785293563405282,  // z with 1 − z + z²/2 − z³/6 + z⁴/24 = 1
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,

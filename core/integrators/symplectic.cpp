@@ -46,6 +46,7 @@ constinit const IntegratorRow symplecticRow = {
         "R. de Vogelaere, Methods of integration which preserve the contact transformation property of the "
         "Hamilton equations, 1956",
     .stableUpTo = 2,
+    .decaysUpTo = 2,
     .motion = {.move = move, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
 };
 

@@ -73,6 +73,7 @@ constinit const IntegratorRow verletRow = {
             "bounded.",
     .source = "L. Verlet, Computer experiments on classical fluids, 1967",
     .stableUpTo = 2,
+    .decaysUpTo = 2, // beyond, the iteration for the velocity at the end diverges
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,

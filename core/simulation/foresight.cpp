@@ -20,6 +20,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t mostOfAKind = 50;
+/// Substeps that are proposed, at most: beyond, nobody would run it.
+constexpr double mostSubsteps = 10000;
 
 /// Depth below which bodies count as touching, relative to the smaller body's half thickness: far above
 /// rounding, far below what anybody would see. Scenes stack bodies face on face.
@@ -211,7 +213,6 @@ std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settin
         std::string message = scene.nameOf(i) + " moves " + figure(passed) +
                               " m a substep, more than its half-extent of " + figure(half) +
                               " m, and may pass through what it meets; ";
-        constexpr double mostSubsteps = 10000; // beyond, nobody would run it
         if (std::isfinite(factor) && factor * settings.substeps <= mostSubsteps) {
             const std::string substeps = figure(factor * settings.substeps, 6);
             message += "`substeps " + substeps + "` would hold it";
@@ -265,12 +266,48 @@ std::vector<Diagnostic> instability(const Scene& scene, const RunSettings& setti
     return found;
 }
 
+// An explicit scheme takes the force at the beginning for the whole substep: one that slows a body at the
+// rate λ turns its velocity around where λh > 1, and from some λh on the velocity grows. The rate is the
+// fastest one on the way from the start, under gravity.
+std::vector<Diagnostic> overshooting(const Scene& scene, const RunSettings& settings, const Bodies& bodies) {
+    std::vector<Diagnostic> found;
+    const IntegratorRow& integrator = *settings.integrator;
+    if (std::isinf(integrator.decaysUpTo)) return found;
+    for (const auto& term : bodies.forces.terms) {
+        std::vector<ForceSample> samples;
+        for (BodyIndex i = 0; i < scene.bodies.size(); ++i) {
+            const Body& body = scene.bodies[i];
+            if (term->actsOn(i)) samples.push_back({i, body.pose, body.velocity, body.angularVelocity});
+        }
+        std::vector<double> rates(samples.size(), 0);
+        term->addRates(samples, bodies.gravity.norm(), rates);
+        const std::string parameter(term->parameter()), name(integrator.name);
+        for (std::size_t k = 0; k < samples.size() && found.size() < mostOfAKind; ++k) {
+            const double reach = rates[k] * settings.substep();
+            if (!(reach > integrator.decaysUpTo)) continue;
+            const double substeps = std::ceil(settings.substeps * reach / integrator.decaysUpTo);
+            std::string message = "`" + parameter + "` may throw " + scene.nameOf(samples[k].body) +
+                                  " back and forth: λh is " + figure(reach) + ", and `" + name +
+                                  "` holds up to " + figure(integrator.decaysUpTo) + "; ";
+            if (substeps <= mostSubsteps) message += "`substeps " + figure(substeps, 6) + "` or ";
+            found.push_back({.code = DiagnosticCode::UnstableForce,
+                             .range = placeOf(scene, samples[k].body, parameter),
+                             .message = std::move(message) + "`integrator midpoint` would hold it",
+                             .notes = {},
+                             .fixIt = settingFixIt(scene, "integrator", "midpoint")});
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
                                  const WorkStage& stage) {
     std::vector<Diagnostic> found = tunnelling(scene, settings);
     for (Diagnostic& diagnostic : instability(scene, settings)) found.push_back(std::move(diagnostic));
+    for (Diagnostic& diagnostic : overshooting(scene, settings, bodies))
+        found.push_back(std::move(diagnostic));
     Touches touches(scene, settings);
     touches.findAll(bodies, stage);
     for (Diagnostic& diagnostic : touches.diagnostics) found.push_back(std::move(diagnostic));

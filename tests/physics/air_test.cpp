@@ -4,6 +4,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/worlds.h"
 
+#include "core/integrators/integrator.h"
 #include "core/simulation/energy_guard.h"
 #include "core/study/cases/scene_text.h"
 
@@ -142,6 +143,29 @@ class AirTest : public QObject {
             if (world.health().finite) isFound = isFound || guard.look(world.statistics()).has_value();
         }
         QVERIFY(isFound);
+    }
+
+    // Near the terminal speed what is off it decays at the rate 2 √(g k): up to the step that the
+    // integrator's row says, and not 20 % beyond.
+    void explicitIntegratorsHoldDragUpToTheStepTheyName() {
+        const double rate = 2 * std::sqrt(gravity * pingPongDrag),
+                     terminal = std::sqrt(gravity / pingPongDrag);
+        constexpr double start = 1e-3;
+        for (const IntegratorRow& row : integrators()) {
+            if (std::isinf(row.decaysUpTo)) continue;
+            QVERIFY(row.decaysUpTo > 0);
+            for (const double part : {0.95, 1.2}) {
+                SimulationSettings options =
+                    withStep(byMethod("microcollisions"), part * row.decaysUpTo / rate);
+                options.integrator = std::string(row.name);
+                const Body ball = pingPong(Vec3::Zero(), Vec3(0, -(1 + start) * terminal, 0));
+                World world = worldOf(inAir(sceneOf({ball}, downwards())), options);
+                run(world, part < 1 ? 60 : 10);
+                const double off = std::abs(-world.state().velocity[0].y() / terminal - 1);
+                qInfo("%s at %.2f of its limit: %.1e", row.name.data(), part, off);
+                QVERIFY(part < 1 ? off < 0.5 * start : !(off < 2 * start));
+            }
+        }
     }
 
     // A plate falls slowly flat and fast on its edge: Σ |n·û| area, by the deceleration in one short step.

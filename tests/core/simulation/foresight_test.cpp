@@ -92,6 +92,25 @@ class ForesightTest : public QObject {
         QCOMPARE(told("microcollisions integrator verlet substeps 2"), QStringList());
     }
 
+    // k = ½ ρ C A/m = 188.5/m, so that 2 k v h = 7540 · 0.01 at 20 m/s.
+    void aForceTooStrongForAnExplicitIntegratorIsToldTheSubstepsThatHoldIt() {
+        const QString shot =
+            QStringLiteral("air { density 1.2 }\ngravity { accel 0, 0, 0 }\n"
+                           "sphere feather { radius 1 mass 0.01 centre 0, 0, 0 vel 20, 0, 0 drag 1 }\n"
+                           "sphere steel { radius 1 mass 1e6 centre 9, 0, 0 vel 0, 20, 0 drag 1 }\n"
+                           "simulation { step 0.01 method %1 }\n");
+        const auto told = [&](const char* method) {
+            return warningsOf(shot.arg(QLatin1StringView(method)).toUtf8().constData());
+        };
+        QCOMPARE(
+            told("contacts substeps 1 integrator euler"),
+            QStringList(QStringLiteral(
+                "sdl-unstable-force `1`: `drag` may throw `feather` back and forth: λh is 75.4, and `euler` "
+                "holds up to 2; `substeps 38` or `integrator midpoint` would hold it")));
+        QCOMPARE(told("contacts substeps 38 integrator euler"), QStringList());
+        QCOMPARE(told("contacts substeps 1"), QStringList());
+    }
+
     void bodiesThatOnlyTouchAreFine() {
         QCOMPARE(warningsOf("wall { normal 0, 1, 0 toOrig 0 }\n"
                             "sphere { radius 0.1 mass 1 centre 0, 0.1, 0 }\n"
@@ -161,6 +180,10 @@ class ForesightTest : public QObject {
             texts[2] += "sphere { radius 1 mass 1 centre 0, " + std::to_string(2 * i + 1) + ", 0 }\n";
         texts[2] += "simulation { method contacts }";
         add("heavy on a pile", texts[2].c_str(), DiagnosticCode::MassRatio);
+        add("drag under explicit Euler",
+            "air { density 1.2 }\nsimulation { integrator euler }\n"
+            "sphere { radius 1 mass 0.01 centre 0, 0, 0 vel 20, 0, 0 drag 1 }",
+            DiagnosticCode::UnstableForce);
         add("fixed and moving",
             "cylinder { radius 1 height 1 axis 0, 1, 0 centre 0, 0, 0 fixed yes vel 1, 0, 0 }",
             DiagnosticCode::WithoutEffect);
