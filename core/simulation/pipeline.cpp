@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/pipeline.h"
 
-#include "core/simulation/foresight.h"
+#include "core/simulation/pre_run_checks.h"
 #include "core/simulation/without_effect.h"
 
 #include "core/integrators/integrator.h"
@@ -87,7 +87,7 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
         if (row.contribute != nullptr && m_effects.back().status == EffectStatus::On)
             row.contribute(m_scene, m_bodies);
     }
-    for (Diagnostic& warning : foreseen(m_scene, m_settings, m_bodies, stage.part(decided, 1)))
+    for (Diagnostic& warning : preRunWarnings(m_scene, m_settings, m_bodies, stage.part(decided, 1)))
         m_warnings.push_back(std::move(warning));
     for (Diagnostic& hint : withoutEffect(m_scene)) m_warnings.push_back(std::move(hint));
     std::stable_sort(m_warnings.begin(), m_warnings.end(), [](const Diagnostic& a, const Diagnostic& b) {

@@ -44,7 +44,7 @@ QStringList warningsOf(const char* text) {
 
 } // namespace
 
-class ForesightTest : public QObject {
+class PreRunChecksTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
@@ -271,5 +271,5 @@ class ForesightTest : public QObject {
 
 } // namespace carom
 
-CAROM_TEST(foresight_test, carom::ForesightTest)
-#include "foresight_test.moc"
+CAROM_TEST(pre_run_checks_test, carom::PreRunChecksTest)
+#include "pre_run_checks_test.moc"

@@ -16,7 +16,7 @@ namespace carom {
 /// substep and so may tunnel, springs too stiff for the integrator, forces that slow a body faster than it
 /// can follow, mass ratios in contact that the method does not hold. At most fifty of a kind. `bodies` are
 /// the scene's.
-std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
-                                 const WorkStage& stage = {});
+std::vector<Diagnostic> preRunWarnings(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
+                                       const WorkStage& stage = {});
 
 } // namespace carom

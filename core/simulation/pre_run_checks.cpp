@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/foresight.h"
+#include "core/simulation/pre_run_checks.h"
 
 #include "core/simulation/mend.h"
 
@@ -302,8 +302,8 @@ std::vector<Diagnostic> overshooting(const Scene& scene, const RunSettings& sett
 
 } // namespace
 
-std::vector<Diagnostic> foreseen(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
-                                 const WorkStage& stage) {
+std::vector<Diagnostic> preRunWarnings(const Scene& scene, const RunSettings& settings, const Bodies& bodies,
+                                       const WorkStage& stage) {
     std::vector<Diagnostic> found = tunnelling(scene, settings);
     for (Diagnostic& diagnostic : instability(scene, settings)) found.push_back(std::move(diagnostic));
     for (Diagnostic& diagnostic : overshooting(scene, settings, bodies))
