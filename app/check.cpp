@@ -93,7 +93,7 @@ CommandRow checkCommand() {
             .details =
                 "A line of text is `file:line:column: severity: message [code]`; columns count characters "
                 "from 1. JSON is one array of objects with file, line, column, offset and length in bytes, "
-                "severity, code, message, notes, and fix: null, or the edit that mends it.\n\n"
+                "severity, code, message, notes, and fix: null, or the edit that corrects it.\n\n"
                 "The exit code is 1 if any scene has errors; warnings and hints do not count.",
             .leastOperands = 1,
             .mostOperands = std::numeric_limits<std::size_t>::max(),

@@ -47,7 +47,7 @@ struct DiagnosticNote {
     std::string message;
 };
 
-/// The one obvious mend, as the user would read it in a menu.
+/// The one obvious correction, as the user would read it in a menu.
 struct FixIt {
     std::string title; ///< "change to `radius`"
     TextEdit edit;

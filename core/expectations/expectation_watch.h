@@ -25,7 +25,7 @@ std::string_view nameOf(Criterion criterion); ///< as in the text: "value", "min
 enum class ExpectationState : std::uint8_t {
     Waiting, ///< its time has not come
     Holds,   ///< so far
-    Fails,   ///< has failed; what follows cannot mend it
+    Fails,   ///< has failed; what follows cannot correct it
 };
 
 /// How one expectation fares.

@@ -29,7 +29,7 @@ std::vector<Diagnostic> inOrder(DiagnosticList& list, std::uint32_t end) {
         rest.code = DiagnosticCode::LimitReached;
         rest.range = {end, 0};
         rest.message = std::to_string(diagnostics.size() - 1) + " mistakes are listed, " +
-                       std::to_string(unlisted) + " more are not; mend some of these first";
+                       std::to_string(unlisted) + " more are not; correct some of these first";
     }
     return diagnostics;
 }

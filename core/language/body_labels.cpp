@@ -63,7 +63,7 @@ std::optional<BodyIndex> BodyLabels::find(SourceRange label) {
     }
     if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label)) {
         diagnostic->message = "the declaration of " + quoted(spelling(label)) +
-                              " is left out because of a mistake in it; mend that first";
+                              " is left out because of a mistake in it; correct that first";
         diagnostic->notes.push_back({found->second.label, "declared here"});
     }
     return std::nullopt;

@@ -384,10 +384,10 @@ class Parser : private TokenCursor {
         if (diagnostic == nullptr) return;
         if (components.spaced && components.count == 3) {
             diagnostic->message = "the components of a vector are separated by commas";
-            std::string mended;
+            std::string corrected;
             for (const double value : components.values)
-                mended += (mended.empty() ? "" : ", ") + shortest(value);
-            diagnostic->fixIt = replaceBy(parameter.value, mended);
+                corrected += (corrected.empty() ? "" : ", ") + shortest(value);
+            diagnostic->fixIt = replaceBy(parameter.value, corrected);
         } else {
             diagnostic->message = quoted(spelling(parameter.value)) + " has " +
                                   std::to_string(components.count) +

@@ -273,17 +273,17 @@ class Validator {
         Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::MissingParameter, syntax.type);
         if (diagnostic == nullptr) return;
         std::vector<std::string_view> names;
-        std::string mend;
+        std::string inserted;
         for (std::size_t i = 0; i < row.parameters.size(); ++i) {
             const ParameterRow& parameter = row.parameters[i];
             if (!missing[i] && !(syntax.parameterCount == 0 && parameter.inSnippet)) continue;
             if (missing[i]) names.push_back(parameter.name);
-            mend += (mend.empty() ? "" : "  ") + std::string(parameter.name) + " " +
-                    std::string(parameter.example);
+            inserted += (inserted.empty() ? "" : "  ") + std::string(parameter.name) + " " +
+                        std::string(parameter.example);
         }
         diagnostic->message = std::string(row.name) + " lacks " + listed(names, "and") +
                               (names.size() == 1 ? "; it is required" : "; they are required");
-        diagnostic->fixIt = FixIt{"insert `" + mend + "`", insertion(syntax, mend)};
+        diagnostic->fixIt = FixIt{"insert `" + inserted + "`", insertion(syntax, inserted)};
     }
 
     // Behind the last parameter, on a line of its own if that has one; else into the empty list.

@@ -163,11 +163,11 @@ class Check {
         const bool each = m_row.kind == ValueKind::Vector && m_row.constraint == Constraint::Positive;
         diagnostic->message = name() + " is " + seen + "; it " + std::string(sentenceOf(m_row.constraint)) +
                               (each ? " in each component" : "");
-        mend(*diagnostic, value, scalar);
+        addFixIt(*diagnostic, value, scalar);
     }
 
     // A sign too many, or a colour counted from 0 to 255.
-    void mend(Diagnostic& diagnostic, const CheckedValue& value, bool scalar) const {
+    void addFixIt(Diagnostic& diagnostic, const CheckedValue& value, bool scalar) const {
         const bool signTooMany = m_row.constraint == Constraint::Positive ||
                                  m_row.constraint == Constraint::NotNegative ||
                                  m_row.constraint == Constraint::AtLeastOne;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/pre_run_checks.h"
 
-#include "core/simulation/mend.h"
+#include "core/simulation/fix_its.h"
 
 #include "core/integrators/integrator.h"
 

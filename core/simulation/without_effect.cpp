@@ -2,7 +2,7 @@
 #include "core/simulation/without_effect.h"
 
 #include "core/effects/scene_facts.h"
-#include "core/simulation/mend.h"
+#include "core/simulation/fix_its.h"
 
 #include <string>
 

@@ -24,7 +24,7 @@ class CheckTest : public QObject {
     void columnsCountCharacters();
     void jsonSaysTheSameAsText();
     void jsonOfARightSceneIsAnEmptyList();
-    void theFixInJsonMendsTheText();
+    void theFixInJsonCorrectsTheText();
     void severalScenesAreCheckedEvenIfOneCannotBeRead();
     void foldersAndEndlessFilesEndWithThreeOrOne();
     void randomBytesEndWithZeroOrOne();
@@ -124,7 +124,7 @@ void CheckTest::jsonOfARightSceneIsAnEmptyList() {
     QCOMPARE(test::carom({"check", "--format=json", test::source("scenes/table.sdl")}).out, QString("[]\n"));
 }
 
-void CheckTest::theFixInJsonMendsTheText() {
+void CheckTest::theFixInJsonCorrectsTheText() {
     QByteArray text = "sphere { raduis 1  mass 1  centre 0, 0, 0 }\n";
     const QJsonArray diagnostics = json({"-"}, text);
     QCOMPARE(diagnostics.size(), 1);

@@ -22,8 +22,8 @@ class OptionsTest : public QObject {
     void valuesComeInEveryGnuForm();
     void theLastOfEqualOptionsHolds();
     void aLoneMinusAndWhatFollowsTwoAreOperands();
-    void mistakesAreNamedWithTheirMend_data();
-    void mistakesAreNamedWithTheirMend();
+    void mistakesAreNamedWithTheirFixIt_data();
+    void mistakesAreNamedWithTheirFixIt();
     void numbersMustBeWholeAndWithinTheirRange();
     void everyPageListsEveryOptionAndAnExample();
     void everyExampleBeginsWithItsCommand();
@@ -78,7 +78,7 @@ void OptionsTest::aLoneMinusAndWhatFollowsTwoAreOperands() {
     QCOMPARE(arguments.operands, (std::vector<std::string>{"-", "--json", "-n"}));
 }
 
-void OptionsTest::mistakesAreNamedWithTheirMend_data() {
+void OptionsTest::mistakesAreNamedWithTheirFixIt_data() {
     QTest::addColumn<QString>("word");
     QTest::addColumn<QString>("message");
     QTest::newRow("slip") << "--fraems"
@@ -97,7 +97,7 @@ void OptionsTest::mistakesAreNamedWithTheirMend_data() {
                                        << "option `--json` takes no value";
 }
 
-void OptionsTest::mistakesAreNamedWithTheirMend() {
+void OptionsTest::mistakesAreNamedWithTheirFixIt() {
     QFETCH(QString, word);
     QFETCH(QString, message);
     QCOMPARE(mistakeIn({word.toStdString()}), message);

@@ -29,7 +29,7 @@ class DiagnosticMarks : public QObject {
     void goToPrevious();
     /// The fix-it of the problem at the caret, or of the caret's line.
     const Diagnostic* fixableAtCaret() const;
-    /// False where there is nothing to mend or the text has changed since it was checked.
+    /// False where there is nothing to correct or the text has changed since it was checked.
     bool applyFixIt(std::int64_t revision);
 
   private:

@@ -38,15 +38,15 @@ inline std::string edited(std::string text, const TextEdit& edit) {
 }
 
 /// The text after the fix-it of its first diagnostic that has one, until none has.
-inline std::string mended(std::string text) {
-    constexpr int mostMends = 100; // a fix-it that mends nothing must not hang the test
-    for (int i = 0; i < mostMends; ++i) {
+inline std::string corrected(std::string text) {
+    constexpr int mostFixIts = 100; // a fix-it that corrects nothing must not hang the test
+    for (int i = 0; i < mostFixIts; ++i) {
         const Analysis analysis = analyse(text);
-        const Diagnostic* mendable = nullptr;
+        const Diagnostic* correctable = nullptr;
         for (const Diagnostic& diagnostic : analysis.diagnostics)
-            if (diagnostic.fixIt && mendable == nullptr) mendable = &diagnostic;
-        if (mendable == nullptr) return text;
-        text = edited(std::move(text), mendable->fixIt->edit);
+            if (diagnostic.fixIt && correctable == nullptr) correctable = &diagnostic;
+        if (correctable == nullptr) return text;
+        text = edited(std::move(text), correctable->fixIt->edit);
     }
     return text;
 }

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-// Every mistake the language knows: the place, the code, and that its fix-it mends it.
+// Every mistake the language knows: the place, the code, and that its fix-it corrects it.
 
 namespace {
 
@@ -27,8 +27,8 @@ struct Case {
     const char* name;
     std::string source;
     std::string expected;
-    std::size_t bodies = 0; ///< that are built all the same
-    bool mendable = false;  ///< applying the fix-its gives a right text
+    std::size_t bodies = 0;   ///< that are built all the same
+    bool correctable = false; ///< applying the fix-its gives a right text
 };
 
 const std::vector<Case>& cases() {
@@ -248,13 +248,13 @@ class DiagnosticsTest : public QObject {
         QCOMPARE(analyse(row.source).scene.bodies.size(), row.bodies);
     }
 
-    void fixItsMendWhatTheyPromise_data() {
-        addCases([](const Case& row) { return row.mendable; });
+    void fixItsCorrectWhatTheyPromise_data() {
+        addCases([](const Case& row) { return row.correctable; });
     }
-    void fixItsMendWhatTheyPromise() {
-        const std::string mended = carom::test::mended(current().source);
-        const std::string left = carom::test::diagnosed(analyse(mended));
-        QVERIFY2(left.empty(), (mended + "\n" + left).c_str());
+    void fixItsCorrectWhatTheyPromise() {
+        const std::string corrected = carom::test::corrected(current().source);
+        const std::string left = carom::test::diagnosed(analyse(corrected));
+        QVERIFY2(left.empty(), (corrected + "\n" + left).c_str());
     }
 
     void everyFixItLessensTheMistakes_data() {

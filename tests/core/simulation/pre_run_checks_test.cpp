@@ -15,7 +15,7 @@ namespace {
 using test::q;
 
 /// The text after the first fix-it of this code, or nothing where there is none.
-QString mended(const char* text, DiagnosticCode code) {
+QString corrected(const char* text, DiagnosticCode code) {
     const Build built = build(text);
     for (const Diagnostic& diagnostic : built.diagnostics) {
         if (diagnostic.code != code || !diagnostic.fixIt) continue;
@@ -150,7 +150,7 @@ class PreRunChecksTest : public QObject {
         QCOMPARE(warningsOf("sphere { radius 0.1 mass 1 centre 0, 0, 0 vel 1e9, 0, 0 }"), QStringList());
     }
 
-    void everyMendLeavesNothingToMend_data() {
+    void everyFixItLeavesNothingToFix_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<int>("code");
         const auto add = [](const char* name, const char* text, DiagnosticCode code) {
@@ -188,12 +188,12 @@ class PreRunChecksTest : public QObject {
             "cylinder { radius 1 height 1 axis 0, 1, 0 centre 0, 0, 0 fixed yes vel 1, 0, 0 }",
             DiagnosticCode::WithoutEffect);
     }
-    void everyMendLeavesNothingToMend() {
+    void everyFixItLeavesNothingToFix() {
         QFETCH(QByteArray, text);
         QFETCH(int, code);
         const auto wanted = static_cast<DiagnosticCode>(code);
         QVERIFY(says(QString::fromUtf8(text), wanted));
-        const QString after = mended(text.constData(), wanted);
+        const QString after = corrected(text.constData(), wanted);
         QVERIFY(!after.isEmpty());
         const Build built = build(after.toStdString());
         QVERIFY2(built.analysis.diagnostics.empty(), qPrintable(after));
@@ -206,7 +206,7 @@ class PreRunChecksTest : public QObject {
         const auto after = [&](const char* simulation) {
             const QByteArray text =
                 QString(QLatin1StringView(fast)).arg(QLatin1StringView(simulation)).toUtf8();
-            return mended(text.constData(), DiagnosticCode::Tunnelling).section('\n', -1);
+            return corrected(text.constData(), DiagnosticCode::Tunnelling).section('\n', -1);
         };
         QCOMPARE(after("simulation { method microcollisions }"),
                  QStringLiteral("simulation { method microcollisions  substeps 10 }"));

@@ -147,7 +147,7 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor.send(Sci::SCI_ANNOTATIONGETLINES, 0), 0L);
     }
 
-    void theFixItAtTheCaretMendsTheWordInOneUndoStep() {
+    void theFixItAtTheCaretCorrectsTheWordInOneUndoStep() {
         SceneEditor editor(m_theme);
         DiagnosticMarks marks(editor, m_theme);
         const QByteArray wrong = "sphere { raduis 1 mass 1 centre 0,0,0 }\n";

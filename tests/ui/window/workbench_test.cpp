@@ -45,7 +45,7 @@ class WorkbenchTest : public QObject {
   private Q_SLOTS:
     void init() { QSettings().clear(); }
 
-    void aWrongWordIsMarkedAndListedUntilItIsMended() {
+    void aWrongWordIsMarkedAndListedUntilItIsCorrected() {
         Ide ide;
         QCOMPARE(ide.problems(), 0);
         placeCaretBehind(ide.editor, "colour red");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/mend.h"
+#include "core/simulation/fix_its.h"
 
 #include <algorithm>
 #include <limits>

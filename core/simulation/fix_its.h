@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-// Text edits that mend what a check of meaning found. A scene without text (made by a program) has none.
+// Text edits that correct what a check of meaning found. A scene without text (made by a program) has none.
 
 namespace carom {
 
