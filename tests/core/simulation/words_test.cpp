@@ -11,7 +11,7 @@
 
 #include <set>
 
-// The language knows words, the floors above it know algorithms by name, and neither sees the other: here
+// The language knows words, the layers above it know algorithms by name, and neither sees the other: here
 // they are held together, in both directions.
 
 namespace carom {

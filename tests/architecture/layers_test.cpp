@@ -11,13 +11,13 @@
 #include <map>
 #include <vector>
 
-// The house rules a compiler does not hold: which floor may include which, no Qt in core, no file without its
-// licence line, no file that has outgrown one reading. Works on the sources as they are.
+// The rules of the sources that a compiler does not hold: which layer may include which, no Qt in core, no
+// file without its licence line, no file that has outgrown one reading. Works on the sources as they are.
 
 namespace {
 
-// The floors from the ground up. Rooms of one row are siblings: they do not include each other.
-const std::vector<QStringList> floors = {
+// The layers from the lowest up. Modules of one row are siblings: they do not include each other.
+const std::vector<QStringList> layers = {
     {"core/base"},
     {"core/math"},
     {"core/shapes"},
@@ -36,15 +36,15 @@ const std::vector<QStringList> floors = {
     {"app"},
 };
 
-struct Room {
-    int floor = -1;
+struct Module {
+    int layer = -1;
     QString name;
 };
 
-Room roomOf(const QString& path) {
-    for (int floor = 0; floor < static_cast<int>(floors.size()); ++floor)
-        for (const QString& name : floors[static_cast<std::size_t>(floor)])
-            if (path.startsWith(name + '/')) return {floor, name};
+Module moduleOf(const QString& path) {
+    for (int layer = 0; layer < static_cast<int>(layers.size()); ++layer)
+        for (const QString& name : layers[static_cast<std::size_t>(layer)])
+            if (path.startsWith(name + '/')) return {layer, name};
     return {};
 }
 
@@ -83,7 +83,7 @@ std::vector<Include> includesOf(const QString& source) {
 
 // The sentence about an include that breaks a rule, or nothing.
 QString complaintAbout(const QString& file, const Include& include) {
-    const Room from = roomOf(file);
+    const Module from = moduleOf(file);
     const bool inCore = file.startsWith(QLatin1String("core/"));
     static const QRegularExpression qt(R"(^(Q[A-Z]|Qt|Qsci|qcustomplot))");
     if (inCore && qt.match(include.path).hasMatch()) return "core includes Qt: " + include.path;
@@ -91,28 +91,28 @@ QString complaintAbout(const QString& file, const Include& include) {
     if (!include.quoted || include.path.endsWith(QLatin1String(".moc"))) return {};
     if (include.path == QStringLiteral("moc_") + file.section('/', -1))
         return {}; // what moc makes of its header
-    const Room to = roomOf(include.path);
-    if (to.floor < 0) return "a path that does not start at a floor: " + include.path;
+    const Module to = moduleOf(include.path);
+    if (to.layer < 0) return "a path that does not start at a layer: " + include.path;
     if (!QFile::exists(QDir(QStringLiteral(CAROM_SOURCE_DIR)).filePath(include.path)))
         return "no such file: " + include.path;
     if (to.name == from.name) return {};
-    if (to.floor > from.floor) return "includes upward: " + include.path;
-    if (to.floor == from.floor) return "includes a sibling: " + include.path;
+    if (to.layer > from.layer) return "includes upward: " + include.path;
+    if (to.layer == from.layer) return "includes a sibling: " + include.path;
     return {};
 }
 
 } // namespace
 
-class HouseTest : public QObject {
+class LayersTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
-    void floorsIncludeOnlyDownward() {
+    void layersIncludeOnlyDownward() {
         const QStringList files = filesBelow({"core", "ui", "app"}, {"*.h", "*.cpp", "*.def"});
         QVERIFY2(files.size() > 40, "the sources were not found");
         QStringList complaints;
         for (const QString& file : files) {
-            QVERIFY2(roomOf(file).floor >= 0, qPrintable(file + " is in no room of the house"));
+            QVERIFY2(moduleOf(file).layer >= 0, qPrintable(file + " is in no module of a layer"));
             for (const Include& include : includesOf(read(file))) {
                 const QString complaint = complaintAbout(file, include);
                 if (!complaint.isEmpty()) complaints << file + ": " + complaint;
@@ -128,8 +128,8 @@ class HouseTest : public QObject {
         QTest::addColumn<bool>("allowed");
         QTest::newRow("down") << "core/shapes/x.cpp"
                               << "core/math/types.h" << true << true;
-        QTest::newRow("same room") << "core/math/pose.h"
-                                   << "core/math/types.h" << true << true;
+        QTest::newRow("same module") << "core/math/pose.h"
+                                     << "core/math/types.h" << true << true;
         QTest::newRow("up") << "core/math/pose.h"
                             << "core/shapes/shape.h" << true << false;
         QTest::newRow("sibling") << "core/language/x.cpp"
@@ -198,5 +198,5 @@ class HouseTest : public QObject {
     }
 };
 
-CAROM_TEST_WITH(QCoreApplication, house_test, HouseTest)
-#include "house_test.moc"
+CAROM_TEST_WITH(QCoreApplication, layers_test, LayersTest)
+#include "layers_test.moc"
