@@ -104,9 +104,9 @@ class Results {
     std::string path(const char* name) const { return (std::filesystem::path(m_folder) / name).string(); }
 
     void writeFigures(const AccuracyStudy& study) const {
-        // Ended before there was a truth to measure against, a study has nothing to say; what was there
-        // stays.
-        if (!study.truth && std::filesystem::exists(path(figuresFile))) return;
+        // Ended before there was a reference solution to measure against, a study has nothing to say; what
+        // was there stays.
+        if (!study.reference && std::filesystem::exists(path(figuresFile))) return;
         writeFile(m_folder, figuresFile, pointsAsCsv(study, m_hash, m_origin));
     }
     void writeAll(const AccuracyStudy& study, const std::string& title) const {
@@ -240,7 +240,8 @@ CommandRow studyAccuracyCommand() {
                 {"chart", 0, "FILE", "write the chart there, by the ending as SVG, PNG or PDF"},
             },
         .details =
-            "Every setting is run against the truth: a closed form where the scene has one, else exact "
+            "Every setting is run against the reference solution: a closed form where the scene has one, "
+            "else exact "
             "events, else a run with more and more substeps, with a bound of its own error. An error is the "
             "greater of the largest distance, relative to the scene's size, and the largest angle, at eight "
             "looks a frame, within the time for which two copies 1e-12 apart stay together. Times are "

@@ -29,7 +29,7 @@ JsonWriter& JsonWriter::value(std::int64_t number) { return bare(std::to_string(
 
 JsonWriter& JsonWriter::value(std::uint64_t number) { return bare(std::to_string(number)); }
 
-JsonWriter& JsonWriter::value(bool truth) { return bare(truth ? "true" : "false"); }
+JsonWriter& JsonWriter::value(bool boolean) { return bare(boolean ? "true" : "false"); }
 
 JsonWriter& JsonWriter::null() { return bare("null"); }
 

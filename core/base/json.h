@@ -30,7 +30,7 @@ class JsonWriter {
     JsonWriter& value(std::int64_t number);
     JsonWriter& value(std::uint64_t number);
     JsonWriter& value(int number) { return value(static_cast<std::int64_t>(number)); }
-    JsonWriter& value(bool truth);
+    JsonWriter& value(bool boolean);
     JsonWriter& null();
 
     std::string take() { return std::move(m_text); }

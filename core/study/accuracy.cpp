@@ -57,7 +57,7 @@ class Runner {
         for (AccuracyPoint& point : m_study.points)
             for (const AccuracyPoint& old : known)
                 if (old.setting == point.setting) takeOver(old, point);
-        m_study.complete = findTheTruth() && measureAll() && timeAll();
+        m_study.complete = findReference() && measureAll() && timeAll();
         std::erase_if(m_study.points,
                       [](const AccuracyPoint& point) { return point.status == PointStatus::Waiting; });
         return std::move(m_study);
@@ -73,7 +73,7 @@ class Runner {
             if (!(setting == standard)) m_study.points.push_back({.setting = setting});
         for (const AccuracyPoint& point : m_study.points)
             m_total += (1.0 + m_study.plan.runs) * point.setting.substeps;
-        m_total *= 1.25; // a fifth of the whole for the truth, as far as one can know
+        m_total *= 1.25; // a fifth of the whole for the reference solution, as far as one can know
         m_done = 0;
     }
 
@@ -88,22 +88,22 @@ class Runner {
         if (m_listener.changed) m_listener.changed(m_study);
     }
 
-    bool findTheTruth() {
+    bool findReference() {
         int finest = 1;
         for (const AccuracyPoint& point : m_study.points) finest = std::max(finest, point.setting.substeps);
-        m_study.truth = findTruth({.scene = m_scene,
-                                   .settings = m_study.settings,
-                                   .duration = m_study.plan.duration,
-                                   .finest = finest,
-                                   .patience = 4 * m_study.plan.patience,
-                                   .copies = m_study.plan.copies,
-                                   .goOn = [this] { return goOn(); }});
-        if (m_study.truth && m_study.truth->crowd)
+        m_study.reference = findReferenceSolution({.scene = m_scene,
+                                                   .settings = m_study.settings,
+                                                   .duration = m_study.plan.duration,
+                                                   .finest = finest,
+                                                   .patience = 4 * m_study.plan.patience,
+                                                   .copies = m_study.plan.copies,
+                                                   .goOn = [this] { return goOn(); }});
+        if (m_study.reference && m_study.reference->crowd)
             for (const AccuracyPoint& point : m_study.points)
                 m_total += 1.25 * m_study.plan.copies * point.setting.substeps;
         m_done = 0.2 * m_total;
-        if (m_study.truth) m_trajectory = std::exchange(m_study.truth->trajectory, {});
-        return m_study.truth.has_value();
+        if (m_study.reference) m_trajectory = std::exchange(m_study.reference->trajectory, {});
+        return m_study.reference.has_value();
     }
 
     bool measureAll() {
@@ -114,7 +114,7 @@ class Runner {
             }
             if (point.status == PointStatus::Waiting && !measure(theRun(), point)) return false;
             m_done += point.setting.substeps;
-            if (m_study.truth->crowd) {
+            if (m_study.reference->crowd) {
                 if (point.finished() && !point.crowd && !measureCrowd(theRun(), point)) return false;
                 m_done += m_study.plan.copies * point.setting.substeps;
             }
@@ -138,7 +138,7 @@ class Runner {
     const Scene& m_scene;
     const AccuracyListener& m_listener;
     AccuracyStudy m_study;
-    Trajectory m_trajectory;        // of the truth
+    Trajectory m_trajectory;        // of the reference solution
     double m_done = 0, m_total = 0; // substeps a frame, over all runs
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/simulation/pipeline.h"
-#include "core/study/truth.h"
+#include "core/study/reference_solution.h"
 
 #include <cstdint>
 #include <functional>
@@ -12,12 +12,13 @@
 #include <string_view>
 #include <vector>
 
-// What accuracy costs in time: every setting of a scene is a point, its error against the truth (truth.h)
-// across, its time per simulated second up; settings that differ in their substeps only are a family. Errors
-// are plain, measured at every look (eight a frame) that falls on the end of a substep, within the chaos
-// horizon only, and never averaged over chaotic runs. Times are processor times of runs without rendering,
-// loading and the first frame, which take turns, so that a disturbance falls on all of them. Impacts are
-// counted and timed (impacts.h); what many balls do beyond the horizon is compared as a crowd (crowd.h).
+// What accuracy costs in time: every setting of a scene is a point, its error against the reference solution
+// (reference_solution.h) across, its time per simulated second up; settings that differ in their substeps
+// only are a family. Errors are plain, measured at every look (eight a frame) that falls on the end of a
+// substep, within the chaos horizon only, and never averaged over chaotic runs. Times are processor times of
+// runs without rendering, loading and the first frame, which take turns, so that a disturbance falls on all
+// of them. Impacts are counted and timed (impacts.h); what many balls do beyond the horizon is compared as a
+// crowd (crowd.h).
 
 namespace carom {
 
@@ -79,15 +80,15 @@ struct AccuracyPlan {
 
 struct AccuracyStudy {
     AccuracyPlan plan;
-    RunSettings settings;              ///< the scene's own
-    std::optional<Truth> truth;        ///< without its samples
-    std::vector<AccuracyPoint> points; ///< as in the plan, the scene's own setting first
-    bool conservative = false;         ///< nothing in the scene takes energy out
-    bool complete = false;             ///< false: it was told to stop; what is there is whole
+    RunSettings settings;                       ///< the scene's own
+    std::optional<ReferenceSolution> reference; ///< without its samples
+    std::vector<AccuracyPoint> points;          ///< as in the plan, the scene's own setting first
+    bool conservative = false;                  ///< nothing in the scene takes energy out
+    bool complete = false;                      ///< false: it was told to stop; what is there is whole
 
-    /// The smallest error the truth can tell from none: a hundred times its own. Points below are shown, but
-    /// they only say "deviation from the finest run".
-    double resolution() const { return truth ? 100 * truth->error : 0; }
+    /// The smallest error the reference solution can tell from none: a hundred times its own. Points below
+    /// are shown, but they only say "deviation from the finest run".
+    double resolution() const { return reference ? 100 * reference->error : 0; }
 };
 
 /// The plan for a scene: every method that can treat it, with every integrator where the choice matters, at

@@ -103,7 +103,7 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
 
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin) {
     CsvTable table(columns);
-    if (!study.truth) return table.take();
+    if (!study.reference) return table.take();
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
     for (const AccuracyPoint& p : study.points) {
         if (p.status == PointStatus::Waiting) continue;
@@ -119,8 +119,8 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
                   x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower, x.pressure.median,
                   x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper, p.cost(),
                   p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
-                  nameOf(study.truth->kind), study.truth->error, study.truth->horizon, study.plan.duration,
-                  sceneHash, origin.command, origin.version, origin.machine);
+                  nameOf(study.reference->kind), study.reference->error, study.reference->horizon,
+                  study.plan.duration, sceneHash, origin.command, origin.version, origin.machine);
     }
     return table.take();
 }

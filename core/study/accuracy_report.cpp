@@ -77,14 +77,14 @@ std::string inPercent(const Quartiles& value) {
 
 /// What many balls did beyond the horizon, if there were many and it went so far.
 std::string crowdOf(const AccuracyStudy& study) {
-    if (!study.truth || !study.truth->crowd) return {};
+    if (!study.reference || !study.reference->crowd) return {};
     std::vector<std::vector<std::string>> lines = {
         {"setting", "copies", "speeds [%]", "pressure at the walls [%]", "time between impacts [%]"}};
     const auto add = [&lines](const std::string& name, const CrowdFigures& crowd) {
         lines.push_back({name, std::to_string(crowd.copies), inPercent(crowd.speeds),
                          inPercent(crowd.pressure), inPercent(crowd.freeTime)});
     };
-    add("exact copies among themselves", study.truth->crowd->scatter);
+    add("exact copies among themselves", study.reference->crowd->scatter);
     for (const AccuracyPoint& point : study.points)
         if (point.crowd) add(point.setting.name(), *point.crowd);
     return "\nBeyond the horizon, where paths mean nothing: how far copies of the scene are from exact ones "

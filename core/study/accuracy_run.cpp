@@ -91,15 +91,15 @@ std::int64_t AccuracyRun::frames() const {
 }
 
 bool measure(const AccuracyRun& run, AccuracyPoint& point) {
-    const Truth& truth = *run.study.truth;
+    const ReferenceSolution& reference = *run.study.reference;
     const int substeps = point.setting.substeps;
     SimulationSettings options = point.setting.options();
     options.step = run.step() / substeps;
     options.substeps = 1;
     World world(std::make_shared<const Pipeline>(run.scene, options));
     const Bodies& bodies = world.pipeline().bodies();
-    ErrorMeter meter(bodies, truth.size);
-    Course course(world, truth.size);
+    ErrorMeter meter(bodies, reference.size);
+    Course course(world, reference.size);
     ImpactWatch impacts(bodies, world.pipeline().gravity(), run.step(), world.state());
     const Stopwatch watch;
     const std::int64_t steps = run.frames() * substeps;
@@ -109,7 +109,7 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
         const std::int64_t eighths = step * looksPerFrame;
         const auto look = static_cast<std::size_t>(eighths / substeps);
         if (eighths % substeps == 0 && look < run.trajectory.samples.size() &&
-            static_cast<double>(look) * run.trajectory.spacing <= truth.horizon)
+            static_cast<double>(look) * run.trajectory.spacing <= reference.horizon)
             meter.add(world.state().pose, run.trajectory.samples[look]);
         if (step == steps) break;
         world.step();
@@ -117,9 +117,9 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
         if (isOver(world, run.study.plan, watch.elapsed(), point)) break;
     }
     point.errors = meter.norms();
-    if (!truth.impacts.empty()) {
-        const double end = std::min(truth.horizon, world.state().time);
-        point.impacts = compareImpacts(truth.impacts, impacts.record(), end);
+    if (!reference.impacts.empty()) {
+        const double end = std::min(reference.horizon, world.state().time);
+        point.impacts = compareImpacts(reference.impacts, impacts.record(), end);
     }
     course.finish(world, point);
     if (point.status == PointStatus::Waiting) judge(run.study, point);
@@ -127,22 +127,22 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
 }
 
 bool measureCrowd(const AccuracyRun& run, AccuracyPoint& point) {
-    const Truth& truth = *run.study.truth;
-    if (!truth.crowd) return true;
+    const ReferenceSolution& reference = *run.study.reference;
+    if (!reference.crowd) return true;
     const CrowdRun crowd{.scene = run.scene,
                          .frames = run.frames(),
-                         .first = truth.crowd->first,
+                         .first = reference.crowd->first,
                          .step = run.step(),
-                         .nudge = crowdNudge * truth.size,
+                         .nudge = crowdNudge * reference.size,
                          .goOn = run.goOn,
-                         .fastest = truth.crowd->fastest};
+                         .fastest = reference.crowd->fastest};
     std::vector<CrowdDeviation> deviations;
     const Stopwatch watch;
     for (int copy = 0; copy < run.study.plan.copies; ++copy) {
         if (copy > 0 && watch.elapsed() > 1000 * run.study.plan.patience) break;
         const std::optional<CrowdWatch::Sums> sums = runCopy(crowd, copy, point.setting.options());
         if (!sums) return run.goOn(); // a copy that is lost says nothing
-        deviations.push_back(deviationOf(*sums, truth.crowd->sums));
+        deviations.push_back(deviationOf(*sums, reference.crowd->sums));
     }
     point.crowd = figuresOf(deviations);
     return true;

@@ -5,13 +5,13 @@
 
 #include <functional>
 
-// The runs of an accuracy study: one setting held against the truth, and the clock.
+// The runs of an accuracy study: one setting held against the reference solution, and the clock.
 
 namespace carom {
 
 struct AccuracyRun {
     const Scene& scene;
-    const AccuracyStudy& study; ///< with its plan and its truth, whose samples are apart:
+    const AccuracyStudy& study; ///< with its plan and its reference solution, whose samples are apart:
     const Trajectory& trajectory;
     std::function<bool()> goOn{}; ///< false: stop; asked often
 

@@ -109,23 +109,24 @@ std::string recommendation(const AccuracyStudy& study) {
 }
 
 std::string yardstickOf(const AccuracyStudy& study) {
-    if (!study.truth) return "The study was stopped before it had anything to compare with.";
-    const Truth& truth = *study.truth;
+    if (!study.reference) return "The study was stopped before it had anything to compare with.";
+    const ReferenceSolution& reference = *study.reference;
     std::string text = "Errors are ";
-    bool doubtful = truth.kind == TruthKind::ConvergedRun && !std::isfinite(truth.error);
+    bool doubtful = reference.kind == ReferenceKind::ConvergedRun && !std::isfinite(reference.error);
     for (const AccuracyPoint& point : study.points)
-        doubtful = doubtful || (truth.kind == TruthKind::ConvergedRun && point.finished() &&
+        doubtful = doubtful || (reference.kind == ReferenceKind::ConvergedRun && point.finished() &&
                                 point.errors.worst() < study.resolution());
     if (doubtful)
-        text += "deviations from the scene's own finest run (" + truth.description + ", good to " +
-                figure(truth.error) + "): those below " + figure(study.resolution()) + " say little else";
+        text += "deviations from the scene's own finest run (" + reference.description + ", good to " +
+                figure(reference.error) + "): those below " + figure(study.resolution()) + " say little else";
     else
-        text += "against the " + std::string(nameOf(truth.kind)) +
-                (truth.description == nameOf(truth.kind) ? std::string() : " (" + truth.description + ")") +
-                ", good to " + figure(truth.error);
-    if (truth.chaotic)
-        text += ", up to " + figure(truth.horizon) + " s: beyond, copies 1e-12 apart have parted (growth " +
-                figure(truth.growth) + " /s)";
+        text += "against the " + std::string(nameOf(reference.kind)) +
+                (reference.description == nameOf(reference.kind) ? std::string()
+                                                                 : " (" + reference.description + ")") +
+                ", good to " + figure(reference.error);
+    if (reference.chaotic)
+        text += ", up to " + figure(reference.horizon) +
+                " s: beyond, copies 1e-12 apart have parted (growth " + figure(reference.growth) + " /s)";
     return text + ".";
 }
 

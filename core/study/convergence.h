@@ -19,8 +19,8 @@ struct AccuracyFamily {
 std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study);
 
 /// The order of convergence: the median slope of log error against log substep between neighbouring points
-/// that have converged so far that it shows (errors below 0.35) and are above the truth's resolution and
-/// rounding. Nothing of fewer than two such slopes, or where they do not agree.
+/// that have converged so far that it shows (errors below 0.35) and are above the reference solution's
+/// resolution and rounding. Nothing of fewer than two such slopes, or where they do not agree.
 std::optional<double> orderOf(const AccuracyFamily& family, double resolution);
 
 /// Usable points that no other one beats in error without costing more, ascending by error.

@@ -47,18 +47,18 @@ void CrowdWatch::Sums::add(const Sums& other) {
     looks += other.looks;
 }
 
-CrowdDeviation deviationOf(const CrowdWatch::Sums& run, const CrowdWatch::Sums& truth) {
+CrowdDeviation deviationOf(const CrowdWatch::Sums& run, const CrowdWatch::Sums& reference) {
     CrowdDeviation deviation;
-    double below = 0, belowInTruth = 0;
-    for (std::size_t k = 0; k < truth.speeds.size(); ++k) {
+    double below = 0, belowInReference = 0;
+    for (std::size_t k = 0; k < reference.speeds.size(); ++k) {
         below += run.speeds[k] / run.ballFrames;
-        belowInTruth += truth.speeds[k] / truth.ballFrames;
-        deviation.speeds = std::max(deviation.speeds, std::abs(below - belowInTruth));
+        belowInReference += reference.speeds[k] / reference.ballFrames;
+        deviation.speeds = std::max(deviation.speeds, std::abs(below - belowInReference));
     }
-    if (truth.momentum > 0)
-        deviation.pressure = (run.momentum / run.looks) / (truth.momentum / truth.looks) - 1;
-    if (run.impacts > 0 && truth.impacts > 0)
-        deviation.freeTime = (run.ballFrames / run.impacts) / (truth.ballFrames / truth.impacts) - 1;
+    if (reference.momentum > 0)
+        deviation.pressure = (run.momentum / run.looks) / (reference.momentum / reference.looks) - 1;
+    if (run.impacts > 0 && reference.impacts > 0)
+        deviation.freeTime = (run.ballFrames / run.impacts) / (reference.ballFrames / reference.impacts) - 1;
     return deviation;
 }
 

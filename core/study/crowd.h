@@ -49,11 +49,11 @@ class CrowdWatch {
     Sums m_sums;
 };
 
-/// One run against the truth: Kolmogorov's distance, and relative deviations.
+/// One run against the reference solution: Kolmogorov's distance, and relative deviations.
 struct CrowdDeviation {
     double speeds = 0, pressure = 0, freeTime = 0;
 };
-CrowdDeviation deviationOf(const CrowdWatch::Sums& run, const CrowdWatch::Sums& truth);
+CrowdDeviation deviationOf(const CrowdWatch::Sums& run, const CrowdWatch::Sums& reference);
 
 struct Quartiles {
     double lower = 0, median = 0, upper = 0;
@@ -62,7 +62,7 @@ struct Quartiles {
 /// 1996).
 Quartiles quartilesOf(std::vector<double> values);
 
-/// Several runs against the truth.
+/// Several runs against the reference solution.
 struct CrowdFigures {
     std::size_t copies = 0;
     Quartiles speeds{}, pressure{}, freeTime{};

@@ -13,15 +13,15 @@ std::size_t Trajectory::common(const Trajectory& other) const {
     return std::min(samples.size(), other.samples.size());
 }
 
-void ErrorMeter::add(const std::vector<Pose>& pose, const std::vector<Pose>& truth) {
+void ErrorMeter::add(const std::vector<Pose>& pose, const std::vector<Pose>& reference) {
     for (const BodyIndex i : m_bodies.mobileBodies) {
-        const double away = (pose[i].position - truth[i].position).norm() / m_size;
+        const double away = (pose[i].position - reference[i].position).norm() / m_size;
         m_position = std::max(m_position, away);
         m_squares += away * away;
         m_count += 1;
     }
     for (const BodyIndex i : m_bodies.rotating) {
-        const Quat between = pose[i].orientation * truth[i].orientation.conjugate();
+        const Quat between = pose[i].orientation * reference[i].orientation.conjugate();
         m_attitude = std::max(m_attitude, toRotationVector(between).norm());
     }
 }
@@ -53,15 +53,15 @@ Steadiness steadinessOf(const std::vector<double>& time, const std::vector<doubl
     return course;
 }
 
-double sizeOf(const Bodies& bodies, const Trajectory& truth) {
+double sizeOf(const Bodies& bodies, const Trajectory& reference) {
     Vec3 low = Vec3::Constant(HUGE_VAL), high = Vec3::Constant(-HUGE_VAL);
     const auto include = [&](const Vec3& centre, double radius) {
         low = low.cwiseMin((centre.array() - radius).matrix());
         high = high.cwiseMax((centre.array() + radius).matrix());
     };
     for (const BodyIndex i : bodies.bounded)
-        include(truth.samples.front()[i].position, bodies.boundingRadius[i]);
-    for (const std::vector<Pose>& poses : truth.samples)
+        include(reference.samples.front()[i].position, bodies.boundingRadius[i]);
+    for (const std::vector<Pose>& poses : reference.samples)
         for (const BodyIndex i : bodies.mobileBodies) include(poses[i].position, 0);
     return bodies.bounded.empty() ? 1 : (high - low).norm();
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-// How far a run is from the truth, and what it did to the quantities it should have kept.
+// How far a run is from the reference solution, and what it did to the quantities it should have kept.
 
 namespace carom {
 
@@ -30,12 +30,12 @@ struct ErrorNorms {
     double worst() const { return position > attitude ? position : attitude; }
 };
 
-/// Collects the distance of states from samples of the truth.
+/// Collects the distance of states from samples of the reference solution.
 class ErrorMeter {
   public:
     ErrorMeter(const Bodies& bodies, double size) : m_bodies(bodies), m_size(size) {}
 
-    void add(const std::vector<Pose>& pose, const std::vector<Pose>& truth);
+    void add(const std::vector<Pose>& pose, const std::vector<Pose>& reference);
     ErrorNorms norms() const;
 
   private:
@@ -58,7 +58,7 @@ struct Steadiness {
 Steadiness steadinessOf(const std::vector<double>& time, const std::vector<double>& value, double scale);
 
 /// The length [m] that errors are relative to: the diagonal of the box in which the bodies are at the start
-/// and their centres move in the truth.
-double sizeOf(const Bodies& bodies, const Trajectory& truth);
+/// and their centres move in the reference solution.
+double sizeOf(const Bodies& bodies, const Trajectory& reference);
 
 } // namespace carom

@@ -31,13 +31,14 @@ std::vector<Impact> strong(const std::vector<Impact>& impacts, double least) {
     return kept;
 }
 
-void compareBody(const std::vector<Impact>& truth, const std::vector<Impact>& run, double end,
+void compareBody(const std::vector<Impact>& reference, const std::vector<Impact>& run, double end,
                  ImpactErrors& errors) {
     std::size_t same = 0;
-    const double mostApart = longestFlight(truth, end);
-    while (same < truth.size() && same < run.size() && alike(truth[same], run[same], mostApart)) ++same;
+    const double mostApart = longestFlight(reference, end);
+    while (same < reference.size() && same < run.size() && alike(reference[same], run[same], mostApart))
+        ++same;
     const auto within = [end](const Impact& impact) { return impact.time <= end; };
-    const auto expected = static_cast<std::size_t>(std::ranges::count_if(truth, within));
+    const auto expected = static_cast<std::size_t>(std::ranges::count_if(reference, within));
     auto seen = static_cast<std::size_t>(std::ranges::count_if(run, within));
     // A pair that belongs together may lie on both sides of the end: it counts where the true one lies.
     for (std::size_t k = 0; k < same; ++k) {
@@ -46,7 +47,7 @@ void compareBody(const std::vector<Impact>& truth, const std::vector<Impact>& ru
     }
     const std::size_t matched = std::min(same, expected);
     for (std::size_t k = 0; k < matched; ++k)
-        errors.time = std::max(errors.time, std::abs(truth[k].time - run[k].time));
+        errors.time = std::max(errors.time, std::abs(reference[k].time - run[k].time));
     errors.expected += expected;
     errors.seen += seen;
     errors.matched += matched;
@@ -54,14 +55,14 @@ void compareBody(const std::vector<Impact>& truth, const std::vector<Impact>& ru
 
 } // namespace
 
-ImpactErrors compareImpacts(const ImpactRecord& truth, const ImpactRecord& run, double end) {
+ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run, double end) {
     double strongest = 0;
-    for (const std::vector<Impact>& impacts : truth)
+    for (const std::vector<Impact>& impacts : reference)
         for (const Impact& impact : impacts) strongest = std::max(strongest, impact.change.norm());
     ImpactErrors errors;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-        compareBody(strong(truth[i], strongEnough * strongest), strong(run[i], strongEnough * strongest), end,
-                    errors);
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        compareBody(strong(reference[i], strongEnough * strongest), strong(run[i], strongEnough * strongest),
+                    end, errors);
     return errors;
 }
 

@@ -18,6 +18,6 @@ struct ImpactErrors {
 /// Up to `end` [s]; each body's k-th impact against its true k-th, for as long as they are alike: as strong
 /// and in the same direction within a half. Impacts of less than a hundredth of the strongest true one are
 /// left out.
-ImpactErrors compareImpacts(const ImpactRecord& truth, const ImpactRecord& run, double end);
+ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run, double end);
 
 } // namespace carom

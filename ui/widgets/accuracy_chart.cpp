@@ -100,7 +100,7 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
     ChartSeries own = marksOnly(AccuracyChartTexts::tr("the scene's own"), SeriesMark::Halo, grey);
     ChartSeries best =
         marksOnly(AccuracyChartTexts::tr("recommended"), SeriesMark::Halo, QColor(0xC0, 0x20, 0x80));
-    const bool converged = study.truth && study.truth->kind == TruthKind::ConvergedRun;
+    const bool converged = study.reference && study.reference->kind == ReferenceKind::ConvergedRun;
     for (const AccuracyPoint& point : study.points) {
         if (point.times.empty()) continue;
         const bool lost = !point.finished();

@@ -11,9 +11,9 @@
 namespace carom {
 
 /// A study as a work–precision diagram: error across, time up, a line a family in the order of substeps.
-/// Hollow marks ran but broke an invariant, crosses failed, grey ones are below what the truth can tell; the
-/// dashed line is the Pareto front, the rings the scene's own setting and the recommended one, which a
-/// sentence below the title names.
+/// Hollow marks ran but broke an invariant, crosses failed, grey ones are below what the reference solution
+/// can tell; the dashed line is the Pareto front, the rings the scene's own setting and the recommended one,
+/// which a sentence below the title names.
 struct AccuracyChart {
     ChartSpec spec;
     /// By series, the index in AccuracyStudy::points of each of its points; empty for series that only mark.

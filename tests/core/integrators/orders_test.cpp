@@ -53,17 +53,17 @@ double attitudeError(const Pose& a, const Pose& b) {
 }
 
 /// Positions and attitudes of all bodies.
-double errorOf(const State& state, const State& truth) {
+double errorOf(const State& state, const State& reference) {
     double worst = 0;
     for (std::size_t i = 0; i < state.pose.size(); ++i)
-        worst = std::max({worst, (state.pose[i].position - truth.pose[i].position).norm(),
-                          attitudeError(state.pose[i], truth.pose[i])});
+        worst = std::max({worst, (state.pose[i].position - reference.pose[i].position).norm(),
+                          attitudeError(state.pose[i], reference.pose[i])});
     return worst;
 }
 
 Scene projectile() { return sceneOf({sphere(0.1, 1, Vec3::Zero(), Vec3(1, 2, 3))}, downwards()); }
 
-State projectileTruth() {
+State projectileReference() {
     State state = initialStateOf(projectile());
     state.pose[0].position = Vec3(1, 2, 3) + 0.5 * downwards();
     return state;
@@ -75,7 +75,7 @@ Scene oscillator() {
     return scene;
 }
 
-State oscillatorTruth() { // ω = 10 rad/s
+State oscillatorReference() { // ω = 10 rad/s
     State state = initialStateOf(oscillator());
     state.pose[0].position = Vec3(1 + 0.1 * std::cos(10.0), 0, 0);
     return state;
@@ -128,7 +128,7 @@ Scene tumblingCuboid() {
     return sceneOf({moving(cuboid(Vec3(0.2, 0.4, 0.6), 1, Vec3::Zero()), Vec3::Zero(), Vec3(1, 2, 3))});
 }
 
-State tumblingTruth() {
+State tumblingReference() {
     const Scene scene = tumblingCuboid();
     State state = initialStateOf(scene);
     const Bodies bodies = bodiesOf(scene);
@@ -138,7 +138,7 @@ State tumblingTruth() {
     return state;
 }
 
-/// The finest run stands for the truth: 64 times the steps and order four.
+/// The finest run stands for the reference solution: 64 times the steps and order four.
 State fineRun(const Scene& scene) { return after(scene, "rk4", "microcollisions", 8192); }
 
 } // namespace
@@ -147,10 +147,10 @@ class OrdersTest : public QObject {
     Q_OBJECT
 
   private:
-    void expectOrder(const char* name, const Scene& scene, const State& truth, const char* method,
+    void expectOrder(const char* name, const Scene& scene, const State& reference, const char* method,
                      const IntegratorRow& row, int substeps) {
-        const double coarse = errorOf(after(scene, row.name, method, substeps), truth);
-        const double fine = errorOf(after(scene, row.name, method, 2 * substeps), truth);
+        const double coarse = errorOf(after(scene, row.name, method, substeps), reference);
+        const double fine = errorOf(after(scene, row.name, method, 2 * substeps), reference);
         const double order = std::log2(coarse / fine);
         const QString told = QStringLiteral("%1, %2, %3: errors %4 and %5, order %6")
                                  .arg(QLatin1StringView(name), QLatin1StringView(method),
@@ -166,9 +166,9 @@ class OrdersTest : public QObject {
         for (const IntegratorRow& row : integrators()) {
             for (const char* method : {"microcollisions", "contacts"}) {
                 if (row.order == 1)
-                    expectOrder("projectile", projectile(), projectileTruth(), method, row, 256);
+                    expectOrder("projectile", projectile(), projectileReference(), method, row, 256);
                 else
-                    QVERIFY(errorOf(after(projectile(), row.name, method, 256), projectileTruth()) <
+                    QVERIFY(errorOf(after(projectile(), row.name, method, 256), projectileReference()) <
                             rounding);
             }
         }
@@ -178,18 +178,18 @@ class OrdersTest : public QObject {
         struct Case {
             const char* name;
             Scene scene;
-            State truth;
+            State reference;
         };
-        const Case cases[] = {{"oscillator", oscillator(), oscillatorTruth()},
+        const Case cases[] = {{"oscillator", oscillator(), oscillatorReference()},
                               {"spring pendulum", springPendulum(), fineRun(springPendulum())},
                               {"damped pendulum", dampedPendulum(), fineRun(dampedPendulum())},
                               {"swinging cuboids", swingingCuboids(), fineRun(swingingCuboids())}};
         for (const Case& a : cases) {
             for (const IntegratorRow& row : integrators()) {
                 const int substeps = row.order == 1 ? 4096 : row.order == 2 ? 512 : 256;
-                expectOrder(a.name, a.scene, a.truth, "contacts", row, substeps);
+                expectOrder(a.name, a.scene, a.reference, "contacts", row, substeps);
                 if (row.motion.swing != nullptr)
-                    expectOrder(a.name, a.scene, a.truth, "microcollisions", row, substeps);
+                    expectOrder(a.name, a.scene, a.reference, "microcollisions", row, substeps);
             }
         }
     }
@@ -198,11 +198,11 @@ class OrdersTest : public QObject {
         const std::pair<const char*, Scene> cases[] = {{"thrown ball", thrownBall()},
                                                        {"thrown plate", thrownPlate()}};
         for (const auto& [name, scene] : cases) {
-            const State truth = fineRun(scene);
+            const State reference = fineRun(scene);
             for (const IntegratorRow& row : integrators()) {
                 const int substeps = row.order == 1 ? 1024 : row.order == 2 ? 128 : 16;
                 for (const char* method : {"contacts", "microcollisions"})
-                    expectOrder(name, scene, truth, method, row, substeps);
+                    expectOrder(name, scene, reference, method, row, substeps);
             }
         }
     }
@@ -210,10 +210,10 @@ class OrdersTest : public QObject {
     void freeRotationIsExactOrOfTheOrderOfTheScheme() {
         for (const IntegratorRow& row : integrators()) {
             if (row.name == "midpoint")
-                QVERIFY(errorOf(after(tumblingCuboid(), row.name, "contacts", 64), tumblingTruth()) <
+                QVERIFY(errorOf(after(tumblingCuboid(), row.name, "contacts", 64), tumblingReference()) <
                         rounding);
             else
-                expectOrder("cuboid", tumblingCuboid(), tumblingTruth(), "contacts", row, 256);
+                expectOrder("cuboid", tumblingCuboid(), tumblingReference(), "contacts", row, 256);
         }
     }
 

@@ -67,10 +67,10 @@ class AccuracyTest : public QObject {
     Q_OBJECT
 
   private:
-    void expectOrders(const Scene& scene, TruthKind kind) {
+    void expectOrders(const Scene& scene, ReferenceKind kind) {
         const AccuracyStudy study = studied(scene, quickPlan(scene, {8, 16, 32, 64, 128}, 1));
         QVERIFY(study.complete);
-        QCOMPARE(study.truth->kind, kind);
+        QCOMPARE(study.reference->kind, kind);
         for (const AccuracyFamily& family : familiesOf(study)) {
             const AccuracySetting& setting = family.points.front()->setting;
             // The reference's method leaves the inertia of free bodies out: it converges to another motion.
@@ -89,10 +89,10 @@ class AccuracyTest : public QObject {
 
   private Q_SLOTS:
     void aThrownBallShowsTheOrderOfEverySchemeOrNoErrorAtAll() {
-        expectOrders(thrown(), TruthKind::ClosedForm);
+        expectOrders(thrown(), ReferenceKind::ClosedForm);
     }
 
-    void anOscillationShowsTheOrderOfEveryScheme() { expectOrders(oscillating(), TruthKind::ClosedForm); }
+    void anOscillationShowsTheOrderOfEveryScheme() { expectOrders(oscillating(), ReferenceKind::ClosedForm); }
 
     void aTumblingCuboidShowsTheOrderOfEveryScheme() {
         const Scene scene = tumbling();
@@ -133,7 +133,7 @@ class AccuracyTest : public QObject {
     void ballsBetweenWallsAreHeldAgainstExactEvents() {
         const Scene scene = bouncing();
         const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 4}, 1));
-        QCOMPARE(study.truth->kind, TruthKind::ExactEvents);
+        QCOMPARE(study.reference->kind, ReferenceKind::ExactEvents);
         for (const AccuracyPoint& point : study.points) {
             if (point.setting.method->name == "events") QVERIFY(point.errors.worst() < exact);
             if (point.setting.method->name == "microcollisions") QVERIFY(point.errors.worst() > 1e-4);
@@ -146,9 +146,9 @@ class AccuracyTest : public QObject {
         const Scene scene = parsed("wall { normal 0, 1, 0 toOrig 0 friction 0.5 }\n"
                                    "sphere { radius 0.1 mass 1 centre 0, 0.1, 0 vel 1, 0, 0 friction 0.5 }");
         const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 2}, 0.5));
-        QCOMPARE(study.truth->kind, TruthKind::ConvergedRun);
-        QVERIFY(study.truth->error > 0 && study.truth->error < 1e-3);
-        QVERIFY(q(yardstickOf(study)).contains(q(study.truth->description)));
+        QCOMPARE(study.reference->kind, ReferenceKind::ConvergedRun);
+        QVERIFY(study.reference->error > 0 && study.reference->error < 1e-3);
+        QVERIFY(q(yardstickOf(study)).contains(q(study.reference->description)));
     }
 
     void aGasIsChaoticAndItsErrorsEndAtTheHorizon() {
@@ -158,9 +158,9 @@ class AccuracyTest : public QObject {
         plan.settings.resize(1);
         const AccuracyStudy study = studied(scene, plan);
         qInfo("%s", yardstickOf(study).c_str());
-        QVERIFY(study.truth->chaotic);
-        QVERIFY(study.truth->horizon > 0 && study.truth->horizon < 4);
-        QVERIFY(study.truth->growth > 0);
+        QVERIFY(study.reference->chaotic);
+        QVERIFY(study.reference->horizon > 0 && study.reference->horizon < 4);
+        QVERIFY(study.reference->growth > 0);
     }
 
     void whatBlowsUpStaysAmongThePoints() {

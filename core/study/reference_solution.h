@@ -17,13 +17,13 @@
 
 namespace carom {
 
-enum class TruthKind : std::uint8_t { ClosedForm, ExactEvents, ConvergedRun };
-std::string_view nameOf(TruthKind kind); ///< "closed form", "exact events", "converged run"
+enum class ReferenceKind : std::uint8_t { ClosedForm, ExactEvents, ConvergedRun };
+std::string_view nameOf(ReferenceKind kind); ///< "closed form", "exact events", "converged run"
 
 /// Looks between two frames, besides the frame itself: errors are measured there too.
 inline constexpr int looksPerFrame = 8;
 
-struct TruthRequest {
+struct ReferenceRequest {
     const Scene& scene;
     const RunSettings& settings;     ///< the scene's own
     double duration = 2;             ///< [s]
@@ -33,8 +33,8 @@ struct TruthRequest {
     std::function<bool()> goOn = {}; ///< false: stop; asked often
 };
 
-struct Truth {
-    TruthKind kind = TruthKind::ConvergedRun;
+struct ReferenceSolution {
+    ReferenceKind kind = ReferenceKind::ConvergedRun;
     std::string description{}; ///< "exact events", "contacts, rk4, 256 substeps"
     Trajectory trajectory{};   ///< every 1/looksPerFrame of a frame
     ImpactRecord impacts{};    ///< empty where they cannot be seen, or in a closed form, which has none
@@ -47,6 +47,6 @@ struct Truth {
 };
 
 /// Nothing if it was told to stop.
-std::optional<Truth> findTruth(const TruthRequest& request);
+std::optional<ReferenceSolution> findReferenceSolution(const ReferenceRequest& request);
 
 } // namespace carom
