@@ -188,7 +188,7 @@ void keepAngularMomentum(const Bodies& bodies, BodyIndex body, const Vec3& angul
     state.angularVelocity[body] = angularVelocityFrom(inertia, state.pose[body].orientation, angularMomentum);
 }
 
-void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order,
+void rotateInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order,
                     State& state) {
     for (const BodyIndex i : list) {
         const Vec3 momentum = angularMomentumOf(bodies, i, state);
@@ -197,7 +197,7 @@ void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, doubl
     }
 }
 
-void tumbleFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+void rotateAllFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     for (const BodyIndex i : list) {
         if (state.angularVelocity[i] == Vec3::Zero()) continue;
         const Vec3 momentum = angularMomentumOf(bodies, i, state);

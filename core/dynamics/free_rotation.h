@@ -44,7 +44,7 @@ void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, 
 void rotateInParts(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
 
 /// rotateInPieces for the bodies of `list`; their angular velocities follow from their angular momenta.
-void tumbleInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order, State& state);
+void rotateInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order, State& state);
 
 /// Angular momentum of a body [kg m²/s], world, from its angular velocity [rad/s], world.
 Vec3 angularMomentumFrom(const Vec3& inertia, const Quat& orientation, const Vec3& angularVelocity);
@@ -64,7 +64,7 @@ Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state)
 void keepAngularMomentum(const Bodies& bodies, BodyIndex body, const Vec3& angularMomentum, State& state);
 
 /// Turns the bodies of `list` by rotateFreely; their angular momenta stay to the bit.
-void tumbleFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state);
+void rotateAllFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state);
 
 /// Turns a body whose angular momentum changes from `before` to `after` through h seconds: freely about the
 /// mean of both. It has the one after then, and where moments differ the angular velocity that goes with it.

@@ -11,8 +11,8 @@
 namespace carom {
 
 /// How bodies move where nothing collides: what integrators provide and solvers call, without knowing each
-/// other. Bodies in all but `swing` do not know each other either: a call for two bodies is two calls. Every
-/// function advances the state by h seconds.
+/// other. Bodies in all but `moveOnSprings` do not know each other either: a call for two bodies is two
+/// calls. Every function advances the state by h seconds.
 struct SmoothMotion {
     bool isExactInFreeFall = false; ///< several substeps of free fall are one, but for rounding
     /// Moves the centres of `bodies` under an acceleration [m/s²] that is constant over the substep.
@@ -21,12 +21,13 @@ struct SmoothMotion {
     /// Turns `bodies` about their angular velocities, which stay: for methods that leave inertia out.
     void (*turn)(std::span<const BodyIndex> bodies, double h, State& state) = nullptr;
     /// Turns `list` free of torque; each body's angular momentum stays as it is to rounding.
-    void (*tumble)(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) = nullptr;
+    void (*rotateFreely)(const Bodies& bodies, std::span<const BodyIndex> list, double h,
+                         State& state) = nullptr;
     /// Moves and turns bodies that force terms act on and no spring holds.
-    void (*drive)(SpringNetwork& network, double h, State& state) = nullptr;
+    void (*moveUnderForces)(SpringNetwork& network, double h, State& state) = nullptr;
     /// Moves and turns bodies that springs couple, and that force terms may act on. Null: left to the
     /// method's own solve of coupled motion.
-    void (*swing)(SpringNetwork& network, double h, State& state) = nullptr;
+    void (*moveOnSprings)(SpringNetwork& network, double h, State& state) = nullptr;
 };
 
 /// Moves bodies by the mean of the velocities at both ends: SmoothMotion::move of every scheme that is exact

@@ -16,7 +16,8 @@
 // ω is a quaternion without a real part, in world coordinates, hence on the left. The norm of q + h/2 ω q is
 // sqrt(1 + h²ω²/4), so the body turns by 2 atan(h|ω|/2) a step in place of h|ω|: 2 % less at h|ω| = 1/2. By
 // `turn` ω is constant, as in the reference: exact for isotropic inertia and for spin about a principal axis.
-// By `tumble` and `swing` the angular momentum is kept or changed by torques, and ω follows from it.
+// By `rotateFreely` and `moveOnSprings` the angular momentum is kept or changed by torques, and ω follows
+// from it.
 
 namespace carom {
 namespace {
@@ -39,7 +40,7 @@ void turn(std::span<const BodyIndex> bodies, double h, State& state) {
     for (const BodyIndex i : bodies) turnExplicitly(state.angularVelocity[i], h, state.pose[i].orientation);
 }
 
-void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     for (const BodyIndex i : list) {
         const Vec3 momentum = angularMomentumOf(bodies, i, state);
         turnExplicitly(state.angularVelocity[i], h, state.pose[i].orientation);
@@ -47,7 +48,7 @@ void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, Sta
     }
 }
 
-void swing(SpringNetwork& network, double h, State& state) {
+void moveOnSprings(SpringNetwork& network, double h, State& state) {
     readMotion(network, state, network.scratch.start);
     ratesOf(network, state, network.scratch.rate);
     applyRates(network, network.scratch.start, network.scratch.rate, h, state);
@@ -64,7 +65,11 @@ constinit const IntegratorRow eulerRow = {
     .source = "L. Euler, Institutiones calculi integralis, 1768; rotation as in the reference work, 3.6.1",
     .stableUpTo = 0,
     .decaysUpTo = 2,
-    .motion = {.move = move, .turn = turn, .tumble = tumble, .drive = swing, .swing = swing},
+    .motion = {.move = move,
+               .turn = turn,
+               .rotateFreely = rotateFreely,
+               .moveUnderForces = moveOnSprings,
+               .moveOnSprings = moveOnSprings},
 };
 
 } // namespace carom

@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-void drive(SpringNetwork& network, double h, State& state) {
+void moveUnderForces(SpringNetwork& network, double h, State& state) {
     ForcedSteps& steps = network.scratch.steps;
     steps.clear();
     for (std::size_t k = 0; k < network.moving.size(); ++k)
@@ -27,7 +27,7 @@ void drive(SpringNetwork& network, double h, State& state) {
         state.pose[i].position += (0.5 * h) * (step.before + step.after);
         state.velocity[i] = step.after;
     }
-    tumbleFreely(network.bodies, network.moving, h, state);
+    rotateAllFreely(network.bodies, network.moving, h, state);
 }
 
 } // namespace
@@ -46,8 +46,8 @@ constinit const IntegratorRow midpointRow = {
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,
-               .tumble = tumbleFreely,
-               .drive = drive},
+               .rotateFreely = rotateAllFreely,
+               .moveUnderForces = moveUnderForces},
 };
 
 } // namespace carom

@@ -26,7 +26,7 @@ struct Stage {
 };
 constexpr std::array<Stage, 4> tableau = {{{0, 1.0 / 6}, {0.5, 1.0 / 3}, {0.5, 1.0 / 3}, {1, 1.0 / 6}}};
 
-void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     for (const BodyIndex i : list) {
         const Vec3& inertia = bodies.inertia[i];
         Quat& orientation = state.pose[i].orientation;
@@ -46,7 +46,7 @@ void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, Sta
     }
 }
 
-void swing(SpringNetwork& network, double h, State& state) {
+void moveOnSprings(SpringNetwork& network, double h, State& state) {
     std::vector<BodyMotion>& start = network.scratch.start;
     std::vector<BodyMotion>& rate = network.scratch.rate;
     std::vector<BodyMotion>& sum = network.scratch.sum;
@@ -80,9 +80,9 @@ constinit const IntegratorRow rungeKutta4Row = {
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,
-               .tumble = tumble,
-               .drive = swing,
-               .swing = swing},
+               .rotateFreely = rotateFreely,
+               .moveUnderForces = moveOnSprings,
+               .moveOnSprings = moveOnSprings},
 };
 
 } // namespace carom

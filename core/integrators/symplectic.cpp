@@ -23,15 +23,15 @@ void move(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
     }
 }
 
-void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
-    tumbleInPieces(bodies, list, h, 1, state);
+void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+    rotateInPieces(bodies, list, h, 1, state);
 }
 
-void swing(SpringNetwork& network, double h, State& state) {
+void moveOnSprings(SpringNetwork& network, double h, State& state) {
     ratesOf(network, state, network.scratch.rate);
     kick(network, network.scratch.rate, h, state);
     for (const BodyIndex i : network.moving) state.pose[i].position += h * state.velocity[i];
-    tumble(network.bodies, network.moving, h, state);
+    rotateFreely(network.bodies, network.moving, h, state);
 }
 
 } // namespace
@@ -47,7 +47,11 @@ constinit const IntegratorRow symplecticRow = {
         "Hamilton equations, 1956",
     .stableUpTo = 2,
     .decaysUpTo = 2,
-    .motion = {.move = move, .turn = turnBySpin, .tumble = tumble, .drive = swing, .swing = swing},
+    .motion = {.move = move,
+               .turn = turnBySpin,
+               .rotateFreely = rotateFreely,
+               .moveUnderForces = moveOnSprings,
+               .moveOnSprings = moveOnSprings},
 };
 
 } // namespace carom

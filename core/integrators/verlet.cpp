@@ -26,8 +26,8 @@ namespace {
 constexpr int mostRounds = 20;
 constexpr double roundsEnd = 1e-15; ///< of the fastest body, the change at which they end
 
-void tumble(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
-    tumbleInPieces(bodies, list, h, 2, state);
+void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
+    rotateInPieces(bodies, list, h, 2, state);
 }
 
 // The second half of the change of velocities, by the forces at its end.
@@ -54,11 +54,11 @@ void kickToEnd(SpringNetwork& network, double h, State& state) {
     }
 }
 
-void swing(SpringNetwork& network, double h, State& state) {
+void moveOnSprings(SpringNetwork& network, double h, State& state) {
     ratesOf(network, state, network.scratch.rate);
     kick(network, network.scratch.rate, 0.5 * h, state);
     for (const BodyIndex i : network.moving) state.pose[i].position += h * state.velocity[i];
-    tumble(network.bodies, network.moving, h, state);
+    rotateFreely(network.bodies, network.moving, h, state);
     kickToEnd(network, 0.5 * h, state);
 }
 
@@ -77,9 +77,9 @@ constinit const IntegratorRow verletRow = {
     .motion = {.isExactInFreeFall = true,
                .move = moveOnParabola,
                .turn = turnBySpin,
-               .tumble = tumble,
-               .drive = swing,
-               .swing = swing},
+               .rotateFreely = rotateFreely,
+               .moveUnderForces = moveOnSprings,
+               .moveOnSprings = moveOnSprings},
 };
 
 } // namespace carom

@@ -52,12 +52,12 @@ void sayMethod(const RunSettings& settings, EffectDecision& collision) {
 }
 
 void turnNone(std::span<const BodyIndex>, double, State&) {}
-void tumbleNone(const Bodies&, std::span<const BodyIndex>, double, State&) {}
+void rotateNone(const Bodies&, std::span<const BodyIndex>, double, State&) {}
 
 SmoothMotion motionFor(const Bodies& bodies, SmoothMotion motion) {
     if (!bodies.rotating.empty()) return motion;
     motion.turn = turnNone;
-    motion.tumble = tumbleNone;
+    motion.rotateFreely = rotateNone;
     return motion;
 }
 

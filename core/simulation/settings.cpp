@@ -108,7 +108,8 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     const IntegratorRow* integrator = findIntegrator(method.integrator);
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
-    if (!method.iterates() && settings.integrator->motion.swing == nullptr && !scene.springs.empty()) {
+    if (!method.iterates() && settings.integrator->motion.moveOnSprings == nullptr &&
+        !scene.springs.empty()) {
         Asked{scene, "integrator", options.integrator.has_value()}.warn(
             "integrator `" + std::string(settings.integrator->name) + "` moves springs by method `" +
                 std::string(generalSolver().name) + "` only; `" + std::string(integrator->name) +

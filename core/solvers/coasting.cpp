@@ -11,7 +11,7 @@ void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) 
         bookFlight(input.bodies, bodies, {input.gravity, input.gravity, input.substep}, input.state,
                    *input.ledger);
     input.motion.move(bodies, input.gravity, input.substep, input.state);
-    input.motion.tumble(input.bodies, bodies, input.substep, input.state);
+    input.motion.rotateFreely(input.bodies, bodies, input.substep, input.state);
     // Bodies with unequal moments keep their energy as well as the integrator can.
     if (input.ledger != nullptr)
         (*input.ledger)[LedgerAccount::Rotation].energy +=
@@ -61,7 +61,7 @@ void bookTerms(const SolverInput& input, SpringNetwork& network, Ledger& ledger)
 } // namespace
 
 void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledger) {
-    const auto move = network.springs.empty() ? input.motion.drive : input.motion.swing;
+    const auto move = network.springs.empty() ? input.motion.moveUnderForces : input.motion.moveOnSprings;
     if (ledger == nullptr) {
         move(network, input.substep, input.state);
         return;

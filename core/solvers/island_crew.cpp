@@ -14,7 +14,7 @@ constexpr std::size_t batchWeight = 32;
 
 /// Springs alone hold this island together: the integrator moves it.
 bool isNetwork(const SolverInput& input, const Island& island) {
-    return island.pairs.empty() && input.motion.swing != nullptr;
+    return island.pairs.empty() && input.motion.moveOnSprings != nullptr;
 }
 
 } // namespace

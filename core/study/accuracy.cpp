@@ -219,7 +219,7 @@ AccuracyPlan planFor(const Scene& scene) {
             const bool standard = integrator.name == method.integrator;
             if (!standard && !integratorsMatter(pipeline)) continue;
             if (duplicates(integrator, method, pipeline)) continue;
-            if (!method.iterates() && integrator.motion.swing == nullptr) continue;
+            if (!method.iterates() && integrator.motion.moveOnSprings == nullptr) continue;
             for (const double tolerance : tolerances) {
                 if (!standard && tolerance == tolerances.back() && tolerances.size() > 1) continue;
                 for (int substeps = 1; substeps <= 64; substeps *= 2)

@@ -51,7 +51,7 @@ std::optional<ClosedMotion> alongSpring(const Pipeline& pipeline) {
     const double rate = std::sqrt(spring.stiffness * pipeline.bodies().inverseMass[0]);
     const double middle = spring.length + gravity.dot(line) / (rate * rate);
     const double offset = distance - middle, speed = start.velocity[0].dot(line) / rate;
-    if (!(middle - std::hypot(offset, speed) > 0)) return std::nullopt; // it would swing through the anchor
+    if (!(middle - std::hypot(offset, speed) > 0)) return std::nullopt; // it would pass through the anchor
     return ClosedMotion{"harmonic oscillation", [=, poses = start.pose](double time) {
                             std::vector<Pose> pose = poses;
                             const double phase = rate * time;

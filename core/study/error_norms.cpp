@@ -46,7 +46,8 @@ Steadiness steadinessOf(const std::vector<double>& time, const std::vector<doubl
     const std::vector<double> line = fitPolynomial(time, value, 1);
     course.drift = line[1] / scale;
     for (std::size_t k = 0; k < value.size(); ++k) {
-        course.swing = std::max(course.swing, std::abs(value[k] - line[0] - line[1] * time[k]) / scale);
+        course.oscillation =
+            std::max(course.oscillation, std::abs(value[k] - line[0] - line[1] * time[k]) / scale);
         course.worst = std::max(course.worst, std::abs(value[k] - value[0]) / scale);
         course.gain = std::max(course.gain, (value[k] - value[0]) / scale);
     }

@@ -50,10 +50,10 @@ ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bo
 
 /// The course of a quantity that should be constant: a line, and what is left beside it.
 struct Steadiness {
-    double drift = 0; ///< slope of the fitted line [1/s], relative to the scale
-    double swing = 0; ///< the largest distance from the line, relative to the scale
-    double worst = 0; ///< the largest distance from the first value, relative to the scale
-    double gain = 0;  ///< the largest excess over the first value, relative to the scale
+    double drift = 0;       ///< slope of the fitted line [1/s], relative to the scale
+    double oscillation = 0; ///< the largest distance from the line, relative to the scale
+    double worst = 0;       ///< the largest distance from the first value, relative to the scale
+    double gain = 0;        ///< the largest excess over the first value, relative to the scale
 };
 Steadiness steadinessOf(const std::vector<double>& time, const std::vector<double>& value, double scale);
 

@@ -168,7 +168,7 @@ QList<Row> rowsOfKernels() {
     const QByteArray rough = sceneWith("friction 0.3", "friction 0.3");
     const QByteArray tied = "sphere a { radius 0.1  mass 1  centre 9, 9, 9 }\n"
                             "spring { from world  to a  stiffness 5  length 1 }\n";
-    add("rotation", "carom::tumbleFreely(", rough);
+    add("rotation", "carom::rotateAllFreely(", rough);
     add("gyroscopic term", "::rotateAsymmetric(",
         sceneWith("", "", "cuboid { size 1, 2, 3  mass 1  centre 9, 99, 9  angvel 1, 2, 3 }\n"));
     add("gyroscopic term of a cube", "::rotateAsymmetric(",

@@ -88,8 +88,8 @@ class FreeRotationTest : public QObject {
         constexpr std::array<BodyIndex, 1> list = {0};
         constexpr int steps = 10'000;
         for (int i = 0; i < steps; ++i)
-            i % 2 == 0 ? tumbleFreely(bodies, list, 0.01, state)
-                       : tumbleInPieces(bodies, list, 0.01, 2, state);
+            i % 2 == 0 ? rotateAllFreely(bodies, list, 0.01, state)
+                       : rotateInPieces(bodies, list, 0.01, 2, state);
         QVERIFY(angularMomentumOf(bodies, 0, state) == momentum);
         QVERIFY((state.angularVelocity[0] - Vec3(1, 2, 3)).norm() > 0.1); // it did turn
     }
@@ -102,7 +102,7 @@ class FreeRotationTest : public QObject {
         state.angularVelocity.emplace_back(1, 2, 3);
         state.angularMomentum.emplace_back(Vec3::Zero());
         constexpr std::array<BodyIndex, 1> list = {0};
-        tumbleFreely(bodies, list, 0.01, state);
+        rotateAllFreely(bodies, list, 0.01, state);
         state.angularVelocity[0] = Vec3(-1, 0, 0.5);
         QVERIFY(angularMomentumOf(bodies, 0, state) ==
                 angularMomentumFrom(bodies.inertia[0], state.pose[0].orientation, Vec3(-1, 0, 0.5)));

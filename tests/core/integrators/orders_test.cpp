@@ -188,7 +188,7 @@ class OrdersTest : public QObject {
             for (const IntegratorRow& row : integrators()) {
                 const int substeps = row.order == 1 ? 4096 : row.order == 2 ? 512 : 256;
                 expectOrder(a.name, a.scene, a.reference, "contacts", row, substeps);
-                if (row.motion.swing != nullptr)
+                if (row.motion.moveOnSprings != nullptr)
                     expectOrder(a.name, a.scene, a.reference, "microcollisions", row, substeps);
             }
         }
@@ -272,7 +272,7 @@ class OrdersTest : public QObject {
 
     void aDampedSpringOnBothMethodsMovesAlike() {
         for (const IntegratorRow& row : integrators()) {
-            if (row.motion.swing == nullptr) continue;
+            if (row.motion.moveOnSprings == nullptr) continue;
             const State one = after(dampedPendulum(), row.name, "contacts", 100);
             const State other = after(dampedPendulum(), row.name, "microcollisions", 100);
             QVERIFY2(errorOf(one, other) < rounding, row.name.data());

@@ -24,7 +24,7 @@ using test::worldOf;
 const Vec3 down(0, -9.8, 0);
 
 /// Balls that fall on a floor and on each other, and a cylinder among them.
-Scene tumble() {
+Scene tumblingBody() {
     Scene scene = sceneOf({wall(Vec3::UnitY(), 0)}, down);
     for (int i = 0; i < 40; ++i) {
         scene.bodies.push_back(sphere(0.2, 1 + i, Vec3(0.3 * (i % 5), 0.5 + 0.41 * (i / 5), 0.01 * i)));
@@ -43,7 +43,7 @@ class WorldTest : public QObject {
 
   private Q_SLOTS:
     void aNewWorldIsTheSceneAtFrameZero() {
-        const Scene scene = tumble();
+        const Scene scene = tumblingBody();
         const World world = worldOf(scene);
         QCOMPARE(world.state().frame, 0);
         QCOMPARE(world.statistics().simulate, 0.0);
@@ -58,7 +58,7 @@ class WorldTest : public QObject {
         SimulationSettings options;
         options.step = 0.1;
         options.substeps = 3;
-        World world = worldOf(tumble(), options);
+        World world = worldOf(tumblingBody(), options);
         run(world, 7);
         QCOMPARE(world.state().frame, 7);
         QCOMPARE(world.statistics().frame, 7);
@@ -67,7 +67,7 @@ class WorldTest : public QObject {
     }
 
     void theStagesAreWithinTheWholeStep() {
-        World world = worldOf(tumble());
+        World world = worldOf(tumblingBody());
         for (int i = 0; i < 50; ++i) {
             world.step();
             const FrameStatistics& s = world.statistics();
@@ -91,7 +91,7 @@ class WorldTest : public QObject {
     }
 
     void resetGivesTheSameBitsAgain() {
-        World world = worldOf(tumble());
+        World world = worldOf(tumblingBody());
         const std::uint64_t start = world.stateHash();
         run(world, 200);
         const std::uint64_t end = world.stateHash();
@@ -104,7 +104,7 @@ class WorldTest : public QObject {
     }
 
     void theHashSeesOneBitOfAnyQuantityAndTheFrame() {
-        const Scene scene = tumble();
+        const Scene scene = tumblingBody();
         const std::uint64_t plain = worldOf(scene).stateHash();
         Scene moved = scene;
         moved.bodies[3].pose.position.x() = std::nextafter(moved.bodies[3].pose.position.x(), 9);
@@ -119,7 +119,7 @@ class WorldTest : public QObject {
     }
 
     void aSnapshotIsAValue() {
-        World world = worldOf(tumble());
+        World world = worldOf(tumblingBody());
         run(world, 10);
         const Snapshot snapshot = world.snapshot();
         const Vec3 position = world.state().pose[5].position;
@@ -133,8 +133,8 @@ class WorldTest : public QObject {
     }
 
     void anotherBroadphaseGoesOnWithTheSameMotion() {
-        World steady = worldOf(tumble());
-        World switching = worldOf(tumble());
+        World steady = worldOf(tumblingBody());
+        World switching = worldOf(tumblingBody());
         for (int i = 0; i < 120; ++i) {
             const std::span<const BroadphaseRow> rows = broadphases();
             if (i % 7 == 0) switching.useBroadphase(rows[static_cast<std::size_t>(i) % rows.size()]);
@@ -189,7 +189,7 @@ class WorldTest : public QObject {
     }
 
     void worldsThatShareAPipelineDoNotDisturbEachOther() {
-        const std::shared_ptr<const Pipeline> pipeline = std::make_shared<const Pipeline>(tumble());
+        const std::shared_ptr<const Pipeline> pipeline = std::make_shared<const Pipeline>(tumblingBody());
         World first(pipeline), second(pipeline);
         run(first, 60);
         QCOMPARE(second.state().frame, 0);
