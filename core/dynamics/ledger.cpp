@@ -33,15 +33,15 @@ LedgerEntry Ledger::total() const {
     return sum;
 }
 
-void bookFlight(const Bodies& bodies, std::span<const BodyIndex> list, const Flight& flight,
-                const State& state, Ledger& ledger) {
+void bookBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
+                          const BallisticAdvance& advance, const State& state, Ledger& ledger) {
     LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
     LedgerEntry& wall = ledger[LedgerAccount::Contact];
-    const double h = flight.duration;
+    const double h = advance.duration;
     for (const BodyIndex i : list) {
-        const Vec3 mean = state.velocity[i] + (0.5 * h) * flight.acceleration;
-        const Vec3 weight = (bodies.mass[i] * h) * flight.gravity;
-        const Vec3 borne = (bodies.mass[i] * h) * (flight.acceleration - flight.gravity);
+        const Vec3 mean = state.velocity[i] + (0.5 * h) * advance.acceleration;
+        const Vec3 weight = (bodies.mass[i] * h) * advance.gravity;
+        const Vec3 borne = (bodies.mass[i] * h) * (advance.acceleration - advance.gravity);
         gravity.momentum += weight;
         gravity.energy += weight.dot(mean);
         wall.momentum += borne;

@@ -57,16 +57,16 @@ struct Ledger {
 };
 
 /// How bodies fly: under gravity alone, or along a wall that bears a part of their weight.
-struct Flight {
+struct BallisticAdvance {
     Vec3 gravity;      ///< [m/s²]
     Vec3 acceleration; ///< that they really have [m/s²]; the wall gives the difference
     double duration;   ///< [s]
 };
 
-/// Books the flight of `list`: to be called before it, as the velocities at its start are needed. Gravity's
+/// Books the advance of `list`: to be called before it, as the velocities at its start are needed. Gravity's
 /// momentum and work on kinetic energy; its potential energy is booked by the frame, for all bodies at once.
-void bookFlight(const Bodies& bodies, std::span<const BodyIndex> list, const Flight& flight,
-                const State& state, Ledger& ledger);
+void bookBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
+                          const BallisticAdvance& advance, const State& state, Ledger& ledger);
 
 /// Momentum that `change` of velocity gives to `list`: of gravity's, their weight times the time.
 Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change);

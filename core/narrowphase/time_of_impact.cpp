@@ -57,9 +57,9 @@ std::optional<double> timeOfFall(double gap, double speed, double acceleration) 
     return std::nullopt;
 }
 
-class Flight {
+class FreeMotion {
   public:
-    Flight(const MovingShape& a, const MovingShape& b)
+    FreeMotion(const MovingShape& a, const MovingShape& b)
         : m_a(a), m_b(b), m_velocity(b.velocity - a.velocity),
           m_acceleration(b.acceleration - a.acceleration),
           m_turning(effectiveSpin(a) * spinRadius(*a.start.shape) +
@@ -121,14 +121,14 @@ struct Bracket {
     double overlapping, depthWeight;
 };
 // False position in the Illinois form: the end that stays loses half its weight, so neither end is stuck.
-Impact narrow(const Flight& flight, Bracket bracket) {
-    const double close = touching * flight.size();
-    Impact apart = {bracket.apart, flight.at(bracket.apart)};
+Impact narrow(const FreeMotion& motion, Bracket bracket) {
+    const double close = touching * motion.size();
+    Impact apart = {bracket.apart, motion.at(bracket.apart)};
     for (int i = 0; i < maxNarrowings; ++i) {
         const double share = bracket.gapWeight / (bracket.gapWeight + bracket.depthWeight);
         const double middle = bracket.apart + share * (bracket.overlapping - bracket.apart);
         if (!(middle > bracket.apart && middle < bracket.overlapping)) break;
-        const Proximity there = flight.at(middle);
+        const Proximity there = motion.at(middle);
         if (std::abs(there.distance) <= close) return {middle, there};
         if (there.distance > 0) {
             bracket.apart = middle;
@@ -144,24 +144,24 @@ Impact narrow(const Flight& flight, Bracket bracket) {
     return apart;
 }
 
-std::optional<Impact> advance(const Flight& flight, double duration) {
-    const double close = touching * flight.size();
-    const double unit = flight.size() / flight.fastest(duration); // infinite if nothing moves
+std::optional<Impact> advance(const FreeMotion& motion, double duration) {
+    const double close = touching * motion.size();
+    const double unit = motion.size() / motion.fastest(duration); // infinite if nothing moves
     double parting = partingStep, longest = longestPartingStep;
     bool touched = false; // at lastTime, parting
     double time = 0;
     double lastTime = 0;
     double lastDistance = 0;
-    Proximity contact = flight.at(0);
+    Proximity contact = motion.at(0);
     for (int step = 0; step < maxSteps; ++step) {
         double ahead = 0;
         if (contact.distance <= close) {
-            if (flight.isApproaching(time, contact)) {
+            if (motion.isApproaching(time, contact)) {
                 const double gone = (time - lastTime) / unit;
                 if (!touched || gone <= partingStep) return Impact{time, contact};
                 parting = longest = 0.5 * gone;
                 time = lastTime + parting * unit;
-                contact = flight.at(time);
+                contact = motion.at(time);
                 continue;
             }
             touched = true;
@@ -169,25 +169,25 @@ std::optional<Impact> advance(const Flight& flight, double duration) {
             parting = std::min(2 * parting, longest);
         } else {
             touched = false;
-            const std::optional<double> safe = flight.safeStep(time, contact);
+            const std::optional<double> safe = motion.safeStep(time, contact);
             if (!safe) return std::nullopt;
             ahead = *safe;
-            if (contact.distance <= partingStep * flight.size() && !flight.isApproaching(time, contact))
+            if (contact.distance <= partingStep * motion.size() && !motion.isApproaching(time, contact))
                 ahead = std::max(ahead, partingStep * unit);
             // A regular approach, twice in a row: look where it leads.
             const double rate = step > 0 ? (lastDistance - contact.distance) / (time - lastTime) : 0;
             const double meeting = time + 1.01 * contact.distance / rate;
-            if (step % 2 == 1 && rate > 0 && meeting <= duration && flight.staysLocal(time, meeting)) {
-                const Proximity there = flight.at(meeting);
+            if (step % 2 == 1 && rate > 0 && meeting <= duration && motion.staysLocal(time, meeting)) {
+                const Proximity there = motion.at(meeting);
                 if (there.distance <= 0)
-                    return narrow(flight, {time, contact.distance, meeting, -there.distance});
+                    return narrow(motion, {time, contact.distance, meeting, -there.distance});
             }
         }
         if (!(time + ahead <= duration)) return std::nullopt;
         lastTime = time;
         lastDistance = contact.distance;
         time = std::max(time + ahead, std::nextafter(time, duration));
-        contact = flight.at(time);
+        contact = motion.at(time);
     }
     return Impact{time, contact};
 }
@@ -201,21 +201,21 @@ std::optional<Impact> sphereSphere(const MovingShape& a, const MovingShape& b, d
     const Vec3 velocity = b.velocity - a.velocity;
     const double closing = -between.dot(velocity);
     if (!(closing > 0)) return std::nullopt;
-    const Flight flight(a, b);
+    const FreeMotion motion(a, b);
     const double distance = between.norm();
-    if (distance <= radii) return Impact{0, flight.at(0)};
+    if (distance <= radii) return Impact{0, motion.at(0)};
     const double reach = radii * velocity.norm();
     const double miss = between.cross(velocity).norm();
     if (!(miss <= reach)) return std::nullopt;
     const double root = std::sqrt((reach - miss) * (reach + miss));
     const double time = (distance - radii) * (distance + radii) / (closing + root);
     if (!(time <= duration)) return std::nullopt;
-    return Impact{time, flight.at(time)};
+    return Impact{time, motion.at(time)};
 }
 
 // The height of the sphere's lowest point is a parabola in time.
 std::optional<Impact> sphereWall(const MovingShape& sphere, const MovingShape& wall, double duration,
-                                 const Flight& flight) {
+                                 const FreeMotion& motion) {
     const Wall& plane = *std::get_if<Wall>(wall.start.shape);
     const double gap =
         distanceTo(plane, sphere.start.pose->position) - std::get_if<Sphere>(sphere.start.shape)->radius;
@@ -229,7 +229,7 @@ std::optional<Impact> sphereWall(const MovingShape& sphere, const MovingShape& w
     else
         time = timeOfFall(gap, speed, acceleration);
     if (!time || !(*time <= duration)) return std::nullopt;
-    return Impact{*time, flight.at(*time)};
+    return Impact{*time, motion.at(*time)};
 }
 
 } // namespace
@@ -249,12 +249,12 @@ std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     const ShapeKind kindA = kindOf(*a.start.shape);
     const ShapeKind kindB = kindOf(*b.start.shape);
     if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) return std::nullopt;
-    const Flight flight(a, b);
-    if (kindA == kindOf<Sphere>() && kindB == kindOf<Wall>()) return sphereWall(a, b, duration, flight);
-    if (kindA == kindOf<Wall>() && kindB == kindOf<Sphere>()) return sphereWall(b, a, duration, flight);
+    const FreeMotion motion(a, b);
+    if (kindA == kindOf<Sphere>() && kindB == kindOf<Wall>()) return sphereWall(a, b, duration, motion);
+    if (kindA == kindOf<Wall>() && kindB == kindOf<Sphere>()) return sphereWall(b, a, duration, motion);
     if (kindA == kindOf<Sphere>() && kindB == kindOf<Sphere>() && a.acceleration == b.acceleration)
         return sphereSphere(a, b, duration);
-    return advance(flight, duration);
+    return advance(motion, duration);
 }
 
 bool couldPassThrough(const MovingShape& moving, double duration) {

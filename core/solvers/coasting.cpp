@@ -8,8 +8,8 @@ namespace {
 void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) {
     const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
     if (input.ledger != nullptr)
-        bookFlight(input.bodies, bodies, {input.gravity, input.gravity, input.substep}, input.state,
-                   *input.ledger);
+        bookBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep}, input.state,
+                             *input.ledger);
     input.motion.move(bodies, input.gravity, input.substep, input.state);
     input.motion.rotateFreely(input.bodies, bodies, input.substep, input.state);
     // Bodies with unequal moments keep their energy as well as the integrator can.

@@ -9,7 +9,7 @@
 
 namespace carom::reference {
 
-Flight freeFall(const Vec3& place, const Vec3& velocity, const Vec3& gravity, double time) {
+BallisticState freeFall(const Vec3& place, const Vec3& velocity, const Vec3& gravity, double time) {
     return {place + time * velocity + 0.5 * time * time * gravity, velocity + time * gravity};
 }
 

@@ -11,12 +11,12 @@ namespace carom::reference {
 struct Motion {
     double place = 0, speed = 0;
 };
-struct Flight {
+struct BallisticState {
     Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
 };
 
 /// Free fall: x = x0 + v0 t + g t²/2.
-Flight freeFall(const Vec3& place, const Vec3& velocity, const Vec3& gravity, double time);
+BallisticState freeFall(const Vec3& place, const Vec3& velocity, const Vec3& gravity, double time);
 
 /// A point dropped from rest at `height` onto a plane that returns −e of its speed.
 struct BouncingPoint {
