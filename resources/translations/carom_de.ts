@@ -2024,7 +2024,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
 </context>
 <context>
-    <name>carom::Film</name>
+    <name>carom::Video</name>
     <message>
         <source>the run stopped at %1 s</source>
         <translation>der Lauf hielt bei %1 s an</translation>

@@ -43,7 +43,7 @@ class OutputDevice : public QIODevice {
     FileWriter m_file;
 };
 
-/// "`film.gif` cannot be written: No space left on device".
+/// "`video.gif` cannot be written: No space left on device".
 QString notWritten(const QString& path, const QString& reason);
 
 } // namespace carom

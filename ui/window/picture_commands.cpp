@@ -5,7 +5,7 @@
 #include "ui/editor/live_build.h"
 #include "ui/editor/scene_editor.h"
 #include "ui/player/simulation.h"
-#include "ui/viewport/film.h"
+#include "ui/viewport/video.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/base/actions.h"
@@ -75,7 +75,7 @@ PictureCommands::PictureCommands(MainWindow& window, Simulation& simulation, con
     : QObject(&window), m_window(window), m_simulation(simulation), m_builds(builds), m_preview(preview) {
     const Actions& actions = window.actions();
     connect(&actions[ActionId::SaveView], &QAction::triggered, this, &PictureCommands::savePicture);
-    connect(&actions[ActionId::RecordFilm], &QAction::triggered, this, &PictureCommands::askForFilm);
+    connect(&actions[ActionId::RecordVideo], &QAction::triggered, this, &PictureCommands::askForVideo);
     connect(&actions[ActionId::CopyCamera], &QAction::triggered, this, &PictureCommands::copyCamera);
 }
 
@@ -96,16 +96,16 @@ void PictureCommands::savePicture() {
     Q_EMIT reported(problem.isEmpty() ? tr("saved %1").arg(path) : problem);
 }
 
-void PictureCommands::askForFilm() {
+void PictureCommands::askForVideo() {
     QDialog dialog(&m_window);
     dialog.setWindowTitle(tr("Record a video"));
     QFormLayout form(&dialog);
-    QSpinBox* width = pixels("filmWidth", 960);
-    QSpinBox* height = pixels("filmHeight", 720);
-    QDoubleSpinBox* from = number("filmFrom", 0, 1e6, tr(" s"));
-    QDoubleSpinBox* to = number("filmTo", std::max(2.0, m_simulation.time()), 1e6, tr(" s"));
-    QDoubleSpinBox* rate = number("filmRate", 30, 100, tr(" pictures a second"));
-    QDoubleSpinBox* speed = number("filmSpeed", 1, 100, tr(" × real time"));
+    QSpinBox* width = pixels("videoWidth", 960);
+    QSpinBox* height = pixels("videoHeight", 720);
+    QDoubleSpinBox* from = number("videoFrom", 0, 1e6, tr(" s"));
+    QDoubleSpinBox* to = number("videoTo", std::max(2.0, m_simulation.time()), 1e6, tr(" s"));
+    QDoubleSpinBox* rate = number("videoRate", 30, 100, tr(" pictures a second"));
+    QDoubleSpinBox* speed = number("videoSpeed", 1, 100, tr(" × real time"));
     rate->setMinimum(1);
     speed->setMinimum(0.01);
     form.addRow(tr("Width"), width);
@@ -121,45 +121,45 @@ void PictureCommands::askForFilm() {
     if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
     const Viewport& viewport = m_window.viewport();
-    film({.look = viewport.view({even(width), even(height)}),
-          .overlays = viewport.overlays(),
-          .from = from->value(),
-          .to = to->value(),
-          .rate = rate->value(),
-          .speed = speed->value(),
-          .size = {even(width), even(height)},
-          .path = path});
+    video({.look = viewport.view({even(width), even(height)}),
+           .overlays = viewport.overlays(),
+           .from = from->value(),
+           .to = to->value(),
+           .rate = rate->value(),
+           .speed = speed->value(),
+           .size = {even(width), even(height)},
+           .path = path});
 }
 
-void PictureCommands::film(const FilmPlan& plan) {
-    Film* film = new Film(plan, this);
+void PictureCommands::video(const VideoPlan& plan) {
+    Video* video = new Video(plan, this);
     QProgressDialog* progress =
         new QProgressDialog(tr("Recording…"), tr("Cancel"), 0, plan.pictures(), &m_window);
-    progress->setObjectName(QStringLiteral("filmProgress"));
+    progress->setObjectName(QStringLiteral("videoProgress"));
     progress->setWindowTitle(tr("Record a video"));
     progress->setMinimumDuration(500);
     progress->setAutoReset(false);
-    connect(progress, &QProgressDialog::canceled, film, &Film::cancel);
+    connect(progress, &QProgressDialog::canceled, video, &Video::cancel);
     QElapsedTimer since;
     since.start();
-    connect(film, &Film::progressed, progress, [progress, since, all = plan.pictures()](int pictures) {
+    connect(video, &Video::progressed, progress, [progress, since, all = plan.pictures()](int pictures) {
         if (progress->wasCanceled()) return;
         progress->setValue(pictures);
         const double left =
             1e-3 * static_cast<double>(since.elapsed()) / pictures * static_cast<double>(all - pictures);
         progress->setLabelText(tr("Picture %1 of %2, %3 s left").arg(pictures).arg(all).arg(std::ceil(left)));
     });
-    connect(film, &Film::encoding, progress, [progress] {
+    connect(video, &Video::encoding, progress, [progress] {
         progress->setLabelText(tr("Putting the pictures together…"));
         progress->setMaximum(0); // nobody knows how long it takes
     });
-    connect(film, &Film::finished, this, [this, film, progress, path = plan.path](const QString& problem) {
+    connect(video, &Video::finished, this, [this, video, progress, path = plan.path](const QString& problem) {
         Q_EMIT reported(problem.isEmpty() ? tr("recorded %1").arg(path)
                                           : tr("not recorded: %1").arg(problem));
         progress->deleteLater();
-        film->deleteLater();
+        video->deleteLater();
     });
-    film->start();
+    video->start();
 }
 
 void PictureCommands::copyCamera() {

@@ -10,17 +10,17 @@ class LiveBuild;
 class LivePreview;
 class MainWindow;
 class Simulation;
-struct FilmPlan;
+struct VideoPlan;
 
-/// Pictures and films of the viewport, and the camera written into the scene.
+/// Pictures and videos of the viewport, and the camera written into the scene.
 class PictureCommands : public QObject {
     Q_OBJECT
   public:
     PictureCommands(MainWindow& window, Simulation& simulation, const LiveBuild& builds,
                     const LivePreview& preview);
 
-    /// Films on without asking; what a dialog would ask is in the plan.
-    void film(const FilmPlan& plan);
+    /// Videos on without asking; what a dialog would ask is in the plan.
+    void video(const VideoPlan& plan);
     /// Writes the camera into the scene's `camera` declaration, or a new one at the top; one undo step.
     void copyCamera();
 
@@ -29,7 +29,7 @@ class PictureCommands : public QObject {
 
   private:
     void savePicture();
-    void askForFilm();
+    void askForVideo();
 
     MainWindow& m_window;
     Simulation& m_simulation;

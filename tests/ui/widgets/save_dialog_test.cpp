@@ -47,7 +47,7 @@ struct Asked {
         });
         user.start(opens);
         path = askWhereToSave(nullptr, QStringLiteral("Record"), QStringLiteral("run.gif"),
-                              QStringLiteral("Animated (*.gif);;Films (*.mp4)"), firstFile);
+                              QStringLiteral("Animated (*.gif);;Videos (*.mp4)"), firstFile);
     }
 };
 
@@ -57,9 +57,9 @@ class SaveDialogTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void itBeginsBesideTheFileUsedLastAndAddsTheEnding() {
-        const QTemporaryDir scenes, films;
+        const QTemporaryDir scenes, videos;
         const QString folder = QDir(scenes.path()).canonicalPath(),
-                      other = QDir(films.path()).canonicalPath();
+                      other = QDir(videos.path()).canonicalPath();
         rememberFolderOf(folder + QStringLiteral("/wall.sdl"));
         const Asked first(QStringLiteral("clip"));
         QCOMPARE(first.folder, folder);

@@ -2,7 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
-#include "ui/viewport/film.h"
+#include "ui/viewport/video.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/picture_commands.h"
 
@@ -30,7 +30,7 @@ double rednessAt(const QImage& picture, const Camera& camera, const Vec3& point)
     return colour.redF() - 0.5 * (colour.greenF() + colour.blueF());
 }
 
-FilmPlan planOf(const Ide& ide, const QString& path) {
+VideoPlan planOf(const Ide& ide, const QString& path) {
     return {.look = ide.viewport.view({160, 120}),
             .overlays = 0,
             .from = 0,
@@ -41,22 +41,22 @@ FilmPlan planOf(const Ide& ide, const QString& path) {
             .path = path};
 }
 
-/// The same where nobody looks at the pictures: smooth edges and shadows take most of a short film's time.
-FilmPlan plainPlanOf(const Ide& ide, const QString& path) {
-    FilmPlan plan = planOf(ide, path);
+/// The same where nobody looks at the pictures: smooth edges and shadows take most of a short video's time.
+VideoPlan plainPlanOf(const Ide& ide, const QString& path) {
+    VideoPlan plan = planOf(ide, path);
     plan.look.options.smooth = plan.look.options.shadows = false;
     return plan;
 }
 
-/// A film of 20,001 pictures that is cancelled when some are made; what it says of it.
+/// A video of 20,001 pictures that is cancelled when some are made; what it says of it.
 QString cancelledAfter(int pictures, const Ide& ide, const QString& path) {
-    FilmPlan plan = plainPlanOf(ide, path);
+    VideoPlan plan = plainPlanOf(ide, path);
     plan.to = 1000;
-    Film film(plan);
-    QSignalSpy ends(&film, &Film::finished), progress(&film, &Film::progressed);
-    film.start();
+    Video video(plan);
+    QSignalSpy ends(&video, &Video::finished), progress(&video, &Video::progressed);
+    video.start();
     if (!QTest::qWaitFor([&] { return progress.count() >= pictures; }, patience)) return {};
-    film.cancel();
+    video.cancel();
     if (!QTest::qWaitFor([&] { return ends.count() == 1; }, patience)) return {};
     return ends.first().first().toString();
 }
@@ -94,12 +94,12 @@ class PicturesTest : public QObject {
         QVERIFY(asked);
     }
 
-    void aFilmIsAnAnimationOfTheRun() {
+    void aVideoIsAnAnimationOfTheRun() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        ide.bench.pictures().film(planOf(ide, path));
+        ide.bench.pictures().video(planOf(ide, path));
         QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
         QVERIFY2(reports.first().first().toString().startsWith(QStringLiteral("recorded")),
                  qPrintable(reports.first().first().toString()));
@@ -114,11 +114,11 @@ class PicturesTest : public QObject {
         QCOMPARE(ide.frame, std::int64_t{0}); // the run on screen stays where it is
     }
 
-    void aFilmOfSinglePicturesIsNumbered() {
+    void aVideoOfSinglePicturesIsNumbered() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        ide.bench.pictures().film(plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.png"))));
+        ide.bench.pictures().video(plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.png"))));
         QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
         const QStringList written = QDir(ide.folder.path()).entryList({QStringLiteral("run-*.png")});
         QCOMPARE(written.size(), 5);
@@ -129,7 +129,7 @@ class PicturesTest : public QObject {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QByteArray path = qgetenv("PATH");
-        const FilmPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4")));
+        const VideoPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4")));
         qputenv("PATH", ide.folder.path().toLocal8Bit());
         QVERIFY(objectionTo(plan).contains(QStringLiteral("ffmpeg")));
 
@@ -139,11 +139,11 @@ class PicturesTest : public QObject {
         QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner);
         QCOMPARE(objectionTo(plan), QString());
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        ide.bench.pictures().film(plan);
+        ide.bench.pictures().video(plan);
         QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
         qputenv("PATH", path);
         const QByteArray told = readFile(plan.path);
-        QVERIFY2(told.contains("-framerate 20") && told.contains("film-%05d.png"), told.constData());
+        QVERIFY2(told.contains("-framerate 20") && told.contains("video-%05d.png"), told.constData());
     }
 
     void aNameThatLooksLikeAPatternIsOnlyAName_data() {
@@ -164,39 +164,39 @@ class PicturesTest : public QObject {
         // there.
         const QString encoder = tools + QStringLiteral("/ffmpeg");
         writeFile(encoder, "#!/bin/sh\nfor last; do :; done\n"
-                           "test -f film-00004.png || exit 9\necho \"$@\" > \"$last\"\n");
+                           "test -f video-00004.png || exit 9\necho \"$@\" > \"$last\"\n");
         QVERIFY(QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner));
         const QByteArray path = qgetenv("PATH");
         qputenv("PATH", tools.toLocal8Bit() + ":" + path);
         for (const char* ending : {".mp4", ".gif", ".png"}) {
-            Film film(plainPlanOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
-            QSignalSpy ends(&film, &Film::finished);
-            film.start();
+            Video video(plainPlanOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
+            QSignalSpy ends(&video, &Video::finished);
+            video.start();
             QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
             QCOMPARE(ends.first().first().toString(), QString());
         }
         qputenv("PATH", path);
         const QByteArray told = readFile(folder + u'/' + name + QStringLiteral(".mp4"));
-        QCOMPARE(told.count('%'), 1); // that of film-%05d.png
+        QCOMPARE(told.count('%'), 1); // that of video-%05d.png
         QVERIFY(QFile::exists(folder + u'/' + name + QStringLiteral(".gif")));
         for (int picture = 0; picture < 5; ++picture)
             QVERIFY(QFile::exists(folder + u'/' + name + QStringLiteral("-0000") + QString::number(picture) +
                                   QStringLiteral(".png")));
     }
 
-    void aFilmCancelledInTheMiddleLeavesNoHalfFile() {
+    void aVideoCancelledInTheMiddleLeavesNoHalfFile() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
-        writeFile(path, "the film before");
+        writeFile(path, "the video before");
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden);
         QCOMPARE(cancelledAfter(3, ide, path),
                  QStringLiteral("it was cancelled, and half a video is not kept"));
-        QCOMPARE(readFile(path), QByteArray("the film before"));
+        QCOMPARE(readFile(path), QByteArray("the video before"));
         QCOMPARE(QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden), files);
     }
 
-    void ofAFilmOfSinglePicturesWhatWasMadeStays() {
+    void ofAVideoOfSinglePicturesWhatWasMadeStays() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QString problem = cancelledAfter(3, ide, ide.folder.filePath(QStringLiteral("run.png")));
@@ -210,7 +210,7 @@ class PicturesTest : public QObject {
     void anMp4CanBeCancelledWhileItIsPutTogether() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
-        // Stands in for the encoder: writes half a film and never ends.
+        // Stands in for the encoder: writes half a video and never ends.
         const QByteArray before = qgetenv("PATH");
         writeFile(ide.folder.filePath(QStringLiteral("ffmpeg")),
                   "#!/bin/sh\nfor last; do :; done\necho half > \"$last\"\nexec sleep 100000\n");
@@ -218,29 +218,29 @@ class PicturesTest : public QObject {
                               QFile::ReadOwner | QFile::ExeOwner);
         qputenv("PATH", ide.folder.path().toLocal8Bit() + ":" + before);
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
-        std::optional<Film> film(std::in_place,
-                                 plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
-        QSignalSpy ends(&*film, &Film::finished), encoding(&*film, &Film::encoding);
-        film->start();
+        std::optional<Video> video(std::in_place,
+                                   plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
+        QSignalSpy ends(&*video, &Video::finished), encoding(&*video, &Video::encoding);
+        video->start();
         QTRY_COMPARE_WITH_TIMEOUT(encoding.count(), 1, patience);
-        film->cancel();
+        video->cancel();
         QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
-        film.reset();
+        video.reset();
         qputenv("PATH", before);
         QCOMPARE(ends.first().first().toString(),
                  QStringLiteral("it was cancelled, and half a video is not kept"));
         QCOMPARE(QDir(ide.folder.path()).entryList(QDir::AllEntries | QDir::Hidden), files);
     }
 
-    void theDialogShowsHowFarAFilmIsAndCancelsIt() {
+    void theDialogShowsHowFarAVideoIsAndCancelsIt() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
-        FilmPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
+        VideoPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         plan.to = 1000;
-        ide.bench.pictures().film(plan);
+        ide.bench.pictures().video(plan);
         const QProgressDialog* dialog =
-            ide.bench.window().findChild<QProgressDialog*>(QStringLiteral("filmProgress"));
+            ide.bench.window().findChild<QProgressDialog*>(QStringLiteral("videoProgress"));
         QVERIFY(dialog != nullptr && !dialog->isModal());
         QTRY_VERIFY_WITH_TIMEOUT(dialog->value() > 2 && dialog->isVisible(), patience);
         QVERIFY(dialog->labelText().contains(QStringLiteral("of 20001")));
@@ -251,14 +251,14 @@ class PicturesTest : public QObject {
         QVERIFY(!QFile::exists(plan.path));
     }
 
-    void theTextCanBeChangedWhileAFilmIsMade() {
+    void theTextCanBeChangedWhileAVideoIsMade() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
         const Camera camera = ide.viewport.camera();
-        Film film(planOf(ide, path));
-        QSignalSpy ends(&film, &Film::finished);
-        film.start();
+        Video video(planOf(ide, path));
+        QSignalSpy ends(&video, &Video::finished);
+        video.start();
         ide.editor.replaceRange({0, static_cast<std::uint32_t>(twoBalls.size())},
                                 "sphere { radius 1 mass 1 centre 0,0,0 colour green }");
         QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.bench.preview().shown()->scene().bodies.size() == 1,
@@ -271,10 +271,10 @@ class PicturesTest : public QObject {
         QVERIFY(rednessAt(reader.read(), camera, {-1, 1.6, 0.5}) > 0.2); // the red ball of the text before
     }
 
-    void aFilmOfMorePicturesThanCanBeNumberedIsRefused() {
+    void aVideoOfMorePicturesThanCanBeNumberedIsRefused() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
-        FilmPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
+        VideoPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         for (const double to : {1e5, 1e9, 1e300, std::numeric_limits<double>::infinity()}) {
             plan.to = to;
             QVERIFY2(objectionTo(plan).contains(QStringLiteral("too many")), qPrintable(objectionTo(plan)));
@@ -283,11 +283,11 @@ class PicturesTest : public QObject {
         QVERIFY(!objectionTo(plan).isEmpty());
     }
 
-    void aFilmWithAWrongNameIsRefused() {
+    void aVideoWithAWrongNameIsRefused() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
         QVERIFY(objectionTo(planOf(ide, QStringLiteral("run.avi"))).contains(QStringLiteral(".gif")));
-        QVERIFY(!objectionTo(FilmPlan{}).isEmpty());
+        QVERIFY(!objectionTo(VideoPlan{}).isEmpty());
     }
 
     void theCameraIsWrittenIntoTheScene() {

@@ -3,7 +3,7 @@
 #include "tests/support/whole_ide.h"
 
 #include "ui/base/file_output.h"
-#include "ui/viewport/film.h"
+#include "ui/viewport/video.h"
 #include "ui/widgets/plot.h"
 #include "ui/window/recovery.h"
 
@@ -62,21 +62,21 @@ QString saveChart(const QString& path) {
 }
 
 /// As the viewport shows it, without smooth edges and shadows: what they take to compile is most of a short
-/// film's time.
-FilmPlan planOf(const Ide& ide, double duration, const QString& path) {
-    FilmPlan plan{
+/// video's time.
+VideoPlan planOf(const Ide& ide, double duration, const QString& path) {
+    VideoPlan plan{
         .look = ide.viewport.view({64, 48}), .to = duration, .rate = 20, .size = {64, 48}, .path = path};
     plan.look.options.smooth = plan.look.options.shadows = false;
     return plan;
 }
 
-QString film(const Ide& ide, const QString& path) {
-    Film film(planOf(ide, 0.1, path));
-    QSignalSpy ends(&film, &Film::finished);
-    film.start();
+QString video(const Ide& ide, const QString& path) {
+    Video video(planOf(ide, 0.1, path));
+    QSignalSpy ends(&video, &Video::finished);
+    video.start();
     return QTest::qWaitFor([&] { return ends.count() == 1; }, patience)
                ? ends.first().first().toString()
-               : QStringLiteral("the film does not end");
+               : QStringLiteral("the video does not end");
 }
 
 } // namespace
@@ -91,7 +91,7 @@ class WritersTest : public QObject {
     void aWriterThatFailsKeepsTheFileAndSaysWhy_data();
     void aWriterThatFailsKeepsTheFileAndSaysWhy();
     void aSaveOnAFullDiskKeepsFileAndTextAndTheWindowStays();
-    void aFullDiskIsNoticedWhenAFilmIsWritten();
+    void aFullDiskIsNoticedWhenAVideoIsWritten();
 
   private:
     std::vector<Writer> writers() const;
@@ -106,7 +106,7 @@ void WritersTest::initTestCase() {
     m_tools = std::make_unique<QTemporaryDir>();
     // Stands in for the encoder, so that an MP4 needs no program.
     const QString encoder = m_tools->filePath(QStringLiteral("ffmpeg"));
-    writeFile(encoder, "#!/bin/sh\nfor last; do :; done\necho film > \"$last\"\n");
+    writeFile(encoder, "#!/bin/sh\nfor last; do :; done\necho video > \"$last\"\n");
     QVERIFY(QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner));
     qputenv("PATH", m_tools->path().toLocal8Bit() + ":" + m_path);
     QTRY_COMPARE_WITH_TIMEOUT(m_ide->frame, 0, patience);
@@ -126,9 +126,9 @@ std::vector<Writer> WritersTest::writers() const {
         {"a chart as SVG", "a.svg", saveChart},
         {"a chart as PDF", "a.pdf", saveChart},
         {"a picture", "a.png", [image](const QString& path) { return saveImage(path, image); }},
-        {"an animation", "a.gif", [this](const QString& path) { return film(*m_ide, path); }},
-        {"single pictures", "a.png", [this](const QString& path) { return film(*m_ide, path); }},
-        {"a video", "a.mp4", [this](const QString& path) { return film(*m_ide, path); }},
+        {"an animation", "a.gif", [this](const QString& path) { return video(*m_ide, path); }},
+        {"single pictures", "a.png", [this](const QString& path) { return video(*m_ide, path); }},
+        {"a video", "a.mp4", [this](const QString& path) { return video(*m_ide, path); }},
     };
 }
 
@@ -198,13 +198,13 @@ void WritersTest::aSaveOnAFullDiskKeepsFileAndTextAndTheWindowStays() {
     QCOMPARE(readFile(ide.path), ide.bench.document().text());
 }
 
-void WritersTest::aFullDiskIsNoticedWhenAFilmIsWritten() {
+void WritersTest::aFullDiskIsNoticedWhenAVideoIsWritten() {
     // Not at its end, hours later.
     const QString path = m_folder->filePath(QStringLiteral("long.gif"));
-    Film film(planOf(*m_ide, 1000, path));
-    QSignalSpy ends(&film, &Film::finished);
+    Video video(planOf(*m_ide, 1000, path));
+    QSignalSpy ends(&video, &Video::finished);
     const FailingFiles full("write", 8, ENOSPC, qPrintable(m_folder->path()));
-    film.start();
+    video.start();
     QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
     QVERIFY(ends.first().first().toString().contains(QStringLiteral("No space left on device")));
 }

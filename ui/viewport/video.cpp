@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/viewport/film.h"
+#include "ui/viewport/video.h"
 
 #include "core/simulation/world.h"
 #include "ui/base/failures.h"
@@ -38,7 +38,7 @@ QString encoder() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg
 
 } // namespace
 
-int FilmPlan::pictures() const {
+int VideoPlan::pictures() const {
     const double behind = std::floor((to - from) / speed * rate + 1e-9);
     return 1 + static_cast<int>(std::clamp(behind, 0.0, 1e9));
 }
@@ -47,28 +47,28 @@ QString firstFileOf(const QString& path) {
     return endingOf(path) == QLatin1StringView("png") ? numbered(path, 0) : path;
 }
 
-QString objectionTo(const FilmPlan& plan) {
+QString objectionTo(const VideoPlan& plan) {
     const QString ending = endingOf(plan.path);
-    if (!plan.look.stage || !plan.look.stage->pipeline) return Film::tr("there is no scene to record");
+    if (!plan.look.stage || !plan.look.stage->pipeline) return Video::tr("there is no scene to record");
     if (!(plan.to >= plan.from) || plan.from < 0)
-        return Film::tr("a video ends after it begins, and begins at 0 s or later");
+        return Video::tr("a video ends after it begins, and begins at 0 s or later");
     if (ending == QLatin1StringView("gif") && plan.rate > GifWriter::highestRate)
-        return Film::tr("a GIF shows %1 pictures a second at most").arg(GifWriter::highestRate);
+        return Video::tr("a GIF shows %1 pictures a second at most").arg(GifWriter::highestRate);
     if (plan.pictures() > mostPictures)
-        return Film::tr("%1 pictures are too many; up to %2 can be numbered")
+        return Video::tr("%1 pictures are too many; up to %2 can be numbered")
             .arg(plan.pictures())
             .arg(mostPictures);
     if (ending != QLatin1StringView("gif") && ending != QLatin1StringView("mp4") &&
         ending != QLatin1StringView("png"))
-        return Film::tr("`%1` has no ending of a video; name it .gif, .mp4 or .png").arg(plan.path);
+        return Video::tr("`%1` has no ending of a video; name it .gif, .mp4 or .png").arg(plan.path);
     if (ending == QLatin1StringView("mp4") && encoder().isEmpty())
-        return Film::tr("MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing");
+        return Video::tr("MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing");
     return {};
 }
 
-/// What the threads of the pool work with, one at a time. The Film keeps it until they are done.
-struct Film::Reel {
-    FilmPlan plan;
+/// What the threads of the pool work with, one at a time. The Video keeps it until they are done.
+struct Video::Reel {
+    VideoPlan plan;
     std::optional<World> world;
     Explanations explanations;
     int painted = 0;
@@ -78,14 +78,14 @@ struct Film::Reel {
     std::unique_ptr<GifWriter> gif;
     std::unique_ptr<QTemporaryDir> folder; ///< of an MP4 in the making, beside its place
 
-    explicit Reel(FilmPlan wanted) : plan(std::move(wanted)), ending(endingOf(plan.path)) {
+    explicit Reel(VideoPlan wanted) : plan(std::move(wanted)), ending(endingOf(plan.path)) {
         plan.look.options.size = {double(plan.size.width()), double(plan.size.height())};
         explanations.setOverlays(plan.overlays);
     }
 
     /// What went wrong, or nothing.
     QString open();
-    /// The next picture to be drawn; nothing where the run has stopped or the film is cancelled.
+    /// The next picture to be drawn; nothing where the run has stopped or the video is cancelled.
     std::optional<PictureJob> advance();
     QString write(const QImage& picture);
     QString close();
@@ -93,21 +93,21 @@ struct Film::Reel {
     QString whatStays() const;
 };
 
-QString Film::Reel::open() {
+QString Video::Reel::open() {
     if (ending == QLatin1StringView("gif")) {
         file = std::make_unique<OutputDevice>(plan.path);
         if (const QString problem = file->problem(); !problem.isEmpty()) return problem;
         gif = std::make_unique<GifWriter>(*file, plan.size, plan.rate);
     } else if (ending == QLatin1StringView("mp4")) {
         folder = std::make_unique<QTemporaryDir>(
-            QFileInfo(plan.path).dir().filePath(QStringLiteral(".carom-film-XXXXXX")));
-        if (!folder->isValid()) return Film::tr("no folder for the pictures: %1").arg(folder->errorString());
+            QFileInfo(plan.path).dir().filePath(QStringLiteral(".carom-video-XXXXXX")));
+        if (!folder->isValid()) return Video::tr("no folder for the pictures: %1").arg(folder->errorString());
     }
     return {};
 }
 
 /// To the frame that is nearest the next picture's time; a state that was computed, never one in between.
-std::optional<PictureJob> Film::Reel::advance() {
+std::optional<PictureJob> Video::Reel::advance() {
     const std::shared_ptr<const Pipeline>& pipeline = plan.look.stage->pipeline;
     if (!world) world.emplace(pipeline);
     const double time = plan.from + painted * plan.speed / plan.rate;
@@ -123,9 +123,9 @@ std::optional<PictureJob> Film::Reel::advance() {
     return job;
 }
 
-QString Film::Reel::write(const QImage& picture) {
+QString Video::Reel::write(const QImage& picture) {
     if (picture.isNull())
-        return Film::tr("pictures of %1 × %2 pixels cannot be drawn here")
+        return Video::tr("pictures of %1 × %2 pixels cannot be drawn here")
             .arg(plan.size.width())
             .arg(plan.size.height());
     const int number = painted++;
@@ -133,11 +133,11 @@ QString Film::Reel::write(const QImage& picture) {
         gif->add(picture);
         return file->problem();
     }
-    const QString path = numbered(folder ? folder->filePath(QStringLiteral("film.png")) : plan.path, number);
+    const QString path = numbered(folder ? folder->filePath(QStringLiteral("video.png")) : plan.path, number);
     return saveImage(path, picture);
 }
 
-QString Film::Reel::close() {
+QString Video::Reel::close() {
     if (gif) {
         gif->finish();
         return file->commit();
@@ -146,14 +146,14 @@ QString Film::Reel::close() {
 }
 
 /// Into the folder, and from there to its place once it is whole.
-QString Film::Reel::encode() {
+QString Video::Reel::encode() {
     constexpr int lookInterval = 30; // [ms] between two looks at whether it is still wanted
     QProcess process;
     process.setWorkingDirectory(folder->path()); // a folder's name may hold what ffmpeg takes for a pattern
     process.start(encoder(), {QStringLiteral("-y"), QStringLiteral("-loglevel"), QStringLiteral("error"),
                               QStringLiteral("-framerate"), QString::number(plan.rate), QStringLiteral("-i"),
-                              QStringLiteral("film-%05d.png"), QStringLiteral("-pix_fmt"),
-                              QStringLiteral("yuv420p"), QStringLiteral("film.mp4")});
+                              QStringLiteral("video-%05d.png"), QStringLiteral("-pix_fmt"),
+                              QStringLiteral("yuv420p"), QStringLiteral("video.mp4")});
     process.waitForStarted();
     while (process.state() != QProcess::NotRunning && !process.waitForFinished(lookInterval)) {
         if (!cancelled) continue;
@@ -163,32 +163,32 @@ QString Film::Reel::encode() {
     }
     if (process.error() == QProcess::FailedToStart || process.exitStatus() != QProcess::NormalExit ||
         process.exitCode() != 0)
-        return Film::tr("ffmpeg failed: %1")
+        return Video::tr("ffmpeg failed: %1")
             .arg(QString::fromLocal8Bit(process.readAllStandardError()).trimmed());
-    return saveCopy(plan.path, folder->filePath(QStringLiteral("film.mp4")));
+    return saveCopy(plan.path, folder->filePath(QStringLiteral("video.mp4")));
 }
 
-/// What a cancelled film leaves behind.
-QString Film::Reel::whatStays() const {
-    if (gif || folder) return Film::tr("it was cancelled, and half a video is not kept");
-    return painted == 1 ? Film::tr("it was cancelled; the picture made so far stays")
-                        : Film::tr("it was cancelled; the %1 pictures made so far stay").arg(painted);
+/// What a cancelled video leaves behind.
+QString Video::Reel::whatStays() const {
+    if (gif || folder) return Video::tr("it was cancelled, and half a video is not kept");
+    return painted == 1 ? Video::tr("it was cancelled; the picture made so far stays")
+                        : Video::tr("it was cancelled; the %1 pictures made so far stay").arg(painted);
 }
 
-Film::Film(FilmPlan plan, QObject* parent)
+Video::Video(VideoPlan plan, QObject* parent)
     : QObject(parent), m_reel(std::make_shared<Reel>(std::move(plan))) {
     m_pool.setMaxThreadCount(1);
-    connect(&m_drawing, &DrawingThread::drawn, this, &Film::write);
+    connect(&m_drawing, &DrawingThread::drawn, this, &Video::write);
 }
 
-Film::~Film() {
+Video::~Video() {
     cancel();
     m_pool.waitForDone();
 }
 
-void Film::cancel() { m_reel->cancelled = true; }
+void Video::cancel() { m_reel->cancelled = true; }
 
-void Film::start() {
+void Video::start() {
     const QString objection = objectionTo(m_reel->plan);
     const QString problem = objection.isEmpty() ? m_reel->open() : objection;
     if (problem.isEmpty())
@@ -197,7 +197,7 @@ void Film::start() {
         end(problem);
 }
 
-void Film::next() {
+void Video::next() {
     m_pool.start([this, reel = m_reel] {
         std::optional<PictureJob> job;
         const QString problem = attempt([&] { job = reel->advance(); });
@@ -217,7 +217,7 @@ void Film::next() {
     });
 }
 
-void Film::write(const DrawnPicture& picture) {
+void Video::write(const DrawnPicture& picture) {
     m_pool.start([this, reel = m_reel, image = picture.image] {
         QString problem;
         const QString failure =
@@ -237,7 +237,7 @@ void Film::write(const DrawnPicture& picture) {
     });
 }
 
-void Film::close() {
+void Video::close() {
     if (m_reel->folder) Q_EMIT encoding();
     m_pool.start([this, reel = m_reel] {
         QString problem;
@@ -249,8 +249,8 @@ void Film::close() {
     });
 }
 
-void Film::end(const QString& problem) { Q_EMIT finished(problem); }
+void Video::end(const QString& problem) { Q_EMIT finished(problem); }
 
 } // namespace carom
 
-#include "moc_film.cpp"
+#include "moc_video.cpp"

@@ -14,13 +14,14 @@
 
 namespace carom {
 
-/// What a film is made of.
-struct FilmPlan {
-    PictureJob look; ///< whose scene is filmed from its start, and how it looks; of its states, none is used
+/// What a video is made of.
+struct VideoPlan {
+    PictureJob
+        look; ///< whose scene is recorded from its start, and how it looks; of its states, none is used
     Overlays overlays = 0;
     double from = 0, to = 5; ///< [s] of the scene
     double rate = 30;        ///< pictures a second
-    double speed = 1;        ///< seconds of the scene a second of the film
+    double speed = 1;        ///< seconds of the scene a second of the video
     QSize size{960, 720};    ///< [px], even numbers
     /// A .gif or .mp4 file, or the first of many pictures: `run.png` becomes run-00000.png, run-00001.png, …
     QString path;
@@ -29,26 +30,26 @@ struct FilmPlan {
     int pictures() const;
 };
 
-/// The file that a film of this path begins with: the path itself, or the first of its numbered pictures.
+/// The file that a video of this path begins with: the path itself, or the first of its numbered pictures.
 QString firstFileOf(const QString& path);
 
-/// Why this plan cannot be filmed; empty if it can. MP4 needs the program `ffmpeg`.
-QString objectionTo(const FilmPlan& plan);
+/// Why this plan cannot be recorded; empty if it can. MP4 needs the program `ffmpeg`.
+QString objectionTo(const VideoPlan& plan);
 
-/// Makes a film of a scene, on threads of its own: simulates it anew, draws each state and writes the
+/// Makes a video of a scene, on threads of its own: simulates it anew, draws each state and writes the
 /// picture. What the window shows meanwhile, and edits of the text, are nothing to it.
 ///
 ///     pool    simulates to the next picture ─▶ GUI thread passes on ─▶ drawing thread draws
 ///     pool    writes the picture  ◀──────────── passes on ◀────────────────────┘
-class Film : public QObject {
+class Video : public QObject {
     Q_OBJECT
   public:
-    explicit Film(FilmPlan plan, QObject* parent = nullptr);
-    ~Film() override;
+    explicit Video(VideoPlan plan, QObject* parent = nullptr);
+    ~Video() override;
 
     void start();
     /// Ends after the frame or picture under way. Pictures that were written stay; a GIF or MP4 that is not
-    /// whole does not, and a film that had its name before stays as it was.
+    /// whole does not, and a video that had its name before stays as it was.
     void cancel();
 
   Q_SIGNALS:
