@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr mode_t anyWriter = S_IWUSR | S_IWGRP | S_IWOTH;
 constexpr mode_t ownerOnly = S_IRUSR | S_IWUSR;
-constexpr mode_t asUsual = ownerOnly | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH; // less what the umask takes
+constexpr mode_t forEverybody =
+    ownerOnly | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH; // less what the umask takes
 constexpr mode_t permissions = 07777;
 constexpr int mostLinks = 40; // as the kernel follows
 
@@ -81,7 +82,7 @@ void FileWriter::open(FileReaders readers) {
         fail(EACCES);
         return;
     }
-    const mode_t mode = exists || readers == FileReaders::OwnerOnly ? ownerOnly : asUsual;
+    const mode_t mode = exists || readers == FileReaders::OwnerOnly ? ownerOnly : forEverybody;
     m_descriptor = openNewFile(folderOf(m_place), mode, m_beside);
     if (m_descriptor < 0) {
         const int cause = errno;

@@ -9,7 +9,7 @@ struct stat;
 namespace carom {
 
 /// Who may read a file that was not there before. One that is replaced keeps its permissions.
-enum class FileReaders { AsUsual, OwnerOnly };
+enum class FileReaders { Everybody, OwnerOnly };
 
 /// Replaces a file as a whole: readers see the old content or the new, never a part, whatever fails and
 /// whenever the program or the machine stops.
@@ -20,7 +20,7 @@ enum class FileReaders { AsUsual, OwnerOnly };
 /// no file at all, /dev/null or a pipe, is written as it is.
 class FileWriter {
   public:
-    explicit FileWriter(const std::string& path, FileReaders readers = FileReaders::AsUsual);
+    explicit FileWriter(const std::string& path, FileReaders readers = FileReaders::Everybody);
     ~FileWriter(); ///< without a commit the old file stays, and nothing beside it
     FileWriter(const FileWriter&) = delete;
     FileWriter& operator=(const FileWriter&) = delete;
@@ -55,6 +55,6 @@ std::string whyNotWritten(const std::string& path, int cause);
 
 /// All of it in one call; what went wrong in words, or an empty text.
 std::string writeWholeFile(const std::string& path, std::string_view bytes,
-                           FileReaders readers = FileReaders::AsUsual);
+                           FileReaders readers = FileReaders::Everybody);
 
 } // namespace carom

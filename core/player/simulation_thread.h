@@ -155,7 +155,7 @@ class SimulationThread {
     SimulationThread& operator=(const SimulationThread&) = delete;
 
     /// What checkpoints take at most until a BudgetCommand says otherwise [bytes].
-    static constexpr std::size_t usualBudget = std::size_t{512} << 20;
+    static constexpr std::size_t defaultBudget = std::size_t{512} << 20;
 
     void post(SimulationCommand command);
     /// Whether a step that was asked for has not been made yet.
@@ -221,8 +221,8 @@ class SimulationThread {
         Recording recording;
     };
     std::unique_ptr<World> m_world;
-    std::size_t m_budget = usualBudget;
-    Recording m_recording{usualBudget};
+    std::size_t m_budget = defaultBudget;
+    Recording m_recording{defaultBudget};
     std::optional<Past> m_ghost;
     BreakWatch m_watch;
     std::optional<EnergyGuard> m_guard;             ///< of the frames whose statistics went up

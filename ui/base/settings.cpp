@@ -32,8 +32,8 @@ const QString recoveryKey = QStringLiteral("recovery/interval");
 const QString welcomeKey = QStringLiteral("window/welcome");
 const QString keysKey = QStringLiteral("keys/%1");
 
-constexpr int usualFontSize = 11; // [pt]
-constexpr int usualMemory = 512;  // [MiB]
+constexpr int defaultFontSize = 11; // [pt]
+constexpr int defaultMemory = 512;  // [MiB]
 const QString recentKey = QStringLiteral("files/recent");
 
 } // namespace
@@ -81,7 +81,7 @@ void Settings::setLastPlace(const SessionPlace& place) {
 }
 
 QString Settings::fontFamily() const { return QSettings().value(fontFamilyKey).toString(); }
-int Settings::fontSize() const { return QSettings().value(fontSizeKey, usualFontSize).toInt(); }
+int Settings::fontSize() const { return QSettings().value(fontSizeKey, defaultFontSize).toInt(); }
 void Settings::setFont(const QString& family, int size) {
     QSettings settings;
     settings.setValue(fontFamilyKey, family);
@@ -93,13 +93,13 @@ QString Settings::navigation() const { return QSettings().value(navigationKey).t
 void Settings::setNavigation(const QString& name) { QSettings().setValue(navigationKey, name); }
 QString Settings::drawingPlace() const { return QSettings().value(drawingPlaceKey).toString(); }
 void Settings::setDrawingPlace(const QString& name) { QSettings().setValue(drawingPlaceKey, name); }
-int Settings::memoryBudget() const { return QSettings().value(memoryKey, usualMemory).toInt(); }
+int Settings::memoryBudget() const { return QSettings().value(memoryKey, defaultMemory).toInt(); }
 void Settings::setMemoryBudget(int mebibytes) { QSettings().setValue(memoryKey, mebibytes); }
 int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt(); }
 void Settings::setThreads(int count) { QSettings().setValue(threadsKey, count); }
 int Settings::recoveryInterval() const {
     constexpr int shortest = 100; // [ms]: a disk is written that often while one types
-    return std::max(shortest, QSettings().value(recoveryKey, usualRecoveryInterval).toInt());
+    return std::max(shortest, QSettings().value(recoveryKey, defaultRecoveryInterval).toInt());
 }
 bool Settings::welcomeAtStart() const { return QSettings().value(welcomeKey, true).toBool(); }
 void Settings::setWelcomeAtStart(bool shown) { QSettings().setValue(welcomeKey, shown); }

@@ -70,7 +70,7 @@ class Settings {
     void setThreads(int count);
     /// How far the copy of unsaved text may be behind [ms]; only in the file, no dialog asks for it.
     /// Between two looks at unsaved text [ms].
-    static constexpr int usualRecoveryInterval = 2000;
+    static constexpr int defaultRecoveryInterval = 2000;
     int recoveryInterval() const;
     bool welcomeAtStart() const;
     void setWelcomeAtStart(bool shown);

@@ -40,9 +40,9 @@ struct LostTexts {
 class Recovery : public QObject {
     Q_OBJECT
   public:
-    static constexpr int usualInterval = Settings::usualRecoveryInterval; ///< [ms]
+    static constexpr int defaultInterval = Settings::defaultRecoveryInterval; ///< [ms]
 
-    Recovery(const Document& document, const QString& folder, int interval = usualInterval,
+    Recovery(const Document& document, const QString& folder, int interval = defaultInterval,
              QObject* parent = nullptr);
     ~Recovery() override;
 

@@ -23,7 +23,7 @@ constexpr double exactTolerance = 1e-6;
 /// The rim of a core, as a part of the smallest half dimension.
 constexpr double rimPart = 0.05;
 /// Nine in ten of random pairs are short by less, of the smaller body's size.
-constexpr double usualShort = 2e-3;
+constexpr double typicalShortfall = 2e-3;
 /// Of the smaller body's size: guesses, and A and B exchanged, give directions that differ where two are
 /// nearly as good.
 constexpr double mostSpread = 1e-3;
@@ -192,7 +192,7 @@ class CoreDirectionTest : public QObject {
         std::vector<double> all = shortBy;
         all.insert(all.end(), overlapping.begin(), overlapping.end());
         std::sort(all.begin(), all.end());
-        QVERIFY(all[all.size() * 9 / 10] < usualShort);
+        QVERIFY(all[all.size() * 9 / 10] < typicalShortfall);
     }
 
     void itSaysNoWhereTheyAreFurtherApartThanTheMargin() {
