@@ -8,13 +8,13 @@
 namespace carom {
 namespace {
 
-constexpr double patience = 2000; ///< [ms] before the first line
-constexpr double interval = 200;  ///< [ms] between lines
+constexpr double firstDelay = 2000; ///< [ms] before the first line
+constexpr double interval = 200;    ///< [ms] between lines
 
 } // namespace
 
 Progress::Progress(std::int64_t total, std::string_view things)
-    : m_total(total), m_things(things), m_nextShow(patience), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
+    : m_total(total), m_things(things), m_nextShow(firstDelay), m_isTerminal(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() { pause(); }
 

@@ -74,7 +74,7 @@ AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
     });
     vary(plan, numbersFrom(arguments, "substeps", true), numbersFrom(arguments, "tolerances", false));
     plan.duration = arguments.positiveNumber("duration").value_or(plan.duration);
-    plan.patience = arguments.positiveNumber("patience").value_or(plan.patience);
+    plan.timeLimit = arguments.positiveNumber("time-limit").value_or(plan.timeLimit);
     plan.target = arguments.positiveNumber("target").value_or(plan.target);
     plan.copies = static_cast<int>(arguments.wholeNumber("copies", 0, 1000).value_or(plan.copies));
     plan.runs = static_cast<int>(arguments.wholeNumber("runs", 1, 1000).value_or(plan.runs));
@@ -229,7 +229,7 @@ CommandRow studyAccuracyCommand() {
                 {"tolerances", 0, "LIST", "tolerances of method contacts (default 1e-6,1e-10)"},
                 {"duration", 0, "S", "seconds to simulate (default the scene's, at most 10, or 2)"},
                 {"runs", 0, "N", "timed runs of a setting, which take turns (default 5)"},
-                {"patience", 0, "S", "seconds a run may take (default 5)"},
+                {"time-limit", 0, "S", "seconds a run may take (default 5)"},
                 {"target", 0, "E", "the error that is accurate enough (default 1e-3)"},
                 {"copies", 0, "N",
                  "runs of a scene of many balls beyond the chaos horizon, at most; 0: none (default 20)"},
@@ -253,7 +253,7 @@ CommandRow studyAccuracyCommand() {
             "copies "
             "a millionth apart are compared with exact ones as a crowd: distribution of the speeds, pressure "
             "at the walls, time between impacts; medians and quartiles of up to `--copies` runs, as many as "
-            "there is patience for. Instructions are those of `carom run` under valgrind's callgrind, some "
+            "the time limit allows. Instructions are those of `carom run` under valgrind's callgrind, some "
             "fifty times slower, and do not depend on what else the machine does.",
         .leastOperands = 1,
         .mostOperands = 1,

@@ -7,7 +7,7 @@ namespace carom {
 namespace {
 
 // Moves an insertion sort may make for each box before a sort from scratch is the cheaper way.
-constexpr std::size_t patience = 16;
+constexpr std::size_t mostMovesPerBox = 16;
 
 double component(const Vec3& v, std::size_t axis) { return v[static_cast<Eigen::Index>(axis)]; }
 
@@ -44,7 +44,7 @@ void Sweep::sortStarts(std::span<const Aabb> boxes, std::size_t axis) {
         for (; q > 0 && start.at < m_starts[q - 1].at; --q) m_starts[q] = m_starts[q - 1];
         m_starts[q] = start;
         moves += p - q;
-        if (moves > patience * m_starts.size()) return sortAll();
+        if (moves > mostMovesPerBox * m_starts.size()) return sortAll();
     }
 }
 

@@ -15,13 +15,13 @@ constexpr std::uint32_t isUpper(std::uint32_t code) { return code & 1U; }
 // gas). After this many exchanges for each box and each doubling of their number an update gives up and
 // starts anew, which costs about as much as 22 of them (measured at 10,000 boxes); what it reports is the
 // same.
-constexpr double patience = 32;
+constexpr double exchangesPerDoubling = 32;
 // A frame that far from the last is seldom alone: each failure doubles the updates that do not even try.
 constexpr int mostUntried = 32;
 
 std::uint64_t mostExchanges(std::size_t boxes) {
     const double count = static_cast<double>(boxes);
-    return static_cast<std::uint64_t>(patience * count * (1 + std::log2(1 + count)));
+    return static_cast<std::uint64_t>(exchangesPerDoubling * count * (1 + std::log2(1 + count)));
 }
 
 // An interval on an axis is one word: the place of its lower end in the high half, last - place of its upper

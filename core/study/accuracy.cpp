@@ -95,7 +95,7 @@ class Runner {
                                                    .settings = m_study.settings,
                                                    .duration = m_study.plan.duration,
                                                    .finest = finest,
-                                                   .patience = 4 * m_study.plan.patience,
+                                                   .timeLimit = 4 * m_study.plan.timeLimit,
                                                    .copies = m_study.plan.copies,
                                                    .goOn = [this] { return goOn(); }});
         if (m_study.reference && m_study.reference->crowd)

@@ -42,7 +42,7 @@ enum class PointStatus : std::uint8_t {
     Measured,
     Broken,   ///< it ran, but an invariant broke
     Failed,   ///< the state was lost
-    TimedOut, ///< it took longer than the plan has patience for
+    TimedOut, ///< it took longer than the plan allows
 };
 std::string_view nameOf(PointStatus status); ///< "measured"
 
@@ -71,11 +71,11 @@ struct AccuracyPoint {
 
 struct AccuracyPlan {
     std::vector<AccuracySetting> settings;
-    double duration = 2; ///< [s] simulated
-    int runs = 5;        ///< timed, a setting
-    double patience = 5; ///< [s] of wall time a run
+    double duration = 2;  ///< [s] simulated
+    int runs = 5;         ///< timed, a setting
+    double timeLimit = 5; ///< [s] of wall time a run
     double target = 1e-3;
-    int copies = 20; ///< of a crowd, at most: as long as there is patience, a setting
+    int copies = 20; ///< of a crowd, at most: as long as the time limit allows, a setting
 };
 
 struct AccuracyStudy {

@@ -74,9 +74,9 @@ bool isOver(const World& world, const AccuracyPlan& plan, double elapsed, Accura
     if (!world.health().finite) {
         point.status = PointStatus::Failed;
         point.reason = "the state was lost after " + figure(world.state().time) + " s";
-    } else if (elapsed > 1000 * plan.patience) {
+    } else if (elapsed > 1000 * plan.timeLimit) {
         point.status = PointStatus::TimedOut;
-        point.reason = "it took longer than " + figure(plan.patience) + " s";
+        point.reason = "it took longer than " + figure(plan.timeLimit) + " s";
     } else {
         return false;
     }
@@ -139,7 +139,7 @@ bool measureCrowd(const AccuracyRun& run, AccuracyPoint& point) {
     std::vector<CrowdDeviation> deviations;
     const Stopwatch watch;
     for (int copy = 0; copy < run.study.plan.copies; ++copy) {
-        if (copy > 0 && watch.elapsed() > 1000 * run.study.plan.patience) break;
+        if (copy > 0 && watch.elapsed() > 1000 * run.study.plan.timeLimit) break;
         const std::optional<CrowdWatch::Sums> sums = runCopy(crowd, copy, point.setting.options());
         if (!sums) return run.goOn(); // a copy that is lost says nothing
         deviations.push_back(deviationOf(*sums, reference.crowd->sums));

@@ -24,7 +24,7 @@ struct AccuracyRun {
 /// False if told to stop.
 bool measure(const AccuracyRun& run, AccuracyPoint& point);
 
-/// Runs copies of a crowd beyond the horizon with the point's setting, as long as there is patience, and
+/// Runs copies of a crowd beyond the horizon with the point's setting, as long as the time limit allows, and
 /// fills in how they deviate from exact ones. False if told to stop.
 bool measureCrowd(const AccuracyRun& run, AccuracyPoint& point);
 

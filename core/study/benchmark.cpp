@@ -191,12 +191,13 @@ class Runner {
         }
     }
 
-    /// Takes out of `algorithms` those whose last points were slower than the plan has patience for.
+    /// Takes out of `algorithms` those whose last points were slower than the plan allows.
     void dropTheSlow(std::vector<const BroadphaseRow*>& algorithms, std::int64_t n) {
         const std::size_t measured = algorithms.size();
         for (std::size_t p = m_result.points.size() - measured; p < m_result.points.size(); ++p) {
             const BenchmarkPoint& point = m_result.points[p];
-            if (point.simulate.median <= m_result.plan.patience || n == m_result.plan.counts.back()) continue;
+            if (point.simulate.median <= m_result.plan.timeLimit || n == m_result.plan.counts.back())
+                continue;
             std::erase(algorithms, point.algorithm);
             m_result.remarks.push_back(std::string(point.scene->name) + ": " +
                                        std::string(point.algorithm->name) +

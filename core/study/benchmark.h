@@ -37,7 +37,7 @@ struct BenchmarkPlan {
                           ///< else the machine did leaves no spikes
 
     /// An algorithm whose median frame took longer is left out at larger numbers of that scene [ms].
-    double patience = 60;
+    double timeLimit = 60;
 };
 
 /// The three scenes and every algorithm, at numbers that reach beyond real time.

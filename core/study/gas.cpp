@@ -256,8 +256,8 @@ bool Experiment::liveThrough(double collisionsPerBall) {
     const double balls = static_cast<double>(m_study.balls);
     const std::uint64_t target = static_cast<std::uint64_t>(collisionsPerBall * balls / 2);
     // A scene in which nothing meets would go on for ever.
-    constexpr double patience = 1000;
-    const double giveUp = m_time + patience * (collisionsPerBall + 1) * 4 * m_interval;
+    constexpr double mostIntervals = 1000;
+    const double giveUp = m_time + mostIntervals * (collisionsPerBall + 1) * 4 * m_interval;
     while (m_gas.counts().collisions < target) {
         if (!keepOn()) return false;
         if (m_time > giveUp) {

@@ -98,13 +98,13 @@ ReferenceSolution closedReference(const ReferenceRequest& request, const ClosedM
 
 std::optional<ReferenceSolution> exactReference(const ReferenceRequest& request, const Bodies& bodies) {
     SimulationSettings options = optionsFor("events", "euler", request.settings.step / looksPerFrame);
-    std::optional<Recorded> run = recordRun(request, request.scene, options, 1, request.patience);
+    std::optional<Recorded> run = recordRun(request, request.scene, options, 1, request.timeLimit);
     if (!run) return std::nullopt;
     ReferenceSolution reference{.kind = ReferenceKind::ExactEvents, .description = "exact events"};
     reference.size = sizeOf(bodies, run->trajectory);
     reference.error = roundingOfReference;
-    const std::optional<Recorded> copy =
-        recordRun(request, nudged(request.scene, copiesApart * reference.size), options, 1, request.patience);
+    const std::optional<Recorded> copy = recordRun(
+        request, nudged(request.scene, copiesApart * reference.size), options, 1, request.timeLimit);
     if (!copy) return std::nullopt;
     measureHorizon(run->trajectory, copy->trajectory, bodies, reference);
     // Within the horizon rounding has grown as the distance of the copies has.
@@ -129,13 +129,13 @@ std::optional<ReferenceSolution> convergedReference(const ReferenceRequest& requ
         return optionsFor("contacts", integrator, request.settings.step / substeps);
     };
     std::optional<Recorded> run =
-        recordRun(request, request.scene, optionsOf(firstSubsteps), 1, request.patience);
+        recordRun(request, request.scene, optionsOf(firstSubsteps), 1, request.timeLimit);
     if (!run) return std::nullopt;
     ReferenceSolution reference{.kind = ReferenceKind::ConvergedRun};
     reference.size = sizeOf(bodies, run->trajectory);
     const std::optional<Recorded> copy =
         recordRun(request, nudged(request.scene, copiesApart * reference.size), optionsOf(firstSubsteps), 1,
-                  request.patience);
+                  request.timeLimit);
     if (!copy) return std::nullopt;
     measureHorizon(run->trajectory, copy->trajectory, bodies, reference);
 
@@ -143,7 +143,7 @@ std::optional<ReferenceSolution> convergedReference(const ReferenceRequest& requ
     reference.error = HUGE_VAL;
     const Stopwatch watch;
     while (substeps < std::max(finerThanFinest * request.finest, 8 * firstSubsteps)) {
-        const double left = request.patience - watch.elapsed() / 1000;
+        const double left = request.timeLimit - watch.elapsed() / 1000;
         std::optional<Recorded> finer =
             recordRun(request, request.scene, optionsOf(2 * substeps), 2 * substeps / looksPerFrame, left);
         if (!request.goOn()) return std::nullopt;

@@ -28,7 +28,7 @@ struct ReferenceRequest {
     const RunSettings& settings;     ///< the scene's own
     double duration = 2;             ///< [s]
     int finest = 64;                 ///< substeps of the finest setting it will be compared with
-    double patience = 20;            ///< [s] of wall time for converging runs
+    double timeLimit = 20;           ///< [s] of wall time for converging runs
     int copies = 0;                  ///< of a crowd
     std::function<bool()> goOn = {}; ///< false: stop; asked often
 };

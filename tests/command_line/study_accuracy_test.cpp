@@ -54,7 +54,7 @@ class StudyAccuracyTest : public QObject {
         const QString folder = m_folder.filePath("again");
         QProcess process;
         process.start(QStringLiteral(CAROM_PROGRAM),
-                      {"study", "accuracy", m_scene, "-o", folder, "--duration=1000", "--patience=2"});
+                      {"study", "accuracy", m_scene, "-o", folder, "--duration=1000", "--time-limit=2"});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).exists(), patience); // by then it catches signals
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);

@@ -110,7 +110,7 @@ void LiveBuild::start() {
     }
     m_work = std::make_shared<Work>();
     m_since.lap();
-    m_look.start(std::min(m_patience, lookInterval));
+    m_look.start(std::min(m_progressDelay, lookInterval));
     m_worker.start([this, request, work = m_work] {
         SharedBuild result;
         const QString problem = attempt([&] {
@@ -136,7 +136,7 @@ void LiveBuild::start() {
 void LiveBuild::tell() {
     const double elapsed = m_since.elapsed();
     const double done = m_work->done;
-    if (elapsed < m_patience || done <= 0) return;
+    if (elapsed < m_progressDelay || done <= 0) return;
     constexpr double milliseconds = 1e-3; // [s]
     Q_EMIT progressed(done, milliseconds * elapsed * (1 - done) / done);
 }

@@ -55,7 +55,7 @@ class LiveBuild : public QObject {
     /// Gives up the build under way; the text is built after its next edit.
     void cancel();
     /// How long a build may take before progressed() tells of it [ms].
-    void setPatience(int milliseconds) { m_patience = milliseconds; }
+    void setProgressDelay(int milliseconds) { m_progressDelay = milliseconds; }
 
     /// The newest result; null before the first.
     const SharedBuild& latest() const { return m_latest; }
@@ -88,7 +88,7 @@ class LiveBuild : public QObject {
     std::int64_t m_revision = 0;
     bool m_fresh = false;
     int m_threads = 0;
-    int m_patience = 300; ///< [ms]
+    int m_progressDelay = 300; ///< [ms]
     SharedBuild m_latest;
     std::shared_ptr<Work> m_work; ///< of the build under way on the thread; null: none is
     Stopwatch m_since;            ///< it began

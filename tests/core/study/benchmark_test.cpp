@@ -21,7 +21,7 @@ BenchmarkPlan smallPlan() {
     plan.traceCount = 40;
     plan.traceFrames = 15;
     plan.traceRepeats = 2;
-    plan.patience = 1e9;
+    plan.timeLimit = 1e9;
     return plan;
 }
 
@@ -99,7 +99,7 @@ class BenchmarkTest : public QObject {
     void theSlowAreLeftOutAtLargerNumbersAndNamed() {
         BenchmarkPlan plan = smallPlan();
         plan.traceScene = nullptr;
-        plan.patience = 0;
+        plan.timeLimit = 0;
         const Benchmark benchmark = runBenchmark(plan, always);
         QCOMPARE(benchmark.points.size(), 2 * plan.algorithms.size());
         QCOMPARE(benchmark.remarks.size(), 2 * plan.algorithms.size());

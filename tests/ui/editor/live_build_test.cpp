@@ -29,7 +29,7 @@ struct Bench {
     QSignalSpy ended{&builds, &LiveBuild::ended};
     QSignalSpy cancelled{&builds, &LiveBuild::cancelled};
 
-    Bench() { builds.setPatience(0); }
+    Bench() { builds.setProgressDelay(0); }
 };
 
 } // namespace

@@ -37,7 +37,7 @@ struct LongIde : Ide {
     QAction& cancel = bench.window().actions()[ActionId::CancelBuild];
 
     LongIde() {
-        builds.setPatience(0);
+        builds.setProgressDelay(0);
         writeFile(largePath, large);
     }
     std::size_t bodiesShown() const { return bench.preview().shown()->scene().bodies.size(); }
