@@ -139,7 +139,7 @@ constinit const EffectRow airRow = {
     .decide = decide,
     .unmetMessage = "air drag is not simulated yet; bodies move as in a vacuum",
     .contribute = contribute,
-    .bendsPaths = "air slows bodies between events",
+    .exactObjection = "air slows bodies between events",
 };
 
 } // namespace carom

@@ -57,8 +57,9 @@ struct EffectRow {
     /// Adds what the effect does to the bodies of the scene, where it is on. Null: methods of motion read it
     /// from the bodies' own constants.
     void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
-    /// Why a method that knows parabolas alone cannot treat a scene with the effect; empty where it can.
-    std::string_view bendsPaths = {};
+    /// Why an exact method that does not simulate the effect cannot treat a scene that calls for it; empty
+    /// where it can.
+    std::string_view exactObjection = {};
 };
 
 /// Every effect, in the order of the report.

@@ -39,6 +39,7 @@ constinit const EffectRow frictionRow = {
     .help = "Resists sliding by at most the coefficient times the normal force.",
     .decide = decide,
     .unmetMessage = "friction is not simulated yet; bodies slide without it",
+    .exactObjection = "friction would turn and slow the bodies it reaches",
 };
 
 } // namespace carom

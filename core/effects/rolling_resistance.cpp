@@ -44,6 +44,7 @@ constinit const EffectRow rollingResistanceRow = {
     .help = "Resists rolling by a moment of at most the lever arm times the normal force.",
     .decide = decide,
     .unmetMessage = "rolling resistance is not simulated yet; bodies roll on without it",
+    .exactObjection = "rolling resistance acts between events",
 };
 
 } // namespace carom

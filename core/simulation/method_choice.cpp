@@ -33,15 +33,16 @@ std::optional<std::string> objectionToExact(const Scene& scene, const SolverRow&
 } // namespace
 
 std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene) {
-    if (!method.abilities.bentPaths) {
-        for (const EffectRow& row : effects()) {
-            if (row.bendsPaths.empty()) continue;
-            const EffectDecision decision = row.decide(scene, {.method = method.abilities});
-            if (decision.status != EffectStatus::Absent)
-                return SolverObjection{std::string(row.bendsPaths), decision.source.value_or(SourceRange{})};
-        }
+    if (method.objection != nullptr)
+        if (std::optional<SolverObjection> objection = method.objection(scene)) return objection;
+    if (!method.isExact) return std::nullopt;
+    for (const EffectRow& row : effects()) {
+        if (row.exactObjection.empty()) continue;
+        const EffectDecision decision = row.decide(scene, {.method = method.abilities});
+        if (decision.status == EffectStatus::NotSimulatedYet)
+            return SolverObjection{std::string(row.exactObjection), decision.source.value_or(SourceRange{})};
     }
-    return method.objection != nullptr ? method.objection(scene) : std::nullopt;
+    return std::nullopt;
 }
 
 MethodChoice chooseMethod(const Scene& scene, bool simultaneous) {

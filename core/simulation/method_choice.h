@@ -16,8 +16,8 @@
 
 namespace carom {
 
-/// Why a method cannot treat a scene: by itself, or because an effect bends paths that it takes for
-/// parabolas.
+/// Why a method cannot treat a scene: by itself, or because it is exact and does not simulate an effect that
+/// the scene calls for.
 std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene& scene);
 
 struct MethodChoice {

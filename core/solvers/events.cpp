@@ -66,26 +66,13 @@ SolverReport Events::advance(const SolverInput& input) {
     return report;
 }
 
-SourceRange placeOf(const Scene& scene, const DeclarationSource& source, std::string_view parameter) {
-    const ParameterSource* given = scene.find(source, parameter);
-    return given != nullptr ? given->value : source.type;
-}
-
-// The method's limits, each with the line that breaks it; of effects that bend paths their own rows tell.
+// What bodies must be; of effects their own rows tell (EffectRow::exactObjection).
 std::optional<SolverObjection> objection(const Scene& scene) {
-    const Body* rough = nullptr;
     for (const Body& body : scene.bodies) {
         const ShapeKind kind = kindOf(body.shape);
         if (kind != kindOf<Sphere>() && kind != kindOf<Wall>())
             return SolverObjection{"a " + std::string(nameOf(kind)) + " is neither a sphere nor a wall",
                                    body.source.type};
-        if (body.rolling > 0)
-            return SolverObjection{"rolling resistance acts between events",
-                                   placeOf(scene, body.source, "rolling")};
-        if (body.friction > 0 && rough != nullptr && (body.mobile() || rough->mobile()))
-            return SolverObjection{"friction would turn and slow the bodies it reaches",
-                                   placeOf(scene, body.source, "friction")};
-        if (body.friction > 0 && (rough == nullptr || body.mobile())) rough = &body;
     }
     return std::nullopt;
 }
