@@ -51,7 +51,7 @@ class ForceTerm {
     ForceTerm(const ForceTerm&) = delete;
     ForceTerm& operator=(const ForceTerm&) = delete;
 
-    /// Where its work is booked.
+    /// Where its work is recorded.
     virtual LedgerAccount account() const = 0;
     virtual bool actsOn(BodyIndex body) const = 0;
     /// The parameter of a body by which it acts: what messages point to.

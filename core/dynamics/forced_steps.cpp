@@ -115,7 +115,7 @@ Vec3 ForcedSteps::impulseOf(const Step& step) const {
 }
 
 // Where there are several terms, each but the last by its own force; the last by what is left.
-LedgerEntry ForcedSteps::book(const Forces& forces, Ledger& ledger) {
+LedgerEntry ForcedSteps::record(const Forces& forces, Ledger& ledger) {
     LedgerEntry all;
     for (const Step& step : m_steps) {
         all.momentum += step.given;

@@ -46,7 +46,7 @@ class ForcedSteps {
         Vec3 force = Vec3::Zero();  ///< F [N] there
         double slope = 0;           ///< s [N s/m]
         Vec3 after = Vec3::Zero();  ///< v₁ [m/s], as it came out
-        Vec3 given = Vec3::Zero();  ///< what the terms gave, to be booked [N s]
+        Vec3 given = Vec3::Zero();  ///< what the terms gave, to be recorded [N s]
         bool isSolved = false;      ///< without p
     };
     struct Start {
@@ -74,7 +74,7 @@ class ForcedSteps {
     /// What the terms gave to a body that came out with velocity `after` [N s].
     Vec3 impulseOf(const Step& step) const;
     /// Books what the terms gave, on the way from `before` to `after`, to their accounts; returns the sum.
-    LedgerEntry book(const Forces& forces, Ledger& ledger);
+    LedgerEntry record(const Forces& forces, Ledger& ledger);
 
   private:
     Vec3 lookedAt(const Step& step, const Vec3& after) const {

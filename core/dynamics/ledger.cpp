@@ -33,8 +33,8 @@ LedgerEntry Ledger::total() const {
     return sum;
 }
 
-void bookBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
-                          const BallisticAdvance& advance, const State& state, Ledger& ledger) {
+void recordBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
+                            const BallisticAdvance& advance, const State& state, Ledger& ledger) {
     LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
     LedgerEntry& wall = ledger[LedgerAccount::Contact];
     const double h = advance.duration;
@@ -55,8 +55,8 @@ Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3&
     return sum;
 }
 
-void bookDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
-                    LedgerAccount account, Ledger& ledger) {
+void recordDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
+                      LedgerAccount account, Ledger& ledger) {
     const double fallen = before.potential - after.potential;
     ledger[LedgerAccount::Gravity].energy += fallen;
     ledger[LedgerAccount::Gravity].momentum += weight;

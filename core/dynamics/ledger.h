@@ -10,12 +10,12 @@
 #include <span>
 #include <string_view>
 
-// Who gives and takes energy and momentum. Each part of the motion books what it did, from the impulses it
+// Who gives and takes energy and momentum. Each part of the motion records what it did, from the impulses it
 // applied and the velocities on both sides of them, never from the energy of the state:
 //
 //     impulse p at a point that moves with u before and u' after      work  p · (u + u')/2
 //
-// which is exact for any number of impulses at one instant. So the bookings of a frame add up to the change
+// which is exact for any number of impulses at one instant. So the entries of a frame add up to the change
 // of the state's energy and momentum, within rounding, if and only if the motion did nothing else.
 
 namespace carom {
@@ -24,7 +24,7 @@ struct Bodies;
 struct Invariants;
 struct State;
 
-/// What is booked apart (scene/ledger_accounts.def).
+/// What is recorded apart (scene/ledger_accounts.def).
 enum class LedgerAccount : std::uint8_t {
 #define CAROM_LEDGER_ACCOUNT(account, word) account,
 #include "core/scene/ledger_accounts.def"
@@ -46,7 +46,7 @@ struct LedgerEntry {
 
 struct Ledger {
     std::array<LedgerEntry, ledgerAccounts> entries{};
-    double lifted = 0; ///< height [J] that corrected positions gave; the frame books it to Parting
+    double lifted = 0; ///< height [J] that corrected positions gave; the frame records it to Parting
 
     LedgerEntry& operator[](LedgerAccount account) { return entries[static_cast<std::size_t>(account)]; }
     const LedgerEntry& operator[](LedgerAccount account) const {
@@ -63,22 +63,23 @@ struct BallisticAdvance {
     double duration;   ///< [s]
 };
 
-/// Books the advance of `list`: to be called before it, as the velocities at its start are needed. Gravity's
-/// momentum and work on kinetic energy; its potential energy is booked by the frame, for all bodies at once.
-void bookBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
-                          const BallisticAdvance& advance, const State& state, Ledger& ledger);
+/// Records the advance of `list`: to be called before it, as the velocities at its start are needed.
+/// Gravity's momentum and work on kinetic energy; its potential energy is recorded by the frame, for all
+/// bodies at once.
+void recordBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> list,
+                            const BallisticAdvance& advance, const State& state, Ledger& ledger);
 
 /// Momentum that `change` of velocity gives to `list`: of gravity's, their weight times the time.
 Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change);
 
 /// Books a motion that only gravity and one other thing can have made, by what it changed: gravity by the
 /// height lost and the momentum of the weight, `account` by the rest.
-void bookDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
-                    LedgerAccount account, Ledger& ledger);
+void recordDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
+                      LedgerAccount account, Ledger& ledger);
 
 /// Kinetic energy of rotation of a body [J].
 double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state);
-/// The same of `list`, to be booked as the difference of two.
+/// The same of `list`, to be recorded as the difference of two.
 double spinEnergy(const Bodies& bodies, std::span<const BodyIndex> list, const State& state);
 
 } // namespace carom

@@ -103,8 +103,9 @@ ExpectationWatch::ExpectationWatch(std::shared_ptr<const Pipeline> pipeline)
 }
 
 bool ExpectationWatch::needsLedger() const {
-    return std::ranges::any_of(
-        m_followed, [](const Followed& followed) { return followed.row != nullptr && followed.row->booked; });
+    return std::ranges::any_of(m_followed, [](const Followed& followed) {
+        return followed.row != nullptr && followed.row->audited;
+    });
 }
 
 double ExpectationWatch::lastNamedTime() const {
@@ -196,7 +197,7 @@ void ExpectationWatch::look(const World& world) {
             if (!followed.started) start(i, moment, state.time);
             judge(i, moment, 1, state.frame, state.time);
         }
-        if (followed.row == nullptr || !followed.row->booked) continue;
+        if (followed.row == nullptr || !followed.row->audited) continue;
         for (std::size_t k = 0; k < followed.bodies.size(); ++k)
             followed.sums[k] += followed.row->measure(moment, followed.bodies[k]);
     }
@@ -234,7 +235,7 @@ double ExpectationWatch::measure(const Followed& followed, const Expectation& as
     const BodyIndex body = followed.bodies[k];
     if (followed.row != nullptr) {
         const double figure = followed.row->measure(moment, body);
-        return followed.row->booked ? followed.sums[k] + part * figure : figure;
+        return followed.row->audited ? followed.sums[k] + part * figure : figure;
     }
     if (isOfTwoBodies(asked.quantity)) {
         const std::vector<Shape>& shape = m_pipeline->bodies().shape;

@@ -72,7 +72,7 @@ class ExpectationWatch {
     struct Followed {
         const QuantityRow* row = nullptr; ///< null: impacts, a distance, or rest only
         std::vector<BodyIndex> bodies;    ///< noBody: the whole
-        std::vector<double> sums;         ///< of what is booked frame by frame
+        std::vector<double> sums;         ///< of what is recorded frame by frame
         bool started = false;             ///< its time has begun
         std::vector<double> start, startScale;
         std::vector<BodyIndex> resting; ///< those that rest is asked of

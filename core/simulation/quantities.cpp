@@ -177,7 +177,7 @@ double workOf(const Moment& moment, BodyIndex) {
 }
 
 template<LedgerAccount account>
-double bookedOf(const Moment& moment, BodyIndex) {
+double auditedOf(const Moment& moment, BodyIndex) {
     return moment.statistics.ledger[account].energy;
 }
 double unexplainedOf(const Moment& moment, BodyIndex) { return moment.statistics.unexplained.energy; }
@@ -208,7 +208,7 @@ constexpr std::array wholeRows = {
     QuantityRow{"energy by " #word,                                                                          \
                 "energy_by_" #word,                                                                          \
                 "J",                                                                                         \
-                bookedOf<LedgerAccount::account>,                                                            \
+                auditedOf<LedgerAccount::account>,                                                           \
                 totalKineticOf,                                                                              \
                 true},
 #include "core/scene/ledger_accounts.def"
@@ -245,7 +245,7 @@ const QuantityRow* quantityNamed(std::string_view word, bool ofBody) {
 
 bool Probes::needLedger() const {
     return std::any_of(m_probes.begin(), m_probes.end(),
-                       [](const Probe& probe) { return probe.quantity->booked; });
+                       [](const Probe& probe) { return probe.quantity->audited; });
 }
 
 std::vector<double> Probes::measure(const Pipeline& pipeline, const State& state,
@@ -259,7 +259,7 @@ std::vector<double> Probes::measure(const Pipeline& pipeline, const State& state
         const Probe& probe = m_probes[i];
         const bool there = probe.body == noBody || probe.body < pipeline.bodies().count();
         double figure = there ? probe.quantity->measure(moment, probe.body) : undefined;
-        if (probe.quantity->booked) figure = m_sums[i] += figure;
+        if (probe.quantity->audited) figure = m_sums[i] += figure;
         figures.push_back(figure);
     }
     m_velocityBefore = state.velocity;

@@ -38,7 +38,7 @@ struct QuantityRow {
     /// vanish; null: nothing.
     double (*scale)(const Moment& moment, BodyIndex body) = nullptr;
     /// Booked frame by frame in a world that keeps a ledger; Probes adds the frames up.
-    bool booked = false;
+    bool audited = false;
 };
 
 /// What a body has: position, velocity, energy, momentum, penetration, contact force.
@@ -69,7 +69,7 @@ class Probes {
 
   private:
     std::vector<Probe> m_probes;
-    std::vector<double> m_sums; ///< by probe, of those that are booked
+    std::vector<double> m_sums; ///< by probe, of those that are recorded
     std::vector<Vec3> m_velocityBefore;
     double m_timeBefore = 0; ///< [s]
 };

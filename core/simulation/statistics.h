@@ -47,7 +47,7 @@ struct FrameStatistics {
     /// Where the world keeps one (World::keepLedger): what each part of the motion gave and took in this
     /// frame.
     Ledger ledger;
-    LedgerEntry unexplained; ///< change of the state's energy and momentum that nothing has booked
+    LedgerEntry unexplained; ///< change of the state's energy and momentum that nothing has recorded
 };
 
 /// The columns that statisticsRow() fills, as a line of CSV without its end. Scripts depend on them: one may

@@ -50,7 +50,7 @@ class World {
     /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
     std::uint64_t stateHash() const;
 
-    /// Whether the frames to come book who gives and takes energy and momentum (FrameStatistics::ledger).
+    /// Whether the frames to come record who gives and takes energy and momentum (FrameStatistics::ledger).
     /// It costs a percent or two, and the motion is the same to the bit.
     void keepLedger(bool keep) { m_keepsLedger = keep; }
 

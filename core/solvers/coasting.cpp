@@ -8,8 +8,8 @@ namespace {
 void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) {
     const double spinBefore = input.ledger != nullptr ? spinEnergy(input.bodies, bodies, input.state) : 0;
     if (input.ledger != nullptr)
-        bookBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep}, input.state,
-                             *input.ledger);
+        recordBallisticAdvance(input.bodies, bodies, {input.gravity, input.gravity, input.substep},
+                               input.state, *input.ledger);
     input.motion.move(bodies, input.gravity, input.substep, input.state);
     input.motion.rotateFreely(input.bodies, bodies, input.substep, input.state);
     // Bodies with unequal moments keep their energy as well as the integrator can.
@@ -75,8 +75,9 @@ void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledge
     move(network, input.substep, input.state);
     bookTerms(input, network, *ledger);
     const LedgerAccount remainder = remainderOf(network);
-    bookDifference(before, invariants(),
-                   weightOf(input.bodies, network.moving, input.substep * input.gravity), remainder, *ledger);
+    recordDifference(before, invariants(),
+                     weightOf(input.bodies, network.moving, input.substep * input.gravity), remainder,
+                     *ledger);
     if (!network.springs.empty()) return;
     // As in ballistic motion: forces at the centre turn nothing.
     const LedgerEntry turning{spinEnergy(input.bodies, network.moving, input.state) - spinBefore,

@@ -59,9 +59,9 @@ SolverReport Events::advance(const SolverInput& input) {
     if (!report.loss) report.loss = findLoss(input.bodies, input.state);
     // Flight is a closed form: nothing but gravity and the impacts can act.
     if (input.ledger != nullptr)
-        bookDifference(atStart, invariantsOf(input.bodies, input.state, input.gravity),
-                       weightOf(input.bodies, input.bodies.mobileBodies, input.substep * input.gravity),
-                       LedgerAccount::Restitution, *input.ledger);
+        recordDifference(atStart, invariantsOf(input.bodies, input.state, input.gravity),
+                         weightOf(input.bodies, input.bodies.mobileBodies, input.substep * input.gravity),
+                         LedgerAccount::Restitution, *input.ledger);
     report.integrate = watch.lap();
     return report;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/impacts.h"
 
-#include "core/solvers/bookings.h"
+#include "core/solvers/audit.h"
 #include "core/solvers/contacts/work_budget.h"
 #include "core/solvers/joint_impulses.h"
 

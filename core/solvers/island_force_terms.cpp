@@ -61,6 +61,8 @@ void IslandMotion::endTerms(const MotionInput& input) {
     }
 }
 
-void IslandMotion::bookTerms(const MotionInput& input) { m_forced.book(input.bodies.forces, *input.ledger); }
+void IslandMotion::bookTerms(const MotionInput& input) {
+    m_forced.record(input.bodies.forces, *input.ledger);
+}
 
 } // namespace carom

@@ -5,7 +5,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
-#include "core/solvers/bookings.h"
+#include "core/solvers/audit.h"
 #include "core/solvers/contact_settings.h"
 #include "core/solvers/contacts/calm.h"
 

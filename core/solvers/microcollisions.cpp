@@ -169,8 +169,8 @@ void Microcollisions::bookSpin(const SolverInput& input, double sign) {
 
 void Microcollisions::moveSmoothly(const SolverInput& input) {
     if (input.ledger != nullptr) {
-        bookBallisticAdvance(input.bodies, m_free, {input.gravity, input.gravity, input.substep}, input.state,
-                             *input.ledger);
+        recordBallisticAdvance(input.bodies, m_free, {input.gravity, input.gravity, input.substep},
+                               input.state, *input.ledger);
         bookSpin(input, -1);
     }
     const std::span<const BodyIndex> free = m_free;

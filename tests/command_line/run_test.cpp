@@ -146,7 +146,7 @@ void RunTest::statisticsHoldARowAFrame() {
         for (int i = 2; i <= 6; ++i) QVERIFY(fields[i].toDouble() >= 0);
         QCOMPARE(fields.mid(7, 12),
                  QStringList({"0", "0", "0", "1", "0", "2", "0", "0", "0", "0", "0", "0"}));
-        for (const QString& booked : fields.mid(19, 13)) QCOMPARE(booked, QString("0"));
+        for (const QString& audited : fields.mid(19, 13)) QCOMPARE(audited, QString("0"));
         // Nothing is compared, swept, factored or struck; the pairs are searched for once.
         for (const QString& work : fields.mid(32, 4)) QCOMPARE(work, QString("0"));
         QVERIFY(fields[36].toInt() <= 1);

@@ -242,7 +242,7 @@ class AirTest : public QObject {
         }
     }
 
-    // Bodies of all kinds in a corner of walls in the wind: what changes is booked, on every path.
+    // Bodies of all kinds in a corner of walls in the wind: what changes is recorded, on every path.
     void randomScenesInAirBalance() {
         constexpr std::uint64_t seed = 20263;
         qInfo("seed %llu", static_cast<unsigned long long>(seed));

@@ -213,7 +213,7 @@ QMenu* InspectorDock::menuOf(const QString& name) {
     for (int i = 0; i < m_live->childCount(); ++i) {
         if (m_live->child(i)->text(Name) != name) continue;
         const auto row = std::find_if(rows.begin(), rows.end(), [&name](const QuantityRow& one) {
-            return !one.booked && textOf(one.name) == name;
+            return !one.audited && textOf(one.name) == name;
         });
         const double value = m_live->child(i)->data(Name, measuredRole).toDouble();
         const double time = static_cast<double>(m_curveFrame) * m_pipeline->settings().step;
@@ -281,7 +281,7 @@ void InspectorDock::rebuild() {
     if (!wall) {
         m_live = addGroup(whole ? tr("The whole scene now") : tr("Now"));
         for (const QuantityRow& row : whole ? wholeQuantities() : bodyQuantities())
-            if (!row.booked) // what one frame books says little
+            if (!row.audited) // what one frame books says little
                 addRow(m_live, textOf(row.name), {}, textOf(row.unit));
     }
     m_tree->expandAll();
@@ -401,7 +401,7 @@ void InspectorDock::refresh() {
     int child = 0;
     const std::int64_t frame = m_snapshot ? m_snapshot->frame : 0;
     for (const QuantityRow& row : rows) {
-        if (row.booked) continue;
+        if (row.audited) continue;
         QTreeWidgetItem& item = *m_live->child(child++);
         const double value = row.measure(moment, m_body);
         setFigure(item, figure(value));

@@ -140,8 +140,8 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     }
     if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
         const Invariants after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
-        bookDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
-                       LedgerAccount::Contact, *input.ledger);
+        recordDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
+                         LedgerAccount::Contact, *input.ledger);
     }
     return report;
 }
@@ -330,7 +330,7 @@ void SteppedMotion::bookTerms(const SteppedInput& input) {
         step.given = m_forced.impulseOf(step);
         step.after = vectorOf(m_bodies[step.owner].velocity);
     }
-    const LedgerEntry given = m_forced.book(input.bodies.forces, *input.ledger);
+    const LedgerEntry given = m_forced.record(input.bodies.forces, *input.ledger);
     LedgerEntry& contact = (*input.ledger)[LedgerAccount::Contact];
     contact.energy -= given.energy;
     contact.momentum -= given.momentum;

@@ -179,7 +179,7 @@ class ExpectationWatchTest : public QObject {
             }
     }
 
-    void bookedEnergyAddsUp() {
+    void auditedEnergyAddsUp() {
         const char* braking = "gravity { accel 0, -10, 0 }\nwall { normal 0, 1, 0  toOrig 0  friction 0.5 }\n"
                               "cuboid { size 1, 1, 1  mass 2  centre 0, 0.5, 0  vel 3, 0, 0  friction 0.5 "
                               "elastic 0 }\n";

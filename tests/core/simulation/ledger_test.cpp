@@ -99,7 +99,7 @@ class LedgerTest : public QObject {
 
     // A ball of 2 kg lands at 3 m/s with e = 1/2: it loses 2 · (9 − 2.25)/2 = 6.75 J and the floor gives it 9
     // N s.
-    void anImpactIsBookedByItsLoss() {
+    void anImpactIsRecordedByItsLoss() {
         Body ball = rough(moving(sphere(0.5, 2, Vec3(0, 0.5, 0)), Vec3(0, -3, 0)), 0, 0.5);
         World world = worldOf(sceneOf({floorOf(0, 0.5), ball}), contacts("default"));
         world.keepLedger(true);
@@ -110,7 +110,7 @@ class LedgerTest : public QObject {
     }
 
     // It slides at 5 m/s: friction takes μ m g v dt to first order, and gives momentum −μ m g dt.
-    void frictionIsBookedByItsForce() {
+    void frictionIsRecordedByItsForce() {
         constexpr double mu = 0.5, mass = 3, speed = 5;
         World world = worldOf(
             sceneOf({floorOf(mu),

@@ -132,7 +132,7 @@ class QuantitiesTest : public QObject {
         QCOMPARE(depth.measure(moment, 3), 0.0);
     }
 
-    void whatTheLedgerBooksAddsUpToTheChangeOfEnergy() {
+    void whatTheLedgerHasAddsUpToTheChangeOfEnergy() {
         // A ball that is thrown along a rough floor bounces with losses, slides, and rolls on.
         Scene scene = test::sceneOf(
             {test::wall(Vec3::UnitY(), 0), test::sphere(0.5, 2, {0, 2, 0}, {4, 0, 0})}, Vec3(0, -9.8, 0));
@@ -142,7 +142,7 @@ class QuantitiesTest : public QObject {
         }
         std::vector<Probe> probes;
         for (const QuantityRow& row : wholeQuantities())
-            if (row.booked) probes.push_back({&row, noBody});
+            if (row.audited) probes.push_back({&row, noBody});
         QCOMPARE(probes.size(), ledgerAccounts + 1);
         probes.push_back({&wholeQuantity("energy"), noBody});
         Probes followed(probes);
@@ -155,9 +155,9 @@ class QuantitiesTest : public QObject {
             world.step();
             now = followed.measure(world.pipeline(), world.state(), world.statistics());
         }
-        const double booked = std::accumulate(now.begin(), now.end() - 1, 0.0);
-        QVERIFY2(std::abs(now.back() - before - booked) < rounding * before * 120,
-                 qPrintable(QString::number(booked)));
+        const double audited = std::accumulate(now.begin(), now.end() - 1, 0.0);
+        QVERIFY2(std::abs(now.back() - before - audited) < rounding * before * 120,
+                 qPrintable(QString::number(audited)));
         constexpr std::size_t restitution = 1, friction = 3;
         QVERIFY(now[restitution] < -0.3 * before);
         QVERIFY(now[friction] < 0);

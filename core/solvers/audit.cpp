@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/solvers/bookings.h"
+#include "core/solvers/audit.h"
 
 namespace carom {
 namespace {

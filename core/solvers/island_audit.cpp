@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/solvers/bookings.h"
+#include "core/solvers/audit.h"
 #include "core/solvers/island_motion.h"
 
 // What an island's motion did, for the ledger; called only where somebody keeps one. Everything is booked
