@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-constexpr int lookInterval = 20; // [ms] between two looks at whether OpenGL is there
+constexpr int lookInterval = 20; // [ms] between two checks of whether OpenGL is there
 constexpr int mostLooks = 3000;  // a minute
 
 } // namespace

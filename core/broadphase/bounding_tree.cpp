@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-// Boxes in a leaf: more make the tree shorter and each meeting of two leaves dearer.
+// Boxes in a leaf: more make the tree shorter and each comparison of two leaves dearer.
 constexpr std::uint32_t leafSize = 4;
 // A new tree costs about as much as so many node comparisons for each box and each halving of their number.
 constexpr double buildCost = 1;

@@ -38,7 +38,7 @@ std::int64_t floorOf(double value) {
     return towardsZero - static_cast<std::int64_t>(value < static_cast<double>(towardsZero));
 }
 
-// overlap() without branches: which of the six comparisons fails cannot be foreseen between neighbours.
+// overlap() without branches: which of the six comparisons fails cannot be predicted between neighbours.
 bool overlapWithoutBranches(const Aabb& a, const Aabb& b) {
     int all = 1;
     for (Eigen::Index axis = 0; axis < 3; ++axis)

@@ -11,7 +11,7 @@
 // changes: R' = [I⁻¹ L]× R with the world inertia I = R diag(I1, I2, I3) Rᵀ. So L is the quantity we keep and
 // ω is computed from it; L never drifts, whatever the step. (L from ω and ω from L in turn would lose 1e-16
 // of it every time, and always the same way: 2e-11 in 80,000 steps.) Whatever else turns a body changes ω
-// alone; so L is taken up only where ω is, to the bit, what follows from it.
+// alone; so the L that was kept counts only where ω is, to the bit, what follows from it.
 //
 // Isotropic inertia:  ω = L/I is constant, one rotation is exact.
 // Two equal moments (a cylinder), I across and I3 along the axis:  the body turns about L at |L|/I while it

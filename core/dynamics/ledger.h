@@ -56,7 +56,7 @@ struct Ledger {
     LedgerEntry total() const;
 };
 
-/// How bodies fly: under gravity alone, or along a wall that bears a part of their weight.
+/// How bodies move between contacts: under gravity alone, or along a wall that bears a part of their weight.
 struct BallisticAdvance {
     Vec3 gravity;      ///< [m/s²]
     Vec3 acceleration; ///< that they really have [m/s²]; the wall gives the difference

@@ -38,7 +38,7 @@ constinit const EffectRow springRow = {
     .decide = decide,
     .unmetMessage = "springs are not simulated yet; this one exerts no force",
     .contribute = contribute,
-    .exactObjection = "springs bend the flight of a body between events",
+    .exactObjection = "springs bend the path of a body between events",
 };
 
 } // namespace carom

@@ -9,9 +9,9 @@
 // II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
 // keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
 // method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies
-// that fly freely need no equations: the parabola is exact, and so is free rotation. Where a force depends on
-// a body's own motion its equations are those of dynamics/forced_steps.h, which move on from the midpoint to
-// the end of the step where the step is long.
+// that move freely need no equations: the parabola is exact, and so is free rotation. Where a force depends
+// on a body's own motion its equations are those of dynamics/forced_steps.h, which move on from the midpoint
+// to the end of the step where the step is long.
 
 namespace carom {
 namespace {

@@ -72,7 +72,7 @@ constinit const IntegratorRow rungeKutta4Row = {
     .name = "rk4",
     .title = "Runge–Kutta of order 4",
     .order = 4,
-    .help = "Four looks at the forces a substep; the most accurate where steps are small against an "
+    .help = "Four evaluations of the forces a substep; the most accurate where steps are small against an "
             "oscillation.",
     .source = "W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, 1901",
     .stableUpTo = 2.8284271247461903, // 2√2

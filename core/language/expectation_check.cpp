@@ -123,7 +123,8 @@ class ExpectationCheck {
                                                                  : m_asked.until;
             if (!time || *time <= end) continue;
             fail(DiagnosticCode::ExpectationTooLate, valueOf(name),
-                 "the run ends after " + shortest(end) + " s; it is not looked at " + shortest(*time) + " s");
+                 "the run ends after " + shortest(end) + " s; it is not measured at " + shortest(*time) +
+                     " s");
             return;
         }
     }

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// A shape in free flight: constant acceleration, constant angular velocity in the world.
+/// A shape that moves freely: constant acceleration, constant angular velocity in the world.
 struct MovingShape {
     PlacedShape start;                   ///< where it is at time 0; walls do not move
     Vec3 velocity = Vec3::Zero();        ///< at time 0 [m/s]

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-// Impacts as anybody can see them from outside, whichever method moves the bodies: a body flies on one
+// Impacts as anybody can see them from outside, whichever method moves the bodies: a body moves on one
 // parabola, and a frame later it is on another.
 //
 //     change of velocity     Δv = v2 − v1 − g h             h the frame
@@ -16,9 +16,9 @@
 //     the parabolas meet at  t  = h − Δx·Δv/|Δv|²            Δx = Δv (h − t)
 //
 // Limits: several impacts of one body in a frame are seen as one, at the mean time that their changes of
-// velocity weigh; every run is looked at once a frame, so all of them are seen alike. Contact forces change
+// velocity weigh; every run is sampled once a frame, so all of them are seen alike. Contact forces change
 // velocities too: changes of less than twice what gravity makes in a frame are none. Air and the like count
-// as gravity does, by the mean of their forces at both ends of the frame. Springs bend the flight, so nothing
+// as gravity does, by the mean of their forces at both ends of the frame. Springs bend the path, so nothing
 // is seen where there are any.
 
 namespace carom {

@@ -18,10 +18,10 @@ Vec3 placeOfWorldEnd(const SpringForce& spring) {
 
 // The parabola, and free rotation, which rotateFreely goes through to 1e-13 rad from the start to any time;
 // where moments differ it is no elementary function.
-ClosedMotion freeFlight(const Pipeline& pipeline) {
+ClosedMotion freeMotion(const Pipeline& pipeline) {
     const State start = pipeline.initialState();
     const Vec3 gravity = pipeline.gravity(), inertia = pipeline.bodies().inertia[0];
-    return {"free flight", [start, gravity, inertia](double time) {
+    return {"free motion", [start, gravity, inertia](double time) {
                 std::vector<Pose> pose = start.pose;
                 pose[0].position =
                     reference::freeFall(start.pose[0].position, start.velocity[0], gravity, time).place;
@@ -66,7 +66,7 @@ std::optional<ClosedMotion> alongSpring(const Pipeline& pipeline) {
 std::optional<ClosedMotion> closedMotionOf(const Pipeline& pipeline) {
     const Bodies& bodies = pipeline.bodies();
     if (bodies.count() != 1 || bodies.mobileBodies.size() != 1 || !bodies.forces.empty()) return std::nullopt;
-    if (bodies.springs.empty()) return freeFlight(pipeline);
+    if (bodies.springs.empty()) return freeMotion(pipeline);
     return bodies.springs.size() == 1 ? alongSpring(pipeline) : std::nullopt;
 }
 

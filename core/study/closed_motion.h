@@ -12,11 +12,11 @@ namespace carom {
 
 /// A scene whose motion is a closed form of time.
 struct ClosedMotion {
-    std::string name; ///< "free flight"
+    std::string name; ///< "free motion"
     std::function<std::vector<Pose>(double time)> at;
 };
 
-/// Recognises a single body that flies and turns free of everything but gravity, and a single ball on an
+/// Recognises a single body that moves and turns free of everything but gravity, and a single ball on an
 /// undamped spring that moves along the spring's line. Nothing for every other scene.
 std::optional<ClosedMotion> closedMotionOf(const Pipeline& pipeline);
 

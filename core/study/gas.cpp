@@ -77,8 +77,8 @@ class Batches {
     std::vector<double> m_values;
 };
 
-/// The room that centres can be in, as far as walls along the axes bound it; infinite elsewhere.
-struct Room {
+/// Where centres can be, as far as walls along the axes bound it; infinite elsewhere.
+struct Region {
     Aabb centres{Vec3::Constant(-never), Vec3::Constant(never)};
     bool onlyUpright = true; ///< no wall is slanted
 
@@ -99,7 +99,7 @@ class Experiment {
     static constexpr double fastest = 5; // in √(kT/m): 1.5e-5 are faster
 
     void lookAtScene();
-    void lookAtRoom();
+    void measureRegion();
     void chooseInnerBox();
     bool liveThrough(double collisionsPerBall);
     bool measureBatch(double seconds);
@@ -124,7 +124,7 @@ class Experiment {
     EventGas m_gas;
     GasStudy m_study;
     double m_initialEnergy = 0; ///< [J]
-    Room m_room;
+    Region m_region;
     std::optional<Aabb> m_inner;
     Vec3 m_up = Vec3::Zero(); ///< zero without gravity
     double m_floor = -never;  ///< the lowest place of a centre along it [m]
@@ -161,17 +161,17 @@ void Experiment::lookAtScene() {
             "the balls differ in radius or mass: pressure and free time have no simple theory");
 }
 
-void Experiment::lookAtRoom() {
+void Experiment::measureRegion() {
     for (const BodyIndex i : m_bodies.walls) {
         const Wall& wall = std::get<Wall>(m_bodies.shape[i]);
         Eigen::Index axis = 0;
         if (wall.normal.cwiseAbs().maxCoeff(&axis) < 1 - 1e-12) {
-            m_room.onlyUpright = false;
+            m_region.onlyUpright = false;
         } else if (wall.normal[axis] > 0) {
-            double& lower = m_room.centres.lower[axis];
+            double& lower = m_region.centres.lower[axis];
             lower = std::max(lower, wall.offset + m_study.diameter / 2);
         } else {
-            double& upper = m_room.centres.upper[axis];
+            double& upper = m_region.centres.upper[axis];
             upper = std::min(upper, -wall.offset - m_study.diameter / 2);
         }
     }
@@ -190,14 +190,14 @@ void Experiment::lookAtRoom() {
 // a small box must do with less.
 void Experiment::chooseInnerBox() {
     constexpr double reach = 3, shareAtMost = 0.25;
-    if (!m_room.isClosed() || !m_up.isZero(0)) {
+    if (!m_region.isClosed() || !m_up.isZero(0)) {
         m_study.remarks.push_back(m_up.isZero(0) ? "no closed box of upright walls: no pressure"
                                                  : "gravity: the pressure differs from height to height");
         return;
     }
-    const Vec3 size = m_room.centres.size();
+    const Vec3 size = m_region.centres.size();
     const Vec3 margin = (shareAtMost * size).cwiseMin(reach * m_study.diameter);
-    m_inner = Aabb{m_room.centres.lower + margin, m_room.centres.upper - margin};
+    m_inner = Aabb{m_region.centres.lower + margin, m_region.centres.upper - margin};
     if (margin.minCoeff() < reach * m_study.diameter)
         m_study.remarks.push_back("the box is less than twelve diameters wide: walls disturb the pressure");
     m_gas.watch(*m_inner);
@@ -376,7 +376,7 @@ void Experiment::judgeHeights() {
 
 GasStudy Experiment::run(const std::function<void(const GasStudy&)>& measured) {
     lookAtScene();
-    lookAtRoom();
+    measureRegion();
     chooseInnerBox();
     chooseTemperature();
     layHeights();

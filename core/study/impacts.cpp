@@ -10,7 +10,7 @@ namespace {
 constexpr double alikeWithin = 0.5, strongEnough = 0.01;
 
 /// The longest time up to `end` in which the body is not hit [s].
-double longestFlight(const std::vector<Impact>& impacts, double end) {
+double longestPause(const std::vector<Impact>& impacts, double end) {
     double longest = 0, last = 0;
     for (const Impact& impact : impacts) {
         longest = std::max(longest, std::min(impact.time, end) - last);
@@ -34,7 +34,7 @@ std::vector<Impact> strong(const std::vector<Impact>& impacts, double least) {
 void compareBody(const std::vector<Impact>& reference, const std::vector<Impact>& run, double end,
                  ImpactErrors& errors) {
     std::size_t same = 0;
-    const double mostApart = longestFlight(reference, end);
+    const double mostApart = longestPause(reference, end);
     while (same < reference.size() && same < run.size() && alike(reference[same], run[same], mostApart))
         ++same;
     const auto within = [end](const Impact& impact) { return impact.time <= end; };

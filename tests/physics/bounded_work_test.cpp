@@ -46,7 +46,7 @@ double frameBudget(const World& world) {
 /// An island may go beyond its share by what one step of Newton's method takes, or one round of impacts.
 constexpr double overrun = 1.5;
 
-/// Balls that fly about in a box, or fall into it.
+/// Balls that move about in a box, or fall into it.
 struct Balls {
     int count = 200;
     double elastic = 0.5, friction = 0.1;

@@ -103,7 +103,8 @@ class RestingTest : public QObject {
         QVERIFY(std::abs(world.state().velocity[2].x() - 0.5) < 1e-9);
     }
 
-    // Balls fall on a box at rest and lie still on it: balls fly before and are woken and laid down with it.
+    // Balls fall on a box at rest and lie still on it: balls move before, and are woken and put to sleep with
+    // it.
     void whatFallsOnSomethingAtRestWakesIt() {
         Scene scene = sceneOf({floorOf(0.5)}, downwards());
         scene.bodies.push_back(rough(cuboid(Vec3(4, 1, 4), 10, Vec3(0, 0.5, 0)), 0.5));

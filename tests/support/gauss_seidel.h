@@ -146,7 +146,7 @@ inline void GaussSeidelSolver::beginSweep() {
     }
 }
 
-// From where the sweep has come along d, which takes up what the sweep has changed.
+// From where the sweep has come along d, which includes what the sweep has changed.
 inline void GaussSeidelSolver::goOn(bool first) {
     double size = 0;
     for (std::size_t i = 0; i < m_rows.size(); ++i)

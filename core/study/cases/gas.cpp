@@ -63,8 +63,8 @@ double overlapping(const World& world) {
     return count;
 }
 
-// Walls take up momentum, so that is looked at where there are none: spheres that fly together into a heap
-// and apart again.
+// Walls take up momentum, so that is measured where there are none: spheres that meet in a heap
+// and part again.
 void runGasConservation(Trial& trial) {
     World world = trial.world(gasScene());
     const std::int64_t frames =
@@ -89,12 +89,12 @@ void runGasConservation(Trial& trial) {
         heap += text("sphere { radius 0.2  mass 1  centre ", place, "  vel ", Vec3(-place + 0.2 * jitter),
                      " }\n");
     }
-    World flying = trial.world(heap);
-    const Vec3 momentum = flying.statistics().momentum;
-    const double scale = std::sqrt(2 * energyOf(flying) * 216);
+    World meeting = trial.world(heap);
+    const Vec3 momentum = meeting.statistics().momentum;
+    const double scale = std::sqrt(2 * energyOf(meeting) * 216);
     double drift = 0;
-    trial.run(flying, trial.shortOrLong(90, 180),
-              [&] { drift = std::max(drift, (flying.statistics().momentum - momentum).norm() / scale); });
+    trial.run(meeting, trial.shortOrLong(90, 180),
+              [&] { drift = std::max(drift, (meeting.statistics().momentum - momentum).norm() / scale); });
     trial.expect("momentum error", drift, {1e-9, 1e-12});
 }
 

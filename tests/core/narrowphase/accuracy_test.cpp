@@ -29,9 +29,9 @@ constexpr double witnessTolerance = 1e-4;
 // FCL's own: its distances stop at 1e-6, relative to nothing.
 constexpr double fclTolerance = 2e-5;
 
-int trials(int usual) {
+int trials(int byDefault) {
     const int asked = qEnvironmentVariableIntValue("CAROM_TRIALS");
-    return asked > 0 ? asked : usual;
+    return asked > 0 ? asked : byDefault;
 }
 
 double distanceFromShape(const PlacedShape& placedShape, const Vec3& point) {

@@ -29,8 +29,8 @@ std::int64_t firstHit(const Scene& scene, const Breakpoint& breakpoint, int fram
     return 0;
 }
 
-/// Two balls fly towards each other at 6 m/s, 5.9 m apart between their surfaces: they meet in frame 59.
-Scene meeting() {
+/// Two balls move towards each other at 6 m/s, 5.9 m apart between their surfaces: they meet in frame 59.
+Scene approachingBalls() {
     return test::sceneOf({test::sphere(0.5, 1, {-3.45, 0, 0}, {3, 0, 0}),
                           test::sphere(0.5, 1, {3.45, 0, 0}, {-3, 0, 0}), test::sphere(0.5, 1, {0, 9, 0})});
 }
@@ -44,11 +44,12 @@ class BreakpointTest : public QObject {
     void aContactIsSeenInTheFrameOfTheBounce() {
         for (const std::string_view method : {"microcollisions", "contacts", "events"}) {
             const std::int64_t hit =
-                firstHit(meeting(), {.kind = BreakKind::Contact, .a = 0, .b = 1}, 90, method);
+                firstHit(approachingBalls(), {.kind = BreakKind::Contact, .a = 0, .b = 1}, 90, method);
             QVERIFY2(hit == 59 || hit == 60, method.data());
-            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact, .a = 2}, 90, method), std::int64_t{0});
-            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact}, 90, method), hit);
-            QCOMPARE(firstHit(meeting(), {.kind = BreakKind::Contact, .a = 1}, 90, method), hit);
+            QCOMPARE(firstHit(approachingBalls(), {.kind = BreakKind::Contact, .a = 2}, 90, method),
+                     std::int64_t{0});
+            QCOMPARE(firstHit(approachingBalls(), {.kind = BreakKind::Contact}, 90, method), hit);
+            QCOMPARE(firstHit(approachingBalls(), {.kind = BreakKind::Contact, .a = 1}, 90, method), hit);
         }
     }
 
@@ -101,7 +102,7 @@ class BreakpointTest : public QObject {
             test::sceneOf({test::wall(Vec3::UnitY(), 0), test::sphere(0.5, 1, {0, 0.6, 0}, {0, -12, 0})});
         QCOMPARE(firstHit(deep, {.kind = BreakKind::Penetration, .limit = 0.05}, 10), std::int64_t{1});
         QCOMPARE(firstHit(deep, {.kind = BreakKind::Penetration, .limit = 0.5}, 10), std::int64_t{0});
-        // A ball that lands without bounce loses all its energy of motion.
+        // A ball that hits the floor without a bounce loses all its energy of motion.
         Scene lossy = deep;
         lossy.bodies[1].elastic = 0;
         QCOMPARE(firstHit(lossy, {.kind = BreakKind::EnergyDrift, .limit = 0.5}, 10), std::int64_t{1});

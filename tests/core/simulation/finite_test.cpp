@@ -34,7 +34,7 @@ Scene onFloor(const Body& body, const Vec3& gravity) {
 }
 
 /// A body that the floor is out of reach of.
-Body flying(Body body) {
+Body inMotion(Body body) {
     body.pose.position.y() = 50;
     return body;
 }
@@ -47,7 +47,7 @@ Body spinning(Body body, const Vec3& angularVelocity) {
 Lost lostIn(const QString& place) {
     const Body ball = sphere(1, 1, Vec3(0, 50, 0), Vec3(huge, 0, 0));
     const Body box = cuboid(Vec3(1, 2, 3), 1, Vec3(0, 1, 0));
-    if (place == QLatin1String("microcollisions, flight"))
+    if (place == QLatin1String("microcollisions, motion"))
         return {.scene = onFloor(ball, Vec3::Zero()),
                 .method = "microcollisions",
                 .frame = 2,
@@ -62,10 +62,10 @@ Lost lostIn(const QString& place) {
     if (place == QLatin1String("contacts, forces"))
         return {
             .scene = onFloor(box, Vec3(0, -huge, 0)), .quantity = "velocity", .step = 10, .isUnmoved = true};
-    if (place == QLatin1String("contacts, flight")) return {.scene = onFloor(ball, Vec3::Zero())};
-    return {.scene = onFloor(flying(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),
+    if (place == QLatin1String("contacts, motion")) return {.scene = onFloor(ball, Vec3::Zero())};
+    return {.scene = onFloor(inMotion(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),
             .quantity = "orientation"};
-    return {.scene = onFloor(flying(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),
+    return {.scene = onFloor(inMotion(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),
             .quantity = "orientation"};
 }
 
@@ -77,8 +77,8 @@ class FiniteTest : public QObject {
   private Q_SLOTS:
     void aLossIsFoundWhereItHappens_data() {
         QTest::addColumn<QString>("place");
-        for (const char* place : {"microcollisions, flight", "microcollisions, impact", "contacts, forces",
-                                  "contacts, flight", "contacts, turning"})
+        for (const char* place : {"microcollisions, motion", "microcollisions, impact", "contacts, forces",
+                                  "contacts, motion", "contacts, turning"})
             QTest::newRow(place) << QString::fromLatin1(place);
     }
     void aLossIsFoundWhereItHappens() {

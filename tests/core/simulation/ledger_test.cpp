@@ -97,8 +97,8 @@ class LedgerTest : public QObject {
         }
     }
 
-    // A ball of 2 kg lands at 3 m/s with e = 1/2: it loses 2 · (9 − 2.25)/2 = 6.75 J and the floor gives it 9
-    // N s.
+    // A ball of 2 kg hits the floor at 3 m/s with e = 1/2: it loses 2 · (9 − 2.25)/2 = 6.75 J and the floor
+    // gives it 9 N s.
     void anImpactIsRecordedByItsLoss() {
         Body ball = rough(moving(sphere(0.5, 2, Vec3(0, 0.5, 0)), Vec3(0, -3, 0)), 0, 0.5);
         World world = worldOf(sceneOf({floorOf(0, 0.5), ball}), contacts("default"));

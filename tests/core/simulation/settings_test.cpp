@@ -208,7 +208,7 @@ class SettingsTest : public QObject {
         QCOMPARE(refusals("air { density 0 }\n" + feather), QStringList());
         QCOMPARE(refusals(feather + "spring { from world to a stiffness 3 }\n"),
                  QStringList(QStringLiteral("`spring`: method `events` cannot treat this scene: springs bend "
-                                            "the flight of a body between events; `contacts` runs in its "
+                                            "the path of a body between events; `contacts` runs in its "
                                             "place")));
         // Both ends are fixed: it exerts no force on anything.
         QCOMPARE(refusals("sphere post { radius 1 centre 9, 5, 0 fixed yes }\n" + feather +

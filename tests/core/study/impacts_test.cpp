@@ -101,7 +101,7 @@ class ImpactsTest : public QObject {
         QCOMPARE(errors.matched, std::size_t{1});
         QCOMPARE(errors.time, 0.0);
 
-        // One just as strong, but far later than any flight is long, is another one.
+        // One just as strong, but far later than the longest time between impacts, is another one.
         errors = compareImpacts(reference, {{hit(1, 2), hit(8, -3)}}, 3.5);
         QCOMPARE(errors.matched, std::size_t{1});
     }
