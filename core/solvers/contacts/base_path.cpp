@@ -15,6 +15,8 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 
 /// Of so many bodies one at most is renewed: of more, pairs are found for all.
 constexpr std::size_t fewRenewed = 16;
+/// And only where one body in so many is here: the neighbours may have to search for all.
+constexpr std::size_t partHere = 4;
 
 /// That is nearer than this part of the smaller one's size.
 constexpr double nearPart = 2 * slackPart;
@@ -98,7 +100,8 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     };
     forget();
     findOutrun(input, substep, time, skin, neighbours);
-    if (fewRenewed * m_renewed.size() > all) return false;
+    if (fewRenewed * m_renewed.size() > all || partHere * all < input.bodies.mobileBodies.size())
+        return false;
     while (!findStruck(input, neighbours)) { // what is found depends on nothing but where the bodies are
         neighbours.search(input.bodies, input.state, broadphase);
         forget();
