@@ -24,9 +24,6 @@ constexpr double innerPart = 0.1;
 constexpr int mostSteps = 60, mostRounds = 80;
 /// The inner error should fall at least to this part in a step; else the coupled step is tried.
 constexpr double slowFall = 0.3;
-/// What a body carries is rounded to this part of it: no solution can be told from another below that. Shows
-/// where a light body carries a heavy one.
-constexpr double impulseRounding = 4e-16;
 /// The line search is exact enough when the slope along the step has fallen to this part.
 constexpr double slopeFall = 0.1;
 constexpr int mostSlopes = 40;
@@ -78,7 +75,6 @@ void NewtonSolver::makeRoom(std::size_t bodies, std::size_t rows) {
     m_units.length.reserve(bodies);
     m_edges.reserve(rows);
     m_first.reserve(rows);
-    m_carried.reserve(bodies);
     m_gradient.reserve(bodies);
     m_step.reserve(bodies);
     m_saved.reserve(bodies);
@@ -274,16 +270,12 @@ void NewtonSolver::project(const ContactProblem& problem, double along) {
     }
 }
 
-// G, and the largest change of velocity M⁻¹ G [m/s] beyond rounding.
+// G, and the largest change of velocity M⁻¹ G [m/s].
 double NewtonSolver::gradient(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
         m_gradient[i] =
             momentumChange(problem.bodies[i], problem.bodies[i].velocity - problem.bodies[i].freeVelocity);
-    m_carried.assign(m_gradient.size(), 0);
     const auto subtract = [&](const auto& row, const Vec3& impulse) {
-        const double size = impulse.norm();
-        if (row.a != immobile) m_carried[at(row.a)] += size;
-        if (row.b != immobile) m_carried[at(row.b)] += size;
         if (row.a != immobile) m_gradient[at(row.a)].noalias() -= row.jacobianA.transpose() * impulse;
         if (row.b != immobile) m_gradient[at(row.b)].noalias() -= row.jacobianB.transpose() * impulse;
     };

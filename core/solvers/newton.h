@@ -107,7 +107,6 @@ class NewtonSolver {
     ProblemUnits m_units; // that H is written in, and its pivots are chosen in
     std::vector<BlockEdge> m_edges;
     std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
-    std::vector<double> m_carried;              // by each body, the sum of impulses [N s]
     std::vector<Vec6> m_gradient, m_step, m_saved;
     BlockMatrix m_matrix;
 };
