@@ -100,6 +100,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     };
     forget();
     findOutrun(input, substep, time, skin, neighbours);
+    if (m_renewed.empty()) return true;
     if (fewRenewed * m_renewed.size() > all || partHere * all < input.bodies.mobileBodies.size())
         return false;
     while (!findStruck(input, neighbours)) { // what is found depends on nothing but where the bodies are
@@ -107,7 +108,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
         forget();
         findOutrun(input, substep, time, skin, neighbours);
     }
-    return m_renewed.empty() || takeUpPairs(input, neighbours, manifolds);
+    return takeUpPairs(input, neighbours, manifolds);
 }
 
 // Those that may outrun their reach, with a new one.
@@ -306,7 +307,7 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
 }
 
 std::size_t BasePath::bytes() const {
-    std::size_t sum = m_reach.size() * (sizeof(double) + sizeof(Pose) + 1);
+    std::size_t sum = m_reach.size() * (sizeof(double) + sizeof(Pose) + 1 + sizeof(std::uint32_t));
     for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.bytes();
     return sum;
 }

@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <numeric>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -253,6 +254,31 @@ class BasePathTest : public QObject {
         QVERIFY(touching > 100);
         QVERIFY(renewed > 20);
         QCOMPARE(missed, 0);
+    }
+
+    // Pairs are found anew for a few where a quarter of the bodies are here, and not where fewer are.
+    void pairsAreFoundAnewOnlyWhereEnoughBodiesAre() {
+        constexpr std::size_t count = 100;
+        for (const std::size_t here : {count / 4 - 1, count / 4}) {
+            Scene scene = test::sceneOf({}, Vec3::Zero());
+            for (std::size_t n = 0; n < count; ++n)
+                scene.bodies.push_back(ball(0.1, {static_cast<double>(n), 0, 0}, Vec3::Zero()));
+            Entered entered(scene);
+            std::vector<BodyIndex> list(here);
+            std::iota(list.begin(), list.end(), BodyIndex{0});
+            entered.enter(list);
+            entered.advance();
+            QVERIFY(entered.renew()); // nobody moves
+            entered.leave();
+            entered.state.velocity[0] = {0, 0.1, 0};
+            entered.enter(list);
+            int n = 0; // it outruns the reach of a frame and the skin
+            while (n < 100 && entered.renew()) {
+                entered.advance();
+                ++n;
+            }
+            QCOMPARE(n == 100, here >= count / 4);
+        }
     }
 
     void noBallPassesAnotherOfARowThatIsStruck() {
