@@ -2,6 +2,7 @@
 #include "core/solvers/coasting.h"
 
 #include "core/dynamics/energy.h"
+
 namespace carom {
 namespace {
 

@@ -499,13 +499,11 @@ ContactSet Contacts::contacts(const State& state) const {
     return merged(merged(m_contacts, m_resting.contacts()), stepped);
 }
 
-/// Sweeps a substep over the contacts of a big pile.
-constexpr int sweeps = 20;
 /// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on
 /// what was saved. A tower of 100 cubes built by hand lands in four frames that take twice a second in all:
 /// at half the reserve it falls. At half the effort steps of the pyramid overlap; at twice as much a pile
 /// takes 50 times what it takes by default.
-constexpr double mostEffort = 12, mostReserve = 100;
+constexpr double accurateEffort = 12, accurateReserve = 100;
 /// Ratio of masses in contact up to which sweeps over an island too large to be solved exactly hold. At twice
 /// that the heavy body sinks in twice as far.
 constexpr double mostMassRatio = 1000;
@@ -551,10 +549,10 @@ constinit const SolverRow contactsRow = {
                   .gyroscopicTerm = true},
     .isGeneral = true,
     .integrator = "midpoint", // stable at any step, as the method is
-    .iterations = sweeps,
+    .iterations = iterationsOfOnePass,
     .presets = {{{.substeps = 1, .tolerance = 1e-3, .effort = 0.25},
                  {.substeps = 4, .tolerance = 1e-6, .effort = 1},
-                 {.substeps = 8, .tolerance = 1e-10, .effort = mostEffort, .reserve = mostReserve}}},
+                 {.substeps = 8, .tolerance = 1e-10, .effort = accurateEffort, .reserve = accurateReserve}}},
     .massRatioLimit = massRatioLimit,
 };
 

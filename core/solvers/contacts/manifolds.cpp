@@ -6,6 +6,7 @@
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
 #include "core/narrowphase/separating_axis.h"
+#include "core/solvers/neighbours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,11 +197,10 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
     const auto [a, b] = manifold.pair;
     const Vec3 between = input.state.pose[b].position - input.state.pose[a].position;
-    const double distance = between.norm();
-    const double gap = distance - input.bodies.boundingRadius[a] - input.bodies.boundingRadius[b];
+    const double gap = boundingGap(input.bodies, input.state, manifold.pair);
     if (!(gap > 0) || canMeet(input, manifold.pair, gap)) return false;
     manifold.hasNormal = manifold.open = true;
-    manifold.normal = input.state.pose[a].directionToBody(between / distance);
+    manifold.normal = input.state.pose[a].directionToBody(between.normalized());
     manifold.gap = gap;
     return true;
 }

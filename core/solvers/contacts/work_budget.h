@@ -2,7 +2,7 @@
 #pragma once
 
 // The work of the method `contacts` is counted, never timed: a scene takes the same decisions on every
-// machine. The unit is an operation of about a nanosecond on a processor of 2020; the figures below were
+// machine. The unit is an operation of about half a nanosecond on a processor of 2020; the figures below were
 // measured with callgrind and rounded. What is refined beyond the base path (refinement.h) is bounded by a
 // budget in this unit.
 
