@@ -5,9 +5,8 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/scene_options.h"
-#include "core/base/csv.h"
 #include "core/base/figures.h"
-#include "core/simulation/run_difference.h"
+#include "core/study/race.h"
 
 #include <limits>
 #include <optional>
@@ -38,20 +37,7 @@ std::pair<Side, Side> sidesOf(const Arguments& arguments) {
 }
 
 std::string describe(char name, const Side& side, const RunSettings& settings) {
-    return std::string(1, name) + ": " + displayName(side.path) + ", preset " +
-           std::string(settings.preset->name) + ", method " + std::string(settings.method->name) + ", " +
-           counted(static_cast<std::size_t>(settings.substeps), "substep", "substeps") + " a frame\n";
-}
-
-/// Bodies are compared one by one, at the same moments.
-void refuseUnlike(const Pipeline& a, const Pipeline& b) {
-    if (a.bodies().mobileBodies != b.bodies().mobileBodies)
-        throw UsageError("the two scenes have other bodies (" +
-                         std::to_string(a.bodies().mobileBodies.size()) + " and " +
-                         std::to_string(b.bodies().mobileBodies.size()) +
-                         " that move); they must be alike in number and order");
-    if (a.settings().step != b.settings().step)
-        throw UsageError("the two runs have frames of different length; give both the same `--step`");
+    return std::string(1, name) + ": " + displayName(side.path) + ", " + settingOf(settings) + "\n";
 }
 
 int runDiff(const Arguments& arguments) {
@@ -62,40 +48,35 @@ int runDiff(const Arguments& arguments) {
     refuseSharedFiles({{"the scene", sideA.path}, {"`--output`", file.value_or("")}});
     refuseSharedFiles({{"the second scene", sideB.path}, {"`--output`", file.value_or("")}});
     const Build builtA = loadScene(sideA.path, sideA.options), builtB = loadScene(sideB.path, sideB.options);
-    refuseUnlike(*builtA.pipeline, *builtB.pipeline);
-    World a(builtA.pipeline), b(builtB.pipeline);
+    if (const std::optional<std::string> objection = objectionToRace(*builtA.pipeline, *builtB.pipeline))
+        throw UsageError(*objection);
+    Race race(builtA.pipeline, builtB.pipeline);
     const Scene& scene = builtA.pipeline->scene();
     const std::int64_t frames = wanted.value_or(defaultFrames(builtA.pipeline->settings()));
 
     printOut(describe(bothNames[0], sideA, builtA.pipeline->settings()) +
              describe(bothNames[1], sideB, builtB.pipeline->settings()));
-    CsvTable table("frame,time,distance,body,label");
-    std::optional<BitDifference> first;
-    RunDistance last;
+    CsvTable table(raceColumns);
+    bool named = false;  // the first difference
     double nextLine = 0; // [m] from which a line is worth printing
     const auto look = [&] {
-        last = distanceBetween(a, b);
-        const std::string label = last.body == noBody ? "" : scene.bodies[last.body].label;
-        const std::int64_t body = last.body == noBody ? -1 : static_cast<std::int64_t>(last.body);
-        table.row(a.state().frame, a.state().time, last.distance, body, label);
-        if (!first) {
-            first = firstDifference(a, b);
-            if (first)
-                printOut("first difference: frame " + std::to_string(first->frame) + ", " +
-                         figure(a.state().time, 6) + " s: " + std::string(first->quantity) + " of " +
-                         scene.nameOf(first->body) + "\n");
+        const auto& [frame, time, last] = race.now();
+        addRow(table, race.now(), scene);
+        if (!named && race.firstDifference()) {
+            printOut("first difference: " +
+                     describe(scene, *race.firstDifference(), builtA.pipeline->settings().step) + "\n");
+            named = true;
         }
         if (!(last.distance > nextLine)) return;
-        printOut("frame " + std::to_string(a.state().frame) + ", " + figure(a.state().time, 6) +
-                 " s: " + figure(last.distance) + " m apart, " + scene.nameOf(last.body) + "\n");
+        printOut("frame " + std::to_string(frame) + ", " + figure(time, 6) + " s: " + figure(last.distance) +
+                 " m apart, " + scene.nameOf(last.body) + "\n");
         constexpr double apart = 10;
         nextLine = apart * last.distance;
     };
     const auto conclude = [&] {
-        printOut(first ? "after " + counted(static_cast<std::size_t>(a.state().frame), "frame", "frames") +
-                             ": " + figure(last.distance) + " m apart\n"
-                       : "no bit differs in " +
-                             counted(static_cast<std::size_t>(a.state().frame), "frame", "frames") + "\n");
+        const std::string run = counted(static_cast<std::size_t>(race.now().frame), "frame", "frames");
+        printOut(named ? "after " + run + ": " + figure(race.now().apart.distance) + " m apart\n"
+                       : "no bit differs in " + run + "\n");
         if (file) replaceFile(*file, table.take());
     };
     catchInterrupts();
@@ -103,19 +84,17 @@ int runDiff(const Arguments& arguments) {
     {
         InterruptibleWork work(conclude);
         Progress progress(frames);
-        while (a.state().frame < frames && a.health().finite && b.health().finite && !interrupted()) {
-            work.step([&] {
-                a.step();
-                b.step();
-            });
-            if (!a.health().finite || !b.health().finite) break;
+        while (race.now().frame < frames && race.isFinite() && !interrupted()) {
+            bool goesOn = false;
+            work.step([&] { goesOn = race.step(); });
+            if (!goesOn) break;
             progress.pause();
             look();
-            progress.update(a.state().frame);
+            progress.update(race.now().frame);
         }
     }
     conclude();
-    for (const World* world : {&a, &b})
+    for (const World* world : {&race.a(), &race.b()})
         if (!world->health().finite) {
             printError(describeLoss("carom diff", *world));
             return exitcode::unphysical;
