@@ -14,7 +14,7 @@ std::string seconds(double time) { return shortest(std::round(time * 1e9) / 1e9)
 
 std::string_view unitOf(const Expectation& asked) {
     if (isOfTwoBodies(asked.quantity)) return "m";
-    const QuantityRow* row = quantityNamed(asked.quantity, asked.of != noBody);
+    const QuantityRow* row = quantityNamed(asked.quantity, asked.of != noBody || asked.ofEach);
     if (row == nullptr) row = quantityNamed(asked.quantity, true);
     return row != nullptr ? row->unit : "";
 }
@@ -27,6 +27,7 @@ std::string withUnit(const std::string& number, const Expectation& asked) {
 std::string subjectOf(const Scene& scene, const Expectation& asked) {
     std::string subject = asked.quantity.empty() ? "rest" : std::string(asked.quantity);
     if (asked.of != noBody) subject += " of " + scene.nameOf(asked.of);
+    if (asked.ofEach) subject += " of each `" + asked.ofEach.name + "`";
     if (asked.to != noBody) subject += " to " + scene.nameOf(asked.to);
     return subject;
 }

@@ -87,15 +87,18 @@ ExpectationWatch::ExpectationWatch(std::shared_ptr<const Pipeline> pipeline)
         const bool special =
             asked.quantity.empty() || asked.quantity == "impacts" || isOfTwoBodies(asked.quantity);
         if (!special) {
-            const bool ofWhole = asked.of == noBody && quantityNamed(asked.quantity, false) != nullptr;
+            const bool ofWhole =
+                asked.of == noBody && !asked.ofEach && quantityNamed(asked.quantity, false) != nullptr;
             followed.row = quantityNamed(asked.quantity, !ofWhole);
             if (ofWhole) followed.bodies = {noBody};
         }
+        if (asked.ofEach) followed.bodies = *asked.ofEach.bodies;
         if (followed.bodies.empty() && asked.of != noBody) followed.bodies = {asked.of};
         if (followed.bodies.empty() && asked.quantity == "impacts") followed.bodies = {noBody};
         if (followed.bodies.empty()) followed.bodies = bodies.mobileBodies;
         followed.sums.resize(followed.bodies.size());
         if (asked.rest) followed.resting = bodies.mobileBodies;
+        if (asked.rest && asked.ofEach) followed.resting = *asked.ofEach.bodies;
         if (asked.rest && asked.of != noBody) followed.resting = {asked.of};
         m_followed.push_back(std::move(followed));
         m_judgements.push_back({.expectation = &asked, .failedAt = {}});

@@ -69,6 +69,25 @@ std::optional<BodyIndex> BodyLabels::find(SourceRange label) {
     return std::nullopt;
 }
 
+BodyFamily BodyLabels::findFamily(SourceRange label) {
+    if (spelling(label) == "world" || m_entries.contains(spelling(label))) return {};
+    gatherFamilies();
+    const auto found = m_families.find(spelling(label));
+    if (found == m_families.end()) return {};
+    return {.name = std::string(spelling(label)), .bodies = found->second};
+}
+
+void BodyLabels::gatherFamilies() {
+    for (; m_gathered < m_names.size(); ++m_gathered) {
+        const std::string_view name = m_names[m_gathered];
+        const std::string_view family = familyOf(name);
+        if (family.empty()) continue;
+        std::shared_ptr<std::vector<BodyIndex>>& bodies = m_families[family];
+        if (bodies == nullptr) bodies = std::make_shared<std::vector<BodyIndex>>();
+        bodies->push_back(m_entries[name].body);
+    }
+}
+
 void BodyLabels::reportUnknown(SourceRange label) {
     Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnknownLabel, label);
     if (diagnostic == nullptr) return;

@@ -4,7 +4,9 @@
 #include "core/base/diagnostic_list.h"
 #include "core/base/index.h"
 #include "core/base/source.h"
+#include "core/scene/scene.h"
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
@@ -30,6 +32,8 @@ class BodyLabels {
     /// The body that carries the label written at `label` (noBody for `world`); nothing, and reported, where
     /// no built body does.
     std::optional<BodyIndex> find(SourceRange label);
+    /// The bodies whose labels are this one and a number; none where a declaration carries the very label.
+    BodyFamily findFamily(SourceRange label);
 
   private:
     struct Entry {
@@ -40,12 +44,15 @@ class BodyLabels {
 
     std::string_view spelling(SourceRange range) const { return textOf(m_text, range); }
     void reportUnknown(SourceRange label);
+    void gatherFamilies();
 
     std::string_view m_text;
     DiagnosticList& m_diagnostics;
     std::unordered_map<std::string_view, Entry> m_entries;
     std::vector<std::string_view> m_names; ///< in the order of the text, for suggestions
     std::size_t m_comparisons = 0;
+    std::unordered_map<std::string_view, std::shared_ptr<std::vector<BodyIndex>>> m_families;
+    std::size_t m_gathered = 0; ///< so many of m_names are in their families
 };
 
 } // namespace carom

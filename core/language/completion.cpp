@@ -9,6 +9,7 @@
 #include "core/scene/schema.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 // The tree of a text that is being typed says little, so the place is judged by the tokens before it: back to
@@ -128,6 +129,17 @@ class Completer {
                 add(CompletionKind::Label, textOf(m_analysis.text, declaration.label),
                     std::string(type->name), row.help);
         }
+        if (row.takesFamily) addFamilies(row);
+    }
+
+    /// What labels share before their numbers, where several do.
+    void addFamilies(const ParameterRow& row) {
+        std::map<std::string_view, std::size_t> members;
+        for (const Body& body : m_analysis.scene.bodies)
+            if (const std::string_view family = familyOf(body.label); !family.empty()) ++members[family];
+        for (const auto& [family, count] : members)
+            if (count > 1 && m_analysis.scene.labelled(family) == noBody)
+                add(CompletionKind::Label, family, "each of " + std::to_string(count) + " bodies", row.help);
     }
 
     const Analysis& m_analysis;

@@ -109,7 +109,7 @@ class ExpectationCheck {
         if (given("to") != nullptr)
             return contradict(nameOf("to"), "`to` belongs to `distance`; " +
                                                 (m_asked.quantity.empty() ? "rest" : word) + " has one end");
-        if (isOfWholeOnly(m_asked.quantity) && m_asked.of != noBody)
+        if (isOfWholeOnly(m_asked.quantity) && (m_asked.of != noBody || m_asked.ofEach))
             return contradict(nameOf("of"), word + " is of the whole scene; remove `of`");
         return true;
     }

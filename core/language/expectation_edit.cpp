@@ -58,6 +58,7 @@ std::vector<TextEdit> withExpectation(const Analysis& analysis, const Expectatio
     const std::size_t inside = line.size();
     if (!asked.quantity.empty()) add("quantity", std::string(asked.quantity));
     if (asked.of != noBody) add("of", naming.of(asked.of));
+    if (asked.ofEach) add("of", asked.ofEach.name);
     if (asked.to != noBody) add("to", naming.of(asked.to));
     addNumber("at", asked.at);
     addNumber("from", asked.from);

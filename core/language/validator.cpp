@@ -210,9 +210,12 @@ class Validator {
         }
         std::optional<CheckedValue> value = checkValue(m_values, *parameterRow, parameter);
         if (value && parameterRow->kind == ValueKind::Label) {
-            const std::optional<BodyIndex> body = m_labels.find(parameter.value);
-            if (body) value->body = *body;
-            if (!body) value.reset();
+            if (parameterRow->takesFamily) value->family = m_labels.findFamily(parameter.value);
+            if (!value->family) {
+                const std::optional<BodyIndex> body = m_labels.find(parameter.value);
+                if (body) value->body = *body;
+                if (!body) value.reset();
+            }
         }
         if (!value) {
             given.sound = false;

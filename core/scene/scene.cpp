@@ -34,6 +34,12 @@ const ParameterSource* Scene::find(const DeclarationSource& source, std::string_
     return nullptr;
 }
 
+std::string_view familyOf(std::string_view label) {
+    const std::size_t last = label.find_last_not_of("0123456789");
+    const bool numbered = last != label.npos && last + 1 < label.size();
+    return numbered ? label.substr(0, last + 1) : std::string_view();
+}
+
 BodyIndex Scene::labelled(std::string_view label) const {
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!label.empty() && bodies[i].label == label) return static_cast<BodyIndex>(i);

@@ -6,6 +6,7 @@
 #include "core/math/pose.h"
 #include "core/shapes/shape.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -93,10 +94,23 @@ struct SimulationSettings {
 SimulationSettings overridden(const SimulationSettings& base, const SimulationSettings& over);
 
 /// What must come out of a run: an `expect` declaration. It watches and never changes the motion.
+/// Bodies whose labels are the same but for the number at their end: `log1`, `log2`, ... are the family
+/// `log`.
+struct BodyFamily {
+    std::string name;
+    std::shared_ptr<const std::vector<BodyIndex>> bodies; ///< in the order of the text; null: no family
+
+    explicit operator bool() const { return bodies != nullptr; }
+};
+
+/// `log` of `log12`; empty where no number ends the label.
+std::string_view familyOf(std::string_view label);
+
 struct Expectation {
     std::string label;                 ///< empty where there is none
     std::string_view quantity;         ///< a word of quantityWords(); empty where only rest is asked for
-    BodyIndex of = noBody;             ///< noBody: the whole scene, or each of its mobile bodies
+    BodyIndex of = noBody;             ///< noBody: the whole scene, or each of its mobile bodies, or ...
+    BodyFamily ofEach;                 ///< ... each body of a family
     BodyIndex to = noBody;             ///< of `distance`: the other body
     std::optional<double> at;          ///< one moment [s]
     std::optional<double> from, until; ///< a span [s]; absent: from the start, to the end of the run

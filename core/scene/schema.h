@@ -45,6 +45,8 @@ struct CheckedValue {
     Vec3 vector = Vec3::Zero();
     std::string_view word;   ///< Word: the row's own word; Label: as written
     BodyIndex body = noBody; ///< Label: the body it names; noBody is the world
+    BodyFamily family =
+        {}; ///< Label: the bodies it names, where the row takes families and no body is called so
 };
 
 /// What one declaration builds, while its parameters are stored into it.
@@ -63,6 +65,7 @@ struct ParameterRow {
     bool inSnippet = false;               ///< a snippet gives it although it is not required
     Constraint constraint = Constraint::None;
     std::span<const std::string_view> words = {}; ///< for ValueKind::Word
+    bool takesFamily = false;                     ///< for ValueKind::Label: a family of bodies will do, too
     std::string_view help = {};                   ///< one line
     Layer layer = Layer::Reference;
     void (*store)(Declared& into, const CheckedValue& value) = nullptr;

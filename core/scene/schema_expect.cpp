@@ -46,8 +46,15 @@ std::vector<ParameterRow> whatAndWhen() {
          .kind = ValueKind::Label,
          .defaultText = "the whole scene",
          .example = "world",
-         .help = "Label of the body; what only bodies have is asked of each that can move.",
-         .store = [](D& into, const V& value) { expectation(into).of = value.body; }},
+         .takesFamily = true,
+         .help =
+             "Label of the body, or the start that several labels share before a number (`log` for `log1`, "
+             "`log2`, ...): then of each. Without it, what only bodies have is asked of each that can move.",
+         .store =
+             [](D& into, const V& value) {
+                 expectation(into).of = value.body;
+                 expectation(into).ofEach = value.family;
+             }},
         {.name = "to",
          .kind = ValueKind::Label,
          .defaultText = "no body",

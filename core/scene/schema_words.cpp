@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simulta
 // Of a body, or of each; then of the whole scene only; then what is found by other means.
 constexpr auto quantities = std::to_array<std::string_view>({
     // clang-format off
-    "x", "y", "z", "displacement", "speed", "velocity_x", "velocity_y", "velocity_z", "turn", "tilt",
+    "x", "y", "z", "displacement", "lateral_displacement", "speed", "velocity_x", "velocity_y", "velocity_z", "turn", "yaw", "tilt",
     "angular_speed", "angular_velocity_x", "angular_velocity_y", "angular_velocity_z", "energy",
     "kinetic_energy", "potential_energy", "momentum", "momentum_x", "momentum_y", "momentum_z",
     "angular_momentum", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z", "penetration",

@@ -83,10 +83,23 @@ double penetrationOf(const Moment& moment, BodyIndex i) {
 double displacementOf(const Moment& moment, BodyIndex i) {
     return (positionOf(moment, i) - moment.pipeline.initialState().pose[i].position).norm();
 }
+/// The same without what is along gravity: how far a body that may settle has come aside [m].
+double lateralDisplacementOf(const Moment& moment, BodyIndex i) {
+    const Vec3 way = positionOf(moment, i) - moment.pipeline.initialState().pose[i].position;
+    const double fall = moment.pipeline.gravity().norm();
+    if (!(fall > 0)) return way.norm();
+    const Vec3 down = moment.pipeline.gravity() / fall;
+    return (way - way.dot(down) * down).norm();
+}
 /// The angle about one axis that turns it from the start to here [rad].
 double turnOf(const Moment& moment, BodyIndex i) {
     const Quat start = moment.pipeline.initialState().pose[i].orientation;
     return toRotationVector(moment.pose[i].orientation * start.conjugate()).norm();
+}
+/// The part of that turn which is about the vertical [rad].
+double yawOf(const Moment& moment, BodyIndex i) {
+    const Quat start = moment.pipeline.initialState().pose[i].orientation;
+    return std::abs(toRotationVector(moment.pose[i].orientation * start.conjugate()).y());
 }
 /// Between the body's own y axis, which is a cylinder's, and the vertical [rad].
 double tiltOf(const Moment& moment, BodyIndex i) {
@@ -109,11 +122,13 @@ constexpr std::array bodyRows = {
     QuantityRow{"position y", "y", "m", component<positionOf, 1>, sizeOf},
     QuantityRow{"position z", "z", "m", component<positionOf, 2>, sizeOf},
     QuantityRow{"displacement", "displacement", "m", displacementOf, sizeOf},
+    QuantityRow{"lateral displacement", "lateral_displacement", "m", lateralDisplacementOf, sizeOf},
     QuantityRow{"speed", "speed", "m/s", length<velocityOf>},
     QuantityRow{"velocity x", "velocity_x", "m/s", component<velocityOf, 0>, length<velocityOf>},
     QuantityRow{"velocity y", "velocity_y", "m/s", component<velocityOf, 1>, length<velocityOf>},
     QuantityRow{"velocity z", "velocity_z", "m/s", component<velocityOf, 2>, length<velocityOf>},
     QuantityRow{"turn", "turn", "rad", turnOf, oneRadian},
+    QuantityRow{"yaw", "yaw", "rad", yawOf, oneRadian},
     QuantityRow{"tilt", "tilt", "rad", tiltOf, oneRadian},
     QuantityRow{"angular speed", "angular_speed", "rad/s", length<spinOf>},
     QuantityRow{"angular velocity x", "angular_velocity_x", "rad/s", component<spinOf, 0>, length<spinOf>},

@@ -9,6 +9,7 @@
 #include "core/simulation/build.h"
 #include "core/simulation/method_choice.h"
 #include "core/solvers/solver.h"
+#include "core/study/cases/members.h"
 #include "core/study/trial.h"
 
 #include <algorithm>
@@ -79,6 +80,14 @@ Figure figureOf(const Scene& scene, const Judgement& judgement) {
     return figure;
 }
 
+/// What is asked of the case beside its scene.
+void askMembers(Trial& trial) {
+#define CAROM_HARD_MEMBERS(which, ask)                                                                       \
+    if (trial.hardCase().number == (which)) ask(trial);
+#include "core/study/cases/members.def"
+#undef CAROM_HARD_MEMBERS
+}
+
 void runScene(Trial& trial) {
     const HardCase& hardCase = trial.hardCase();
     const Build built = build(std::string(hardCase.scene), settingsOf(hardCase, trial.column()));
@@ -89,6 +98,7 @@ void runScene(Trial& trial) {
     if (!check) return;
     for (const Judgement& judgement : check->judgements)
         trial.add(figureOf(built.pipeline->scene(), judgement));
+    askMembers(trial);
 }
 
 std::vector<HardCase> makeCases() {

@@ -13,7 +13,8 @@
 //     // Right: its energy is constant.
 //
 // and is judged by its `expect` declarations: those for `preset default` in the default column, those for
-// `preset accurate` in the two others. One that names its own method has that method's column only.
+// `preset accurate` in the two others. One that names its own method has that method's column only. What is
+// asked of a case besides stands in cases/members.def.
 
 namespace carom {
 

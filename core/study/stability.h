@@ -17,7 +17,8 @@
 // What declarations can say is a scene: scenes/hard/NN_name.sdl, a text in the program (hard_scenes.h), whose
 // `expect` declarations are the figures. What they cannot (families of random members, statistics, oracles)
 // is one file's function and a row of constants, listed in cases/cases.def; what it may use while it runs is
-// a Trial (trial.h).
+// a Trial (trial.h). What is asked of a scene's case beyond declarations (repetition to the bit, orders of
+// convergence) is a function of cases/members.def; no figure stands in both.
 
 namespace carom {
 

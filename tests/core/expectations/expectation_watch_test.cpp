@@ -75,6 +75,24 @@ class ExpectationWatchTest : public QObject {
         QVERIFY(!holds(judgedOne("expect { quantity y  of ball  at 1  value 96  relative 0.01 }")));
     }
 
+    // Balls at rest at heights 1 and 3 fall 5 m in a second; `drop` names neither alone.
+    void aFamilyIsEachOfItsBodies() {
+        constexpr const char* two = "gravity { accel 0, -10, 0 }\n"
+                                    "sphere drop1 { radius 0.5  mass 2  centre 0, 101, 0  vel 2, 0, 0 }\n"
+                                    "sphere drop2 { radius 0.5  mass 2  centre 9, 103, 0  vel 3, 0, 0 }\n"
+                                    "sphere other { radius 0.5  mass 2  centre 90, 300, 0  vel 50, 0, 0 }\n";
+        Judgement judgement = judgedOne("expect { quantity y  of drop  at 1  min 97 }", two);
+        QVERIFY(!holds(judgement));
+        QCOMPARE(judgement.body, BodyIndex(0));
+        QVERIFY(std::abs(judgement.figure - 96) < 1e-9);
+        judgement = judgedOne("expect { quantity lateral_displacement  of drop  until 1  max 3.0001 }", two);
+        QVERIFY(holds(judgement)); // the third ball is no drop
+        QCOMPARE(judgement.body, BodyIndex(1));
+        QVERIFY(std::abs(judgement.figure - 3) < 1e-9);
+        QVERIFY(!holds(judgedOne("expect { of drop  at 1  rest yes }", two)));
+        QVERIFY(!holds(judgedOne("expect { quantity lateral_displacement  until 1  max 3.0001 }", two)));
+    }
+
     // Between two frames the cubic through both is the parabola.
     void aMomentBetweenTwoFramesIsReadFromTheMotion() {
         const double time = 0.7777777;

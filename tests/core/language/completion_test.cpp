@@ -94,6 +94,15 @@ class CompletionTest : public QObject {
         QCOMPARE(names("spring { to | from a }\nsphere a { }"), std::string("world a"));
     }
 
+    void whatLabelsShareIsOfferedWhereEachOfThemCanBeMeant() {
+        const std::string logs = "sphere log1 { radius 1 mass 1 centre 0, 0, 0 }\n"
+                                 "sphere log2 { radius 1 mass 1 centre 0, 3, 0 }\n"
+                                 "sphere lone7 { radius 1 mass 1 centre 0, 6, 0 }\n";
+        QCOMPARE(names(logs + "expect { of |"), std::string("world log1 log2 lone7 log"));
+        QCOMPARE(names(logs + "spring { to |"), std::string("world log1 log2 lone7"));
+        QCOMPARE(completed(logs + "expect { of |").entries.back().detail, std::string("each of 2 bodies"));
+    }
+
     void behindAColourItsNamesAreOffered() {
         const CompletionList list = completed("wall { colour | }");
         QCOMPARE(list.entries.size(), carom::namedColours().size());

@@ -193,6 +193,12 @@ const std::vector<Case>& cases() {
         {"a spring from the world to itself", "spring { from world to world stiffness 1 }",
          "1:24 sdl-spring-to-itself `world`\n"},
 
+        {"a family has no end of a spring",
+         "sphere a1 { radius 1 mass 1 centre 0, 0, 0 } spring { from a to world stiffness 1 }",
+         "1:60 sdl-unknown-label `a`\n", 1, true},
+        {"what the whole scene has is of no family",
+         "sphere a1 { radius 1 mass 1 centre 0, 0, 0 } expect { quantity contacts of a max 1 }",
+         "1:73 sdl-contradictory-expectation `of`\n", 1},
         {"an expectation that says nothing", "expect { quantity energy }",
          "1:1 sdl-incomplete-expectation `expect`\n"},
         {"an expectation of nothing", "expect { }", "1:1 sdl-missing-parameter `expect`\n", 0, true},

@@ -67,6 +67,23 @@ class ExpectationEditTest : public QObject {
         QCOMPARE(analysis.scene.expectations.at(0).to, BodyIndex(1));
     }
 
+    void aFamilyIsWrittenAsItWasRead() {
+        const std::string two = "sphere log1 { radius 1 mass 1 centre 0, 0, 0 }\n"
+                                "sphere log20 { radius 1 mass 1 centre 0, 9, 0 }\n"
+                                "sphere logs { radius 1 mass 1 centre 9, 0, 0 }\n";
+        const Analysis analysis = analyse(two + "expect { of log  rest yes }\n");
+        QVERIFY(analysis.diagnostics.empty());
+        const Expectation& asked = analysis.scene.expectations.at(0);
+        QCOMPARE(asked.of, noBody);
+        QVERIFY(asked.ofEach && *asked.ofEach.bodies == (std::vector<BodyIndex>{0, 1}));
+        QCOMPARE(written(two, asked), two + "expect { of log  rest yes }\n");
+        // A body of that very name is meant itself, and the world is no family.
+        const std::string named = two + "sphere log { radius 1 mass 1 centre 0, 0, 9 }\n";
+        QCOMPARE(analyse(named + "expect { of log  rest yes }\n").scene.expectations.at(0).of, BodyIndex(3));
+        const std::string world1 = "sphere world1 { radius 1 mass 1 centre 0, 0, 0 }\n";
+        QVERIFY(!analyse(world1 + "expect { of world  rest yes }\n").scene.expectations.at(0).ofEach);
+    }
+
     void whatIsWrittenIsReadAsItWas() {
         Expectation all = heightOf(0);
         all.label = "top";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/generators/generator.h"
 #include "core/simulation/build.h"
 #include "core/study/hard_scenes.h"
 #include "core/study/stability_report.h"
@@ -76,6 +77,32 @@ class StabilityTest : public QObject {
             QVERIFY(scene.text.find("\n// Right: ") != scene.text.npos);
             QVERIFY(scene.text.find("\n// Source: ") != scene.text.npos);
         }
+    }
+
+    // The logs that case 26 calls `made` are those of the generator, to the bit.
+    void theLogPileIsTheGenerators() {
+        const Scene scene = analyse(std::string(findHardCase("26")->scene)).scene;
+        const std::string made = generate(*findGenerator("log_pile"), {.n = 6, .options = {}});
+        std::size_t found = 0;
+        for (const Body& log : analyse(made).scene.bodies) {
+            if (log.fixed) continue;
+            const BodyIndex same = scene.labelled("made" + std::to_string(++found));
+            QVERIFY(same != noBody);
+            const Body& here = scene.bodies[same];
+            QVERIFY(here.pose.position == log.pose.position);
+            QVERIFY(here.pose.orientation.coeffs() == log.pose.orientation.coeffs());
+            QVERIFY(here.mass == log.mass && here.friction == log.friction && here.elastic == log.elastic);
+        }
+        QCOMPARE(found, std::size_t(6));
+    }
+
+    void whatIsAskedBesideAScenesDeclarationsIsOfACaseThatIsAScene() {
+        int last = 0;
+#define CAROM_HARD_MEMBERS(which, ask)                                                                       \
+    QVERIFY(which > last && !findHardCase(std::to_string(which))->scene.empty());                            \
+    last = which;
+#include "core/study/cases/members.def"
+#undef CAROM_HARD_MEMBERS
     }
 
     // A figure of a scene is how far an expectation is off; its verdict is the expectation's.
