@@ -120,18 +120,42 @@ double EventGas::restitutionAt(std::uint32_t i, std::uint32_t j, double time) {
     return since < shortest * m_typicalTime ? 1 : e;
 }
 
+/// How fast two balls that collide at `time` part [m/s].
+double EventGas::partingSpeedAt(const Touch& touch, double time) {
+    const double e = restitutionAt(touch.a, touch.b, time);
+    const double pull = m_allFree ? 0 : touch.normal.dot(accelerationOf(touch.b) - accelerationOf(touch.a));
+    return partingSpeed(e * touch.closing, pull, e,
+                        std::min(m_stamps[touch.a].radius, m_stamps[touch.b].radius));
+}
+
 /// One collision of two balls whose stamps are of now.
 void EventGas::strike(std::uint32_t i, std::uint32_t j, double time) {
     ++m_counts.collisions;
     const Stamp &a = m_stamps[i], &b = m_stamps[j];
     const Vec3 normal = (b.position - a.position).normalized();
     const double approach = normal.dot(b.velocity - a.velocity);
-    if (approach < 0) {
-        const double e = restitutionAt(i, j, time);
-        push(i, j, normal, -(1 + e) * approach / (inverseMassOf(i) + inverseMassOf(j)));
+    if (comesToStand(i, j, -normal, -approach) || comesToStand(j, i, normal, -approach)) {
+        // Nobody is pushed: what carries the lower one takes the blow.
+    } else if (approach <= 0) {
+        const double parting = partingSpeedAt({i, j, -approach, normal}, time);
+        push(i, j, normal, (parting - approach) / (inverseMassOf(i) + inverseMassOf(j)));
     }
     m_agendas[i].last = j;
     m_agendas[j].last = i;
+}
+
+/// Whether ball i, which closes on j, stands still on top of it from now on. The normal points from j to i.
+bool EventGas::comesToStand(std::uint32_t i, std::uint32_t j, const Vec3& normal, double closing) {
+    if (m_weightless || !isStill(j) || !isFree(i) || closing < 0) return false;
+    const double radius = std::min(m_stamps[i].radius, m_stamps[j].radius);
+    if (!isBalanced(m_gravity, normal, m_stamps[i].velocity, radius)) return false;
+    const double e =
+        std::min(m_materials[m_agendas[i].material].elastic, m_materials[m_agendas[j].material].elastic);
+    if (closing > leastHop(normal.dot(m_gravity), e, radius)) return false;
+    m_stamps[i].velocity = Vec3::Zero();
+    newRest(i).ball = j;
+    ++m_standing;
+    return true;
 }
 
 void EventGas::push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double impulse) {
@@ -146,7 +170,10 @@ void EventGas::push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double
 
 void EventGas::finishStrike(std::uint32_t i) {
     if (!isMobile(i)) return;
-    if (!isFree(i)) settle(i, Rest(m_rests[m_agendas[i].rest]));
+    if (!isFree(i) && !isStill(i)) {
+        settle(i, Rest(m_rests[m_agendas[i].rest]));
+        releaseWhatStandsOn(i, m_stamps[i].time);
+    }
     plan(i, m_stamps[i].time);
     m_queue.insert(m_agendas, i);
 }
@@ -297,34 +324,60 @@ void EventGas::settle(std::uint32_t i, const Rest& before) {
         const double speed = wall.normal.dot(stamp.velocity);
         const double e = std::min(material.elastic, wall.elastic);
         const double after = speed < 0 ? -e * speed : speed;
-        const bool rests = restsAfter(after, wall.normal.dot(m_gravity), e, stamp.radius);
+        const double pull = wall.normal.dot(m_gravity);
+        const bool rests = restsAfter(after, pull, e, stamp.radius) ||
+                           (e < 1 && pull < 0 && after <= leastHop(pull, e, stamp.radius));
         const double change = (rests ? 0 : after) - speed;
         stamp.velocity += change * wall.normal;
         note(wall, stamp, change / material.inverseMass);
+        if (change != 0) m_agendas[i].last = Agenda::wallMark | index; // and it may go back at who struck it
         if (rests) restOn(i, index);
     }
 }
 
-void EventGas::restOn(std::uint32_t i, std::uint16_t wall) {
-    std::uint32_t& index = m_agendas[i].rest;
-    if (index == nobody) {
-        if (m_unusedRests.empty()) {
-            m_unusedRests.push_back(static_cast<std::uint32_t>(m_rests.size()));
-            m_rests.emplace_back();
-        }
-        index = m_unusedRests.back();
-        m_unusedRests.pop_back();
-        m_rests[index] = {};
-        m_allFree = false;
+/// Of a ball that flew free.
+Rest& EventGas::newRest(std::uint32_t i) {
+    if (m_unusedRests.empty()) {
+        m_unusedRests.push_back(static_cast<std::uint32_t>(m_rests.size()));
+        m_rests.emplace_back();
     }
-    Rest& rest = m_rests[index];
+    m_agendas[i].rest = m_unusedRests.back();
+    m_unusedRests.pop_back();
+    m_allFree = false;
+    return m_rests[m_agendas[i].rest] = {};
+}
+
+void EventGas::restOn(std::uint32_t i, std::uint16_t wall) {
+    Rest& rest = isFree(i) ? newRest(i) : m_rests[m_agendas[i].rest];
     if (rest.count < Rest::mostWalls) rest.walls[rest.count++] = wall;
     std::array<Vec3, Rest::mostWalls> normals;
     for (std::uint8_t k = 0; k < rest.count; ++k) normals[k] = m_walls[rest.walls[k]].normal;
     rest.acceleration = supportedAcceleration(m_gravity, {normals.data(), rest.count});
 }
 
+/// What stands on a ball that is no longer still, and on that, falls freely from now on; if it touches what
+/// comes back, that is its next event.
+void EventGas::releaseWhatStandsOn(std::uint32_t support, double time) {
+    if (m_standing == 0) return;
+    m_released.assign(1, support);
+    for (std::size_t below = 0; below < m_released.size(); ++below)
+        m_cells.aroundBall(m_agendas, m_released[below], [&](std::uint32_t i) {
+            if (!isFree(i) && m_rests[m_agendas[i].rest].ball == m_released[below]) m_released.push_back(i);
+        });
+    for (std::size_t k = 1; k < m_released.size(); ++k) {
+        const std::uint32_t i = m_released[k];
+        restamp(i, time);
+        release(i);
+    }
+    for (std::size_t k = 1; k < m_released.size(); ++k) {
+        m_queue.remove(m_agendas, m_released[k]);
+        plan(m_released[k], time);
+        m_queue.insert(m_agendas, m_released[k]);
+    }
+}
+
 void EventGas::release(std::uint32_t i) {
+    if (m_rests[m_agendas[i].rest].ball != nobody) --m_standing;
     m_unusedRests.push_back(m_agendas[i].rest);
     m_agendas[i].rest = nobody;
     m_allFree = m_unusedRests.size() == m_rests.size();

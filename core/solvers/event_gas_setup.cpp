@@ -125,6 +125,9 @@ void EventGas::sortByPlace() {
     for (Agenda& agenda : m_agendas)
         if (agenda.last != nobody && (agenda.last & Agenda::wallMark) == 0)
             agenda.last = m_agendas[agenda.last].queueNext;
+    for (const Agenda& agenda : m_agendas)
+        if (agenda.rest != nobody && m_rests[agenda.rest].ball != nobody)
+            m_rests[agenda.rest].ball = m_agendas[m_rests[agenda.rest].ball].queueNext;
     for (std::uint32_t begin = 0; begin < m_order.size(); ++begin) {
         for (std::uint32_t to = begin;;) {
             const std::uint32_t from = static_cast<std::uint32_t>(m_order[to]);

@@ -135,7 +135,7 @@ void EventGas::strikeJointly(double time) {
         };
         for (Eigen::Index k = 0; k < size; ++k) {
             const Touch& touch = m_group[static_cast<std::size_t>(k)];
-            wanted[k] = (1 + restitutionAt(touch.a, touch.b, time)) * touch.closing;
+            wanted[k] = touch.closing + partingSpeedAt(touch, time);
             for (Eigen::Index l = 0; l < size; ++l)
                 w(k, l) = coupling(touch, m_group[static_cast<std::size_t>(l)]);
         }

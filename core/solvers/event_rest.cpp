@@ -45,4 +45,21 @@ bool restsAfter(double speed, double acceleration, double restitution, double ra
     return bounceTime <= std::max(unseen * (1 - restitution), roundings) * fall;
 }
 
+double leastHop(double pull, double restitution, double radius) {
+    const double height = restitution < 1 ? 1e-9 : 1e-12; // of the radius
+    return std::sqrt(-2 * pull * height * radius);
+}
+
+bool isBalanced(const Vec3& gravity, const Vec3& normal, const Vec3& velocity, double radius) {
+    constexpr double rounding = 1e-12; // ten thousand times that of a direction
+    const double pull = normal.dot(gravity);
+    if (!(pull < 0) || !((gravity - pull * normal).norm() <= rounding * -pull)) return false;
+    const Vec3 beside = velocity - normal.dot(velocity) * normal;
+    return beside.norm() <= rounding * leastHop(pull, 0, radius);
+}
+
+double partingSpeed(double after, double pull, double restitution, double radius) {
+    return pull < 0 ? std::max(after, leastHop(pull, restitution, radius)) : after;
+}
+
 } // namespace carom

@@ -82,8 +82,11 @@ double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, con
     const Vec3 U = velocityAt(b, accelerationOfB, later) - velocityAt(a, accelerationOfA, later);
     const Vec3 A = accelerationOfB - accelerationOfA;
     const double R = a.radius + b.radius;
-    return later + firstFallingRoot({D.squaredNorm() - R * R, 2 * D.dot(U), U.squaredNorm() + D.dot(A),
-                                     U.dot(A), 0.25 * A.squaredNorm()});
+    // Balls that overlap by rounding touch: one that hops lower than that would never come out, so its path
+    // would never fall through 0, and it would sink into the other.
+    const double above = std::max(0.0, D.squaredNorm() - R * R);
+    return later + firstFallingRoot(
+                       {above, 2 * D.dot(U), U.squaredNorm() + D.dot(A), U.dot(A), 0.25 * A.squaredNorm()});
 }
 
 double firstFallingRoot(const std::array<double, 5>& q) {

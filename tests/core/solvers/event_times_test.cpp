@@ -115,6 +115,14 @@ class EventTimesTest : public QObject {
         QVERIFY(met > 10);
     }
 
+    // One that hopped lower than rounding had put it into the other never met it again, and sank into it.
+    void aBallThatOverlapsByRoundingAndHopsComesBack() {
+        const Stamp below{Vec3::Zero(), 0, Vec3::Zero(), 0.1};
+        const Stamp above{Vec3(0, 0.2 * (1 - 1e-16), 0), 0, Vec3(0, 1e-10, 0), 0.1};
+        const double found = pairTime(below, Vec3::Zero(), above, Vec3(0, -10, 0));
+        QVERIFY2(std::abs(found / 2e-11 - 1) < 1e-9, qPrintable(QString::number(found)));
+    }
+
     void exchangingTheTwoBallsChangesNoBit() {
         Random random(20053);
         for (int trial = 0; trial < 1000; ++trial) {

@@ -253,6 +253,74 @@ class EventsTest : public QObject {
         QVERIFY(world.health().finite);
     }
 
+    // Balls come to rest on walls only; on each other they go on in hops of a billionth of a radius. In a
+    // column of two the upper one fell through the lower one, and columns of five stopped the run: no time
+    // passed between their events any more.
+    void inelasticBallsThatFallInAColumnComeToStandOnEachOther_data() {
+        QTest::addColumn<double>("e");
+        QTest::addColumn<int>("count");
+        for (const double e : {0.0, 0.5, 0.9})
+            for (const int count : {2, 5}) QTest::addRow("%d balls, e = %g", count, e) << e << count;
+    }
+    void inelasticBallsThatFallInAColumnComeToStandOnEachOther() {
+        QFETCH(double, e);
+        QFETCH(int, count);
+        Scene scene = sceneOf({elastic(wall(Vec3::UnitY(), 0), e)}, down);
+        for (int i = 0; i < count; ++i)
+            scene.bodies.push_back(elastic(sphere(0.1, 1, Vec3(0, 0.12 + 0.22 * i, 0)), e));
+        World world = worldOf(scene, exact());
+        run(world, 180);
+        QVERIFY(world.health().finite);
+        constexpr double hop = 2e-9 * 0.1; // each ball one above the one below it [m]
+        for (int i = 0; i < count; ++i) {
+            const Vec3& place = world.state().pose[static_cast<std::size_t>(i) + 1].position;
+            QVERIFY2(std::abs(place.y() - (0.1 + 0.2 * i)) < hop * (i + 1),
+                     qPrintable(QString::number(place.y() - (0.1 + 0.2 * i))));
+            QCOMPARE(place.x(), 0.0);
+        }
+    }
+
+    // Rounding of their places lets some of them begin a little above the next; elastic ones hopped there for
+    // ever.
+    void aColumnThatIsLaidStaysUntilItIsStruck() {
+        for (const double e : {0.5, 1.0}) {
+            Scene scene = sceneOf({elastic(wall(Vec3::UnitY(), 0), e)}, down);
+            for (int i = 0; i < 5; ++i)
+                scene.bodies.push_back(elastic(sphere(0.1, 1, Vec3(0, 0.1 + 0.2 * i, 0)), e));
+            scene.bodies.push_back(elastic(sphere(0.1, 1, Vec3(2, 1, 0), Vec3(-2, 4.08, 0)), e));
+            World world = worldOf(scene, exact());
+            run(world, 50); // struck after 0.9 s, at the second ball from the top
+            for (int i = 0; i < 5; ++i) {
+                const Vec3& place = world.state().pose[static_cast<std::size_t>(i) + 1].position;
+                QVERIFY(std::abs(place.y() - (0.1 + 0.2 * i)) < 1e-12);
+                QCOMPARE(place.x(), 0.0);
+            }
+            run(world, 15);
+            QVERIFY(world.health().finite);
+            QVERIFY(world.state().pose[4].position.x() < -0.1);
+            QVERIFY(world.state().velocity[5] != Vec3::Zero());
+        }
+    }
+
+    // From 1 mm beside the top it slides off, the other way than the one below it, and never enters it.
+    void anInelasticBallSlidesOffAnotherWithoutEnteringIt() {
+        for (const double e : {0.0, 0.5}) {
+            World world = worldOf(
+                sceneOf({elastic(wall(Vec3::UnitY(), 0), e), elastic(sphere(0.1, 1, Vec3(0, 0.1, 0)), e),
+                         elastic(sphere(0.1, 1, Vec3(1e-3, 0.35, 0)), e)},
+                        down),
+                exact());
+            for (int frame = 0; frame < 180; ++frame) {
+                world.step();
+                const Vec3 between = world.state().pose[2].position - world.state().pose[1].position;
+                QVERIFY2(between.norm() > 0.2 * (1 - 1e-12), qPrintable(QString::number(between.norm())));
+            }
+            QVERIFY(world.health().finite);
+            QVERIFY(std::abs(world.state().pose[2].position.y() - 0.1) < 1e-9);
+            QVERIFY(world.state().velocity[1].x() < -0.1 && world.state().velocity[2].x() > 0.1);
+        }
+    }
+
     void aBallSlidesDownAFrictionlessSlopeAsAPointDoes() {
         const double slope = 0.3;
         const Vec3 normal(std::sin(slope), std::cos(slope), 0);
