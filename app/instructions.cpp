@@ -81,6 +81,7 @@ double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting
                                       "--substeps=" + std::to_string(setting.substeps)};
     if (setting.integrator != nullptr)
         words.push_back("--integrator=" + std::string(setting.integrator->name));
+    if (setting.preset != nullptr) words.push_back("--preset=" + std::string(setting.preset->name));
     if (setting.tolerance > 0) words.push_back("--tolerance=" + shortest(setting.tolerance));
     words.insert(words.end(), {"--", scene}); // whatever it is called
     return succeeds(words) ? totalIn(counts.path()) : 0;
@@ -96,7 +97,7 @@ void needValgrind() {
 
 void countInstructions(AccuracyStudy& study, const std::string& scenePath,
                        const std::function<bool(std::size_t done)>& counted) {
-    const double seconds = study.plan.duration, step = study.settings.step;
+    const double seconds = study.duration, step = study.settings.step;
     const auto frames =
         std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(seconds / step * (1 - 1e-12))));
     std::size_t done = 0;

@@ -8,16 +8,20 @@
 #include "app/progress.h"
 #include "app/scene_options.h"
 #include "app/study_origin.h"
+#include "core/base/csv.h"
+#include "core/base/figures.h"
 #include "core/base/text.h"
 #include "core/integrators/integrator.h"
 #include "core/scene/schema.h"
 #include "core/study/accuracy_csv.h"
 #include "core/study/accuracy_report.h"
+#include "core/study/measures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 namespace carom {
@@ -28,7 +32,7 @@ namespace {
 
 constexpr std::string_view command = "study accuracy";
 constexpr const char* figuresFile = "accuracy.csv";
-constexpr std::int64_t progressParts = 1000;
+constexpr const char* comparisonFile = "scenes.csv";
 
 /// The words of a list option; each must be one of the known ones.
 std::optional<std::vector<std::string>> wordsGiven(const Arguments& arguments, std::string_view option,
@@ -74,7 +78,11 @@ AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
     });
     vary(plan, numbersFrom(arguments, "substeps", true), numbersFrom(arguments, "tolerances", false));
     plan.duration = arguments.positiveNumber("duration").value_or(plan.duration);
-    plan.timeLimit = arguments.positiveNumber("time-limit").value_or(plan.timeLimit);
+    plan.budget = arguments.positiveNumber("budget").value_or(plan.budget);
+    std::vector<std::string_view> names;
+    for (const MeasureRow& row : measures()) names.push_back(row.name);
+    if (const std::optional<std::string> name = arguments.word("measure", names))
+        plan.measure = findMeasure(*name);
     plan.target = arguments.positiveNumber("target").value_or(plan.target);
     plan.copies = static_cast<int>(arguments.wholeNumber("copies", 0, 1000).value_or(plan.copies));
     plan.runs = static_cast<int>(arguments.wholeNumber("runs", 1, 1000).value_or(plan.runs));
@@ -117,19 +125,19 @@ class Results {
             chartDrawer().accuracy(study, title, path(name));
     }
 
-    /// What an interrupted study has measured. Throws UsageError where it is no study to go on from: its file
+    /// What an earlier study has measured. Throws UsageError where it is no study to go on from: its file
     /// would be overwritten.
-    std::vector<AccuracyPoint> known(const AccuracyPlan& plan) const {
+    KnownPoints known(const AccuracyPlan& plan) const {
         const std::string file = path(figuresFile);
-        KnownPoints known = pointsFromCsv(readText(file), {m_hash, plan.duration, m_origin.version});
-        for (const AccuracyPoint& point : known.points)
-            if (known.objection.empty() && !point.isDefault &&
+        ReadPoints read = pointsFromCsv(readText(file), {m_hash, plan.duration, m_origin.version});
+        for (const AccuracyPoint& point : read.known.points)
+            if (read.objection.empty() && !point.isDefault &&
                 std::ranges::count(plan.settings, point.setting) == 0)
-                known.objection = "it has `" + point.setting.name() + "`, which these options leave out";
-        if (!known.objection.empty())
-            throw UsageError("`--resume` cannot go on from `" + file + "`: " + known.objection +
+                read.objection = "it has `" + point.setting.name() + "`, which these options leave out";
+        if (!read.objection.empty())
+            throw UsageError("`--resume` cannot go on from `" + file + "`: " + read.objection +
                              "; another folder would be right");
-        return known.points;
+        return std::move(read.known);
     }
 
   private:
@@ -154,7 +162,58 @@ std::exception_ptr count(AccuracyStudy& study, const std::string& path,
     return nullptr;
 }
 
-int runStudy(const Arguments& arguments) {
+std::string titleOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+/// One scene of the command line, read and planned.
+struct PlannedStudy {
+    std::string path;
+    Build built;
+    AccuracyPlan plan;
+    std::optional<Results> results;
+
+    const Scene& scene() const { return built.pipeline->scene(); }
+};
+
+PlannedStudy planned(const Arguments& arguments, const std::string& path) {
+    PlannedStudy study{.path = path, .built = loadScene(path), .plan = {}, .results = {}};
+    if (study.built.pipeline->bodies().mobileBodies.empty())
+        throw UsageError("nothing in the scene can move; there is no error to study");
+    study.plan = planFrom(arguments, study.scene());
+    return study;
+}
+
+/// Where the figures of a scene go: into the folder itself, or, where there are several scenes, into one of
+/// its own there.
+void openResults(const Arguments& arguments, PlannedStudy& study) {
+    const std::optional<std::string> folder = arguments.text("output");
+    if (!folder) return;
+    const bool alone = arguments.operands.size() == 1;
+    study.results.emplace(alone ? *folder : (std::filesystem::path(*folder) / titleOf(study.path)).string(),
+                          hashOfScene(study.built.analysis.text), studyOrigin(command, arguments));
+}
+
+/// Runs a study as long as its budget lasts, or until somebody interrupts it.
+AccuracyStudy run(const PlannedStudy& planned, const KnownPoints& known) {
+    auto progress = std::make_unique<Progress>(static_cast<std::int64_t>(std::ceil(planned.plan.budget)),
+                                               "s of the budget");
+    AccuracyStudy study; // as far as it is
+    InterimResults interim("carom " + std::string(command));
+    InterruptibleWork work([&] { printOut(summaryOf(study)); });
+    AccuracyListener listener;
+    listener.goOn = [&](double seconds) {
+        progress->update(static_cast<std::int64_t>(seconds));
+        return !interrupted();
+    };
+    listener.changed = [&](const AccuracyStudy& soFar) {
+        work.change([&] {
+            study = soFar;
+            if (planned.results) interim.write([&] { planned.results->writeFigures(study); });
+        });
+    };
+    return work.step([&] { return runAccuracy(planned.scene(), planned.plan, listener, known); });
+}
+
+int studyOne(const Arguments& arguments) {
     const std::string& path = arguments.operands.front();
     const std::optional<std::string> chart = chartPath(arguments);
     const bool counts = arguments.has("instructions");
@@ -169,46 +228,47 @@ int runStudy(const Arguments& arguments) {
         for (const char* name : {figuresFile, "summary.txt", "accuracy.svg", "accuracy.png", "accuracy.pdf"})
             files.push_back({"`--output`", (std::filesystem::path(*folder) / name).string()});
     refuseSharedFiles(files);
-    const Build built = loadScene(path);
-    const Scene& scene = built.pipeline->scene();
-    if (built.pipeline->bodies().mobileBodies.empty())
-        throw UsageError("nothing in the scene can move; there is no error to study");
-    const AccuracyPlan plan = planFrom(arguments, scene);
+    PlannedStudy one = planned(arguments, path);
     catchInterrupts(); // once the folder is there, an interrupted study is written into it
-    std::optional<Results> results;
-    if (folder) results.emplace(*folder, hashOfScene(built.analysis.text), studyOrigin(command, arguments));
-    const std::vector<AccuracyPoint> known =
-        arguments.has("resume") ? results->known(plan) : std::vector<AccuracyPoint>();
-
-    auto progress = std::make_unique<Progress>(progressParts, "parts in a thousand");
-    AccuracyStudy study; // as far as it is
-    InterimResults interim("carom " + std::string(command));
-    {
-        InterruptibleWork work([&] { printOut(summaryOf(study)); });
-        AccuracyListener listener;
-        listener.goOn = [&](double done) {
-            progress->update(static_cast<std::int64_t>(done * progressParts));
-            return !interrupted();
-        };
-        listener.changed = [&](const AccuracyStudy& soFar) {
-            work.change([&] {
-                study = soFar;
-                if (results) interim.write([&] { results->writeFigures(study); });
-            });
-        };
-        AccuracyStudy whole = work.step([&] { return runAccuracy(scene, plan, listener, known); });
-        study = std::move(whole);
-    }
-    progress.reset();
+    openResults(arguments, one);
+    AccuracyStudy study = run(one, arguments.has("resume") ? one.results->known(one.plan) : KnownPoints());
     const std::exception_ptr problem =
-        counts && study.complete ? count(study, path, results) : std::exception_ptr();
+        counts && study.complete ? count(study, path, one.results) : std::exception_ptr();
 
-    const std::string title = std::filesystem::path(path).stem().string();
     printOut(summaryOf(study));
-    if (results) results->writeAll(study, title);
-    if (chart) chartDrawer().accuracy(study, title, *chart);
+    if (one.results) one.results->writeAll(study, titleOf(path));
+    if (chart) chartDrawer().accuracy(study, titleOf(path), *chart);
     if (problem) std::rethrow_exception(problem);
     return study.complete ? exitcode::done : exitcode::interrupted;
+}
+
+/// Several scenes: a line each, as soon as it is known, and the same as a file.
+int studyMany(const Arguments& arguments) {
+    for (const char* option : {"chart", "instructions", "resume"})
+        if (arguments.has(option))
+            throw UsageError("`--" + std::string(option) + "` is for one scene; there are " +
+                             std::to_string(arguments.operands.size()));
+    std::size_t width = 0;
+    for (const std::string& path : arguments.operands) width = std::max(width, titleOf(path).size());
+    catchInterrupts();
+    CsvTable table(comparisonColumns());
+    printOut(comparisonHeading(width));
+    for (const std::string& path : arguments.operands) {
+        PlannedStudy one = planned(arguments, path);
+        openResults(arguments, one);
+        const AccuracyStudy study = run(one, {});
+        printOut(comparisonLine(titleOf(path), width, study));
+        if (one.results) one.results->writeAll(study, titleOf(path));
+        addComparison(titleOf(path), study, table);
+        if (const std::optional<std::string> folder = arguments.text("output"))
+            writeFile(*folder, comparisonFile, CsvTable(table).take());
+        if (!study.complete) return exitcode::interrupted;
+    }
+    return exitcode::done;
+}
+
+int runStudy(const Arguments& arguments) {
+    return arguments.operands.size() == 1 ? studyOne(arguments) : studyMany(arguments);
 }
 
 } // namespace
@@ -217,8 +277,9 @@ CommandRow studyAccuracyCommand() {
     return {
         .name = command,
         .summary = "What accuracy costs in time: errors and times of every setting of a scene",
-        .operands = "SCENE",
+        .operands = "SCENE...",
         .example = "carom study accuracy scenes/pool_break.sdl -o results\n"
+                   "carom study accuracy scenes/*.sdl --budget 20\n"
                    "carom study accuracy swing.sdl --methods contacts --substeps 1,2,4,8 --target 1e-4\n"
                    "carom study accuracy scenes/brownian.sdl --instructions --chart gas.svg",
         .options =
@@ -226,37 +287,50 @@ CommandRow studyAccuracyCommand() {
                 {"methods", 0, "LIST", "methods of motion, separated by commas (default all that can)"},
                 {"integrators", 0, "LIST", "integrators (default all that differ on the scene)"},
                 {"substeps", 0, "LIST", "substeps of a frame (default 1,2,4,8,16,32,64)"},
-                {"tolerances", 0, "LIST", "tolerances of method contacts (default 1e-6,1e-10)"},
+                {"tolerances", 0, "LIST", "tolerances of method contacts (default those of the presets)"},
                 {"duration", 0, "S", "seconds to simulate (default the scene's, at most 10, or 2)"},
-                {"runs", 0, "N", "timed runs of a setting, which take turns (default 5)"},
-                {"time-limit", 0, "S", "seconds a run may take (default 5)"},
+                {"budget", 0, "S", "seconds that the study may take (default 60)"},
+                {"measure", 0, "WORD",
+                 "what the diagram has across: trajectory, impacts, energy, overlap, residual or rest "
+                 "(default "
+                 "the first that says something)"},
+                {"runs", 0, "N", "timed runs of a setting at most: until they agree (default 9)"},
                 {"target", 0, "E", "the error that is accurate enough (default 1e-3)"},
                 {"copies", 0, "N",
                  "runs of a scene of many balls beyond the chaos horizon, at most; 0: none (default 20)"},
                 {"instructions", 0, "", "count the instructions of every setting, too; needs valgrind"},
-                {"resume", 0, "", "go on with the interrupted study in the folder of `--output`"},
+                {"resume", 0, "", "go on with the study in the folder of `--output`, with a new budget"},
                 {"output", 'o', "DIR",
-                 "write accuracy.csv, summary.txt and the chart (SVG, PNG and PDF) there"},
+                 "write accuracy.csv, summary.txt and the chart (SVG, PNG and PDF) there; of several scenes "
+                 "each into a folder of its name, and scenes.csv"},
                 {"chart", 0, "FILE", "write the chart there, by the ending as SVG, PNG or PDF"},
             },
         .details =
             "Every setting is run against the reference solution: a closed form where the scene has one, "
-            "else exact "
-            "events, else a run with more and more substeps, with a bound of its own error. An error is the "
-            "greater of the largest distance, relative to the scene's size, and the largest angle, at eight "
-            "looks a frame, within the time for which two copies 1e-12 apart stay together. Times are "
-            "processor times per simulated second, the median of the runs. A setting that lost its state or "
-            "took too long stays in the figures, and so does one that changed its energy by 1 %. Ctrl-C ends "
-            "the study: what was measured is written, and the exit code is 130.\n\n"
-            "Impacts are seen from frame to frame: how many there are, and by how much each body's k-th one "
-            "comes too early or late. Of fifty balls and more that are followed far beyond the horizon, "
-            "copies "
-            "a millionth apart are compared with exact ones as a crowd: distribution of the speeds, pressure "
-            "at the walls, time between impacts; medians and quartiles of up to `--copies` runs, as many as "
-            "the time limit allows. Instructions are those of `carom run` under valgrind's callgrind, some "
-            "fifty times slower, and do not depend on what else the machine does.",
+            "else exact events, else a run with more and more substeps, with a bound of its own error. "
+            "Settings go from coarse to fine, the scene's own and the presets' first, as long as the budget "
+            "lasts; what does not fit is named. Where the scene's own setting alone takes more than a "
+            "twentieth of the budget, less of the scene is studied. Ctrl-C ends the study: what was measured "
+            "is written, and the exit code is 130; at the end of the budget it is 0.\n\n"
+            "Measures: `trajectory`, the greater of the largest distance, relative to the scene's size, and "
+            "the largest angle, of each body as long as it can be followed: until copies a hair apart have "
+            "parted, "
+            "or until the finest runs do not agree. `impacts`: how many are missed, and by how much each "
+            "body's k-th one comes too early or late. `energy`: what appeared, relative to the largest "
+            "exchanged in the run. `overlap`: the deepest, relative to half the thinnest body. `residual`: "
+            "of the contact forces. `rest`: height and centre of mass at the end, time to rest, energy "
+            "lost. Times are processor times per simulated second, the median of the runs. A setting that "
+            "lost its state or took too long stays in the figures, and so does one that changed its energy "
+            "by 1 %.\n\n"
+            "Of fifty balls and more that are followed far beyond the horizon, copies a millionth apart are "
+            "compared with exact ones as a crowd: distribution of the speeds, pressure at the walls, time "
+            "between impacts; medians and quartiles of up to `--copies` runs. Instructions are those of "
+            "`carom run` under valgrind's callgrind, some fifty times slower and beyond the budget, and do "
+            "not depend on what else the machine does.\n\n"
+            "Of several scenes a line each is printed: seconds taken, measure, reference solution, how many "
+            "times the cheapest setting that is no worse is cheaper than the scene's own, the sentence.",
         .leastOperands = 1,
-        .mostOperands = 1,
+        .mostOperands = std::numeric_limits<std::size_t>::max(),
         .run = runStudy};
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/accuracy.h"
 
-#include "core/study/accuracy_run.h"
-
+#include "core/base/catalogue.h"
 #include "core/base/figures.h"
 #include "core/integrators/integrator.h"
 #include "core/math/statistics.h"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace carom {
 namespace {
@@ -33,125 +31,39 @@ bool duplicates(const IntegratorRow& integrator, const SolverRow& method, const 
     return &integrator != (isExact(*own) ? own : &*std::find_if(rows.begin(), rows.end(), isExact));
 }
 
-bool losesNothing(const Scene& scene) {
-    for (const Body& body : scene.bodies)
-        if (body.elastic < 1 || body.friction > 0 || body.rolling > 0) return false;
-    return std::all_of(scene.springs.begin(), scene.springs.end(),
-                       [](const Spring& spring) { return spring.damping == 0; }) &&
-           Pipeline(scene).bodies().forces.empty();
+/// The families of a method that iterates: one for each preset that something can tell from the others.
+std::vector<const PresetRow*> presetsFor(const SolverRow& method, bool isStandard, bool collides) {
+    const PresetRow* standard = findByName(presets(), "default");
+    if (!method.iterates()) return {nullptr};
+    if (!isStandard || !collides) return {standard};
+    std::vector<const PresetRow*> rows;
+    for (const PresetRow& row : presets()) rows.push_back(&row);
+    return rows;
 }
 
-/// Measures the points of a study, one after the other, then times them in turns.
-class Runner {
-  public:
-    Runner(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener)
-        : m_scene(scene), m_listener(listener) {
-        m_study.plan = plan;
-        std::vector<Diagnostic> ignored;
-        m_study.settings = settledSettings(scene, {}, ignored);
-        m_study.conservative = losesNothing(scene);
-        addPoints();
-    }
+const PresetValues& valuesOf(const SolverRow& method, const PresetRow& preset) {
+    return method.presets[static_cast<std::size_t>(&preset - presets().data())];
+}
 
-    AccuracyStudy run(const std::vector<AccuracyPoint>& known) {
-        for (AccuracyPoint& point : m_study.points)
-            for (const AccuracyPoint& old : known)
-                if (old.setting == point.setting) takeOver(old, point);
-        m_study.complete = findReference() && measureAll() && timeAll();
-        std::erase_if(m_study.points,
-                      [](const AccuracyPoint& point) { return point.status == PointStatus::Waiting; });
-        return std::move(m_study);
-    }
+/// What a preset sets, all of it.
+bool isWholePreset(const AccuracySetting& setting) {
+    return setting.preset != nullptr && setting.integrator->name == setting.method->integrator &&
+           setting.substeps == valuesOf(*setting.method, *setting.preset).substeps;
+}
 
-  private:
-    void addPoints() {
-        const RunSettings& own = m_study.settings;
-        AccuracySetting standard{own.method, own.integrator, own.substeps, own.tolerance};
-        if (own.method->isExact) standard = {own.method, nullptr, 1, 0};
-        m_study.points.push_back({.setting = standard, .isDefault = true});
-        for (const AccuracySetting& setting : m_study.plan.settings)
-            if (!(setting == standard)) m_study.points.push_back({.setting = setting});
-        for (const AccuracyPoint& point : m_study.points)
-            m_total += (1.0 + m_study.plan.runs) * point.setting.substeps;
-        m_total *= 1.25; // a fifth of the whole for the reference solution, as far as one can know
-        m_done = 0;
+void addFamilies(const SolverRow& method, const Pipeline& pipeline, AccuracyPlan& plan) {
+    const bool collides = pipeline.simulates("collision");
+    for (const IntegratorRow& integrator : integrators()) {
+        const bool standard = integrator.name == method.integrator;
+        if (!standard && !integratorsMatter(pipeline)) continue;
+        if (duplicates(integrator, method, pipeline)) continue;
+        if (!method.iterates() && integrator.motion.moveOnSprings == nullptr) continue;
+        for (const PresetRow* preset : presetsFor(method, standard, collides))
+            for (int substeps = 1; substeps <= 64; substeps *= 2)
+                plan.settings.push_back({&method, &integrator, substeps,
+                                         preset != nullptr ? valuesOf(method, *preset).tolerance : 0,
+                                         preset});
     }
-
-    static void takeOver(const AccuracyPoint& old, AccuracyPoint& point) {
-        const bool isDefault = point.isDefault;
-        point = old;
-        point.isDefault = isDefault;
-    }
-
-    bool goOn() { return m_listener.goOn(std::min(1.0, m_done / m_total)); }
-    void changed() {
-        if (m_listener.changed) m_listener.changed(m_study);
-    }
-
-    bool findReference() {
-        int finest = 1;
-        for (const AccuracyPoint& point : m_study.points) finest = std::max(finest, point.setting.substeps);
-        m_study.reference = findReferenceSolution({.scene = m_scene,
-                                                   .settings = m_study.settings,
-                                                   .duration = m_study.plan.duration,
-                                                   .finest = finest,
-                                                   .timeLimit = 4 * m_study.plan.timeLimit,
-                                                   .copies = m_study.plan.copies,
-                                                   .goOn = [this] { return goOn(); }});
-        if (m_study.reference && m_study.reference->crowd)
-            for (const AccuracyPoint& point : m_study.points)
-                m_total += 1.25 * m_study.plan.copies * point.setting.substeps;
-        m_done = 0.2 * m_total;
-        if (m_study.reference) m_trajectory = std::exchange(m_study.reference->trajectory, {});
-        return m_study.reference.has_value();
-    }
-
-    bool measureAll() {
-        for (AccuracyPoint& point : m_study.points) {
-            if (point.status == PointStatus::Waiting && hopeless(point.setting)) {
-                point.status = PointStatus::TimedOut;
-                point.reason = "coarser settings of its family timed out";
-            }
-            if (point.status == PointStatus::Waiting && !measure(theRun(), point)) return false;
-            m_done += point.setting.substeps;
-            if (m_study.reference->crowd) {
-                if (point.finished() && !point.crowd && !measureCrowd(theRun(), point)) return false;
-                m_done += m_study.plan.copies * point.setting.substeps;
-            }
-            changed();
-        }
-        return true;
-    }
-
-    bool hopeless(const AccuracySetting& setting) const {
-        return std::any_of(m_study.points.begin(), m_study.points.end(), [&](const AccuracyPoint& point) {
-            return point.status == PointStatus::TimedOut && point.setting.family() == setting.family() &&
-                   point.setting.substeps < setting.substeps;
-        });
-    }
-
-    AccuracyRun theRun() {
-        return {m_scene, m_study, m_trajectory, [this] { return goOn(); }};
-    }
-    bool timeAll();
-
-    const Scene& m_scene;
-    const AccuracyListener& m_listener;
-    AccuracyStudy m_study;
-    Trajectory m_trajectory;        // of the reference solution
-    double m_done = 0, m_total = 0; // substeps a frame, over all runs
-};
-
-bool Runner::timeAll() {
-    for (int run = 0; run < m_study.plan.runs; ++run) {
-        for (AccuracyPoint& point : m_study.points) {
-            m_done += point.setting.substeps;
-            if (!point.finished() || std::ssize(point.times) > run) continue;
-            if (!timeOnce(theRun(), point)) return false;
-            changed();
-        }
-    }
-    return true;
 }
 
 } // namespace
@@ -159,7 +71,9 @@ bool Runner::timeAll() {
 std::string AccuracySetting::family() const {
     std::string text(method->name);
     if (integrator != nullptr) text.append(", ").append(integrator->name);
-    if (tolerance > 0) text += ", tolerance " + figure(tolerance);
+    if (preset != nullptr) text.append(", preset ").append(preset->name);
+    if (preset != nullptr && tolerance != valuesOf(*method, *preset).tolerance)
+        text += ", tolerance " + figure(tolerance);
     return text;
 }
 
@@ -174,6 +88,7 @@ SimulationSettings AccuracySetting::options() const {
     options.method = method->name;
     if (integrator != nullptr) options.integrator = integrator->name;
     options.substeps = substeps;
+    if (preset != nullptr) options.preset = preset->name;
     if (tolerance > 0) options.tolerance = tolerance;
     options.threads = 1;
     return options;
@@ -209,27 +124,19 @@ AccuracyPlan planFor(const Scene& scene) {
     SimulationSettings general;
     general.method = std::string(generalSolver().name);
     const Pipeline pipeline(scene, general);
-    const bool collides = pipeline.bodies().count() > 1;
-    for (const SolverRow& method : solvers()) {
-        if (method.isExact) continue;
-        std::vector<double> tolerances = {0};
-        if (method.iterates())
-            tolerances = collides ? std::vector<double>{1e-6, 1e-10} : std::vector<double>{1e-6};
-        for (const IntegratorRow& integrator : integrators()) {
-            const bool standard = integrator.name == method.integrator;
-            if (!standard && !integratorsMatter(pipeline)) continue;
-            if (duplicates(integrator, method, pipeline)) continue;
-            if (!method.iterates() && integrator.motion.moveOnSprings == nullptr) continue;
-            for (const double tolerance : tolerances) {
-                if (!standard && tolerance == tolerances.back() && tolerances.size() > 1) continue;
-                for (int substeps = 1; substeps <= 64; substeps *= 2)
-                    plan.settings.push_back({&method, &integrator, substeps, tolerance});
-            }
-        }
-    }
     for (const SolverRow& method : solvers())
         if (method.isExact && !objectionTo(method, scene)) plan.settings.push_back({&method, nullptr, 1, 0});
+    for (const SolverRow& method : solvers())
+        if (!method.isExact) addFamilies(method, pipeline, plan);
+    sortForStudy(plan);
     return plan;
+}
+
+void sortForStudy(AccuracyPlan& plan) {
+    const auto rank = [](const AccuracySetting& setting) {
+        return setting.integrator == nullptr || isWholePreset(setting) ? 0 : setting.substeps;
+    };
+    std::ranges::stable_sort(plan.settings, {}, rank);
 }
 
 void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::vector<double>& tolerances) {
@@ -243,14 +150,10 @@ void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::ve
         if (!tolerances.empty() && setting.tolerance > 0) limits = tolerances;
         for (const double tolerance : limits)
             for (const double count : steps)
-                add({setting.method, setting.integrator, static_cast<int>(count), tolerance});
+                add({setting.method, setting.integrator, static_cast<int>(count), tolerance, setting.preset});
     }
     plan.settings = std::move(varied);
-}
-
-AccuracyStudy runAccuracy(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener,
-                          const std::vector<AccuracyPoint>& known) {
-    return Runner(scene, plan, listener).run(known);
+    sortForStudy(plan);
 }
 
 } // namespace carom

@@ -3,6 +3,7 @@
 
 #include "core/simulation/pipeline.h"
 #include "core/study/reference_solution.h"
+#include "core/study/study_clock.h"
 
 #include <cstdint>
 #include <functional>
@@ -14,22 +15,28 @@
 
 // What accuracy costs in time: every setting of a scene is a point, its error against the reference solution
 // (reference_solution.h) across, its time per simulated second up; settings that differ in their substeps
-// only are a family. Errors are plain, measured at every look (eight a frame) that falls on the end of a
-// substep, within the chaos horizon only, and never averaged over chaotic runs. Times are processor times of
-// runs without rendering, loading and the first frame, which take turns, so that a disturbance falls on all
-// of them. Impacts are counted and timed (impacts.h); what many balls do beyond the horizon is compared as a
-// crowd (crowd.h).
+// only are a family. An error is one of several measures (measures.h): where trajectories mean nothing, what
+// is well defined takes their place. Errors are plain, and never averaged over chaotic runs. Times are
+// processor times of runs without rendering, loading and the first frame.
+//
+// A study lasts as long as its budget at most. It goes from coarse to fine: the scene's own setting, those of
+// the presets, then every family with 1, 2, 4, ... substeps, as long as the next run is known to fit. Every
+// point has its error and a time as soon as it is there, so that a study is valid whenever it ends; what time
+// is left repeats runs until their times agree. Runs that do not fit are left out, and said to be.
 
 namespace carom {
+
+struct MeasureRow;
 
 /// One way to simulate a scene.
 struct AccuracySetting {
     const SolverRow* method = nullptr;
     const IntegratorRow* integrator = nullptr; ///< of methods that step
     int substeps = 1;
-    double tolerance = 0; ///< of method `contacts`, else 0
+    double tolerance = 0;              ///< of method `contacts`, else 0
+    const PresetRow* preset = nullptr; ///< of method `contacts`: whose budget of refinement it has
 
-    /// "contacts, verlet, tolerance 1e-06": what the settings of a family share.
+    /// "contacts, verlet, preset default": what the settings of a family share.
     std::string family() const;
     /// The same with the substeps.
     std::string name() const;
@@ -42,7 +49,7 @@ enum class PointStatus : std::uint8_t {
     Measured,
     Broken,   ///< it ran, but an invariant broke
     Failed,   ///< the state was lost
-    TimedOut, ///< it took longer than the plan allows
+    TimedOut, ///< it took longer than what was left of the budget
 };
 std::string_view nameOf(PointStatus status); ///< "measured"
 
@@ -52,15 +59,18 @@ struct AccuracyPoint {
     PointStatus status = PointStatus::Waiting;
     std::string reason{}; ///< of a status beyond Measured
     ErrorNorms errors{};
-    Steadiness energy{};       ///< relative to the largest kinetic energy or change of potential
+    Steadiness energy{};       ///< relative to a scale that cannot vanish (run_course.h)
     double momentumChange = 0; ///< relative, of scenes without gravity, walls and ends in the world; else 0
-    double penetration = 0;    ///< the largest overlap, relative to the scene's size
+    double penetration = 0;    ///< the largest overlap, relative to half the thinnest mobile body
     double residual = 0;       ///< of the worst contact problem, how far from solved [m/s]
-    double coneViolation = 0;  ///< of the worst contact force, relative to its size
-    std::optional<ImpactErrors> impacts{}; ///< where they can be seen
-    std::optional<CrowdFigures> crowd{};   ///< of a crowd, beyond the horizon
-    double instructions = 0;               ///< a simulated second, where somebody counted them
-    std::vector<double> times{};           ///< [ms] a simulated second, a run each
+    double relativeResidual =
+        0;                    ///< the same relative to the speed that the scale of energies gives all bodies
+    double coneViolation = 0; ///< of the worst contact force, relative to its size
+    std::optional<ImpactErrors> impacts{};  ///< where they can be seen
+    std::optional<OutcomeErrors> outcome{}; ///< what is left at the end, where the reference knows it
+    std::optional<CrowdFigures> crowd{};    ///< of a crowd, beyond the horizon
+    double instructions = 0;                ///< a simulated second, where somebody counted them
+    std::vector<double> times{};            ///< [ms] a simulated second, a run each
 
     bool usable() const { return status == PointStatus::Measured; }
     double cost() const;      ///< median of the times
@@ -71,11 +81,12 @@ struct AccuracyPoint {
 
 struct AccuracyPlan {
     std::vector<AccuracySetting> settings;
-    double duration = 2;  ///< [s] simulated
-    int runs = 5;         ///< timed, a setting
-    double timeLimit = 5; ///< [s] of wall time a run
+    double duration = 2; ///< [s] simulated; less where more does not fit into the budget
+    double budget = 60;  ///< [s] of wall time for the whole study
+    int runs = 9;        ///< timed, a setting, at most: until they agree
     double target = 1e-3;
-    int copies = 20; ///< of a crowd, at most: as long as the time limit allows, a setting
+    int copies = 20;                     ///< of a crowd, at most: as many as fit into the budget
+    const MeasureRow* measure = nullptr; ///< of the diagram; null: the first that says something
 };
 
 struct AccuracyStudy {
@@ -83,29 +94,47 @@ struct AccuracyStudy {
     RunSettings settings;                       ///< the scene's own
     std::optional<ReferenceSolution> reference; ///< without its samples
     std::vector<AccuracyPoint> points;          ///< as in the plan, the scene's own setting first
+    std::vector<AccuracySetting> leftOut;       ///< of the plan: what did not fit into the budget
+    double duration = 0;                        ///< [s] that were simulated
+    double seconds = 0;                         ///< [s] of wall time that it took
+    const MeasureRow* measure = nullptr;        ///< of the diagram; never null
     bool conservative = false;                  ///< nothing in the scene takes energy out
-    bool complete = false;                      ///< false: it was told to stop; what is there is whole
+    bool complete = false;                      ///< false: somebody told it to stop; what is there is whole
 
-    /// The smallest error the reference solution can tell from none: a hundred times its own. Points below
-    /// are shown, but they only say "deviation from the finest run".
-    double resolution() const { return reference ? 100 * reference->error : 0; }
+    /// By the study's measure; infinite where the point has none.
+    double errorOf(const AccuracyPoint& point) const;
+    /// The smallest error by that measure that can be told from none. Points below are shown, but they only
+    /// say "deviation from the finest run".
+    double resolution() const;
 };
 
-/// The plan for a scene: every method that can treat it, with every integrator where the choice matters, at
-/// 1 to 64 substeps.
+/// Points of an earlier study, and how much of the scene they were simulated over [s].
+struct KnownPoints {
+    std::vector<AccuracyPoint> points;
+    double duration = 0;
+};
+
+/// The plan for a scene: every method that can treat it, with every integrator where the choice matters and
+/// every preset where bodies can meet, at 1 to 64 substeps; the presets' own settings first, then coarse to
+/// fine.
 AccuracyPlan planFor(const Scene& scene);
+
+/// The presets' own settings and exact methods first, then coarse to fine.
+void sortForStudy(AccuracyPlan& plan);
 
 /// Puts these substeps, and these tolerances of method `contacts`, in place of the plan's, in every family;
 /// what is empty stays.
 void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::vector<double>& tolerances);
 
 struct AccuracyListener {
-    std::function<bool(double done)> goOn;               ///< the part done, 0..1; false ends the study
+    std::function<bool(double seconds)> goOn;            ///< the wall time spent; false ends the study
     std::function<void(const AccuracyStudy&)> changed{}; ///< after every run
+    StudyClock clock{};
 };
 
-/// `known` are points of an interrupted study of the same scene: what they have is not measured again.
+/// `known` is a study of the same scene that was interrupted, or ran out of its budget: what it has is not
+/// measured again.
 AccuracyStudy runAccuracy(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener,
-                          const std::vector<AccuracyPoint>& known = {});
+                          const KnownPoints& known = {});
 
 } // namespace carom

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/accuracy_csv.h"
 
+#include "core/base/catalogue.h"
 #include "core/base/csv.h"
 #include "core/base/hash.h"
 #include "core/base/text.h"
 #include "core/integrators/integrator.h"
 #include "core/study/convergence.h"
+#include "core/study/measures.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -16,15 +19,18 @@ namespace carom {
 namespace {
 
 constexpr std::string_view columns =
-    "method,integrator,substeps,tolerance,default,status,reason,position,position_rms,attitude,"
-    "energy_drift,energy_swing,energy_worst,momentum,penetration,residual_m_s,cone_violation,"
+    "method,integrator,substeps,tolerance,preset,default,status,reason,measure,error,position,"
+    "position_rms,attitude,energy_drift,energy_swing,energy_worst,energy_gain,momentum,penetration,"
+    "residual_m_s,residual,cone_violation,end_height,end_centre,end_rest_time,end_work,"
     "impacts_true,impacts,impacts_matched,impact_time_s,copies,speeds_lower,speeds,speeds_upper,"
     "pressure_lower,pressure,pressure_upper,free_time_lower,free_time,free_time_upper,cost_ms,"
     "cost_min_ms,cost_max_ms,instructions,runs_ms,pareto,reference,reference_error,horizon_s,"
-    "duration_s,scene,command,version,machine";
+    "studied_s,duration_s,scene,command,version,machine";
 
 /// An empty cell.
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double finiteOr(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
 constexpr std::array statuses = {PointStatus::Measured, PointStatus::Broken, PointStatus::Failed,
                                  PointStatus::TimedOut};
@@ -35,6 +41,9 @@ struct Extras {
         if (point.impacts)
             impacts = {static_cast<double>(point.impacts->expected), static_cast<double>(point.impacts->seen),
                        static_cast<double>(point.impacts->matched), point.impacts->time};
+        if (point.outcome)
+            end = {point.outcome->height, point.outcome->centre, point.outcome->restTime,
+                   point.outcome->work};
         if (point.instructions > 0) instructions = point.instructions;
         if (!point.crowd) return;
         copies = static_cast<double>(point.crowd->copies);
@@ -44,6 +53,7 @@ struct Extras {
     }
 
     std::array<double, 4> impacts{none, none, none, none};
+    std::array<double, 4> end{none, none, none, none};
     double copies = none, instructions = none;
     Quartiles speeds{none, none, none}, pressure{none, none, none}, freeTime{none, none, none};
 };
@@ -72,7 +82,8 @@ class Cells {
 std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
     AccuracyPoint point;
     point.setting = {findSolver(cells.text("method")), findIntegrator(cells.text("integrator")),
-                     static_cast<int>(cells.number("substeps")), cells.number("tolerance")};
+                     static_cast<int>(cells.number("substeps")), cells.number("tolerance"),
+                     findByName(presets(), cells.text("preset"))};
     if (point.setting.method == nullptr || point.setting.substeps < 1) return std::nullopt;
     const auto* status = std::find_if(statuses.begin(), statuses.end(),
                                       [&](PointStatus s) { return nameOf(s) == cells.text("status"); });
@@ -82,14 +93,18 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
     point.reason = csvValue(cells.text("reason"));
     point.errors = {cells.number("position"), cells.number("position_rms"), cells.number("attitude")};
     point.energy = {cells.number("energy_drift"), cells.number("energy_swing"), cells.number("energy_worst"),
-                    0};
+                    cells.number("energy_gain")};
     point.momentumChange = cells.number("momentum");
     point.penetration = cells.number("penetration");
     point.residual = cells.number("residual_m_s");
+    point.relativeResidual = cells.number("residual");
     point.coneViolation = cells.number("cone_violation");
     if (!cells.text("impacts").empty())
         point.impacts = ImpactErrors{cells.count("impacts_true"), cells.count("impacts"),
                                      cells.count("impacts_matched"), cells.number("impact_time_s")};
+    if (!cells.text("end_height").empty())
+        point.outcome = OutcomeErrors{cells.number("end_height"), cells.number("end_centre"),
+                                      cells.number("end_rest_time"), cells.number("end_work")};
     if (!cells.text("copies").empty())
         point.crowd = CrowdFigures{cells.count("copies"), cells.quartiles("speeds"),
                                    cells.quartiles("pressure"), cells.quartiles("free_time")};
@@ -112,21 +127,24 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
         const bool onFront = std::find(front.begin(), front.end(), &p) != front.end();
         const Extras x(p);
         table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
-                  p.setting.substeps, p.setting.tolerance, p.isDefault ? "yes" : "no", nameOf(p.status),
-                  p.reason, p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
-                  p.energy.oscillation, p.energy.worst, p.momentumChange, p.penetration, p.residual,
-                  p.coneViolation, x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3], x.copies,
-                  x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower, x.pressure.median,
-                  x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper, p.cost(),
-                  p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
+                  p.setting.substeps, p.setting.tolerance, p.setting.preset ? p.setting.preset->name : "",
+                  p.isDefault ? "yes" : "no", nameOf(p.status), p.reason, study.measure->name,
+                  finiteOr(study.errorOf(p), none), p.errors.position, p.errors.positionRms,
+                  p.errors.attitude, p.energy.drift, p.energy.oscillation, p.energy.worst, p.energy.gain,
+                  p.momentumChange, p.penetration, p.residual, p.relativeResidual, p.coneViolation, x.end[0],
+                  x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3],
+                  x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower,
+                  x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper,
+                  p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
                   nameOf(study.reference->kind), study.reference->error, study.reference->horizon,
-                  study.plan.duration, sceneHash, origin.command, origin.version, origin.machine);
+                  study.duration, study.plan.duration, sceneHash, origin.command, origin.version,
+                  origin.machine);
     }
     return table.take();
 }
 
-KnownPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin) {
-    KnownPoints known;
+ReadPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin) {
+    ReadPoints read;
     std::vector<std::string_view> lines = csvSplit(csv, '\n');
     if (lines.back().empty()) lines.pop_back();
     if (lines.empty() || lines.front() != columns)
@@ -148,9 +166,10 @@ KnownPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin) {
             return {{},
                     "it was measured by version " + csvValue(cells.text("version")) + ", and this is " +
                         origin.version};
-        known.points.push_back(std::move(*point));
+        read.known.duration = cells.number("studied_s");
+        read.known.points.push_back(std::move(*point));
     }
-    return known;
+    return read;
 }
 
 std::string hashOfScene(std::string_view text) {

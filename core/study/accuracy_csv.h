@@ -15,15 +15,19 @@ namespace carom {
 /// A row a point that is not waiting. Lengths are relative to the scene's size, times and instructions for a
 /// simulated second; what was not looked at is empty.
 ///
-///     method, integrator, substeps, tolerance, default, status, reason
+///     method, integrator, substeps, tolerance, preset, default, status, reason
+///     measure, error                        of the diagram
 ///     position, position_rms, attitude      errors; the last in rad
-///     energy_drift, energy_swing, energy_worst, momentum, penetration, residual_m_s,
-///     cone_violation
+///     energy_drift, energy_swing, energy_worst, energy_gain, momentum
+///     penetration                           by half the thinnest mobile body
+///     residual_m_s, residual, cone_violation
+///     end_height, end_centre, end_rest_time, end_work   what is left at the end, deviations
 ///     impacts_true, impacts, impacts_matched, impact_time_s
 ///     copies, and of a crowd speeds, pressure and free_time, each as _lower, median, _upper
 ///     cost_ms, cost_min_ms, cost_max_ms, instructions
 ///     runs_ms                               of all runs, between semicolons
-///     pareto, reference, reference_error, horizon_s, duration_s
+///     pareto, reference, reference_error, horizon_s, studied_s, duration_s
+///                                           the horizon of half of the bodies; studied of what was asked for
 ///     scene, command, version, machine      the first a hash of its text
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin);
 
@@ -35,13 +39,13 @@ struct AccuracyOrigin {
 };
 
 /// The points of such a text, for a study that goes on where one was interrupted.
-struct KnownPoints {
-    std::vector<AccuracyPoint> points;
+struct ReadPoints {
+    KnownPoints known;
     /// Why no study can go on from them: "line 3 cannot be read"; empty: one can. Then nothing may be written
     /// over the text.
     std::string objection;
 };
-KnownPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin);
+ReadPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin);
 
 /// A hash of a scene's text, as decimal digits.
 std::string hashOfScene(std::string_view text);

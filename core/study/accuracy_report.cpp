@@ -2,8 +2,10 @@
 #include "core/study/accuracy_report.h"
 
 #include "core/base/figures.h"
+#include "core/study/measures.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,18 +42,21 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
     const bool solves = any([](const AccuracyPoint& p) { return p.residual > 0 || p.coneViolation > 0; });
     const bool counted = any([](const AccuracyPoint& p) { return p.instructions > 0; });
     std::vector<std::vector<std::string>> lines(1);
-    lines[0] = {"substeps", "error", "ms per simulated s"};
+    lines[0] = {"substeps", std::string(study.measure->name), "ms per simulated s"};
+    if (study.measure->name != "trajectory") lines[0].push_back("error");
     if (counted) lines[0].push_back("instructions");
-    lines[0].insert(lines[0].end(), {"energy off", "overlap"});
+    lines[0].insert(lines[0].end(), {"energy off", "energy up", "overlap"});
     if (solves) lines[0].insert(lines[0].end(), {"residual [m/s]", "outside cone"});
     if (impacts) lines[0].insert(lines[0].end(), {"impacts", "off by [s]"});
     lines[0].push_back("");
     for (const AccuracyPoint* point : family.points) {
         std::vector<std::string>& line = lines.emplace_back();
-        line = {std::to_string(point->setting.substeps), figure(point->errors.worst()),
+        line = {std::to_string(point->setting.substeps), figure(study.errorOf(*point)),
                 point->times.empty() ? "-" : figure(point->cost())};
+        if (study.measure->name != "trajectory") line.push_back(figure(point->errors.worst()));
         if (counted) line.push_back(point->instructions > 0 ? figure(point->instructions, 4) : "-");
         line.push_back(figure(point->energy.worst));
+        line.push_back(figure(point->energy.gain));
         line.push_back(figure(point->penetration));
         if (solves) line.insert(line.end(), {figure(point->residual), figure(point->coneViolation)});
         if (impacts) {
@@ -101,13 +106,46 @@ std::string summaryOf(const AccuracyStudy& study) {
     if (study.conservative) text += "Nothing takes energy out of the scene: it must stay.\n";
     for (const AccuracyFamily& family : familiesOf(study)) {
         text += "\n" + family.name;
-        if (const std::optional<double> order = orderOf(family, study.resolution()))
+        if (const std::optional<double> order = orderOf(family, study))
             text += "   (order " + figure(*order) + ")";
         text += "\n" + tableOf(study, family);
     }
     text += crowdOf(study);
+    if (const std::string omissions = omissionsOf(study); !omissions.empty()) text += "\n" + omissions + "\n";
     if (!study.complete) text += "\nThe study was interrupted; what was measured is shown.\n";
     return text + "\n" + recommendation(study) + "\n";
+}
+
+namespace {
+
+std::string referenceOf(const AccuracyStudy& study) {
+    return std::string(study.reference ? nameOf(study.reference->kind) : "none");
+}
+
+} // namespace
+
+std::string comparisonHeading(std::size_t width) {
+    return padded("scene", width + 2) + padded("seconds", 9) + padded("measure", 12) +
+           padded("reference", 16) + padded("off the front", 15) + "sentence\n";
+}
+
+std::string comparisonLine(const std::string& scene, std::size_t width, const AccuracyStudy& study) {
+    const std::optional<double> distance = distanceFromFront(study);
+    return padded(scene, width + 2) + padded(figure(study.seconds, 3), 9) +
+           padded(std::string(study.measure->name), 12) + padded(referenceOf(study), 16) +
+           padded(distance ? figure(*distance, 2) : "-", 15) + recommendation(study) + "\n";
+}
+
+std::string_view comparisonColumns() {
+    return "scene,seconds,measure,reference,distance_from_front,settings,left_out,studied_s,duration_s,"
+           "sentence";
+}
+
+void addComparison(const std::string& scene, const AccuracyStudy& study, CsvTable& table) {
+    table.row(scene, study.seconds, study.measure->name, referenceOf(study),
+              distanceFromFront(study).value_or(std::numeric_limits<double>::quiet_NaN()),
+              study.points.size(), study.leftOut.size(), study.duration, study.plan.duration,
+              recommendation(study));
 }
 
 } // namespace carom

@@ -4,6 +4,7 @@
 #include "core/study/accuracy.h"
 
 #include <functional>
+#include <optional>
 
 // The runs of an accuracy study: one setting held against the reference solution, and the clock.
 
@@ -13,6 +14,8 @@ struct AccuracyRun {
     const Scene& scene;
     const AccuracyStudy& study; ///< with its plan and its reference solution, whose samples are apart:
     const Trajectory& trajectory;
+    const StudyClock& clock;
+    double limit = 0;             ///< [s] of wall time that the run may take
     std::function<bool()> goOn{}; ///< false: stop; asked often
 
     /// So many make up the simulated time.
@@ -20,15 +23,15 @@ struct AccuracyRun {
     double step() const { return study.settings.step; } ///< a frame [s]
 };
 
-/// Runs the point's setting substep by substep and fills in its errors, its invariants and what became of it.
-/// False if told to stop.
+/// Runs the point's setting and fills in its errors, its invariants, what became of it and, where the run is
+/// one that times can be taken from, its time. False if told to stop.
 bool measure(const AccuracyRun& run, AccuracyPoint& point);
 
-/// Runs copies of a crowd beyond the horizon with the point's setting, as long as the time limit allows, and
-/// fills in how they deviate from exact ones. False if told to stop.
-bool measureCrowd(const AccuracyRun& run, AccuracyPoint& point);
+/// Runs a copy of a crowd beyond the horizon with the point's setting; how it deviates from exact ones, or
+/// nothing if told to stop or its state is lost.
+std::optional<CrowdDeviation> measureCrowd(const AccuracyRun& run, const AccuracyPoint& point, int copy);
 
-/// Adds a time to the point. False if told to stop.
+/// Adds a time to the point, if it is done within the limit. False if told to stop.
 bool timeOnce(const AccuracyRun& run, AccuracyPoint& point);
 
 } // namespace carom

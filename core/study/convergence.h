@@ -21,7 +21,7 @@ std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study);
 /// The order of convergence: the median slope of log error against log substep between neighbouring points
 /// that have converged so far that it shows (errors below 0.35) and are above the reference solution's
 /// resolution and rounding. Nothing of fewer than two such slopes, or where they do not agree.
-std::optional<double> orderOf(const AccuracyFamily& family, double resolution);
+std::optional<double> orderOf(const AccuracyFamily& family, const AccuracyStudy& study);
 
 /// Usable points that no other one beats in error without costing more, ascending by error.
 std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study);
@@ -32,11 +32,25 @@ const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error);
 /// The cheapest usable point within the plan's target, or the most accurate one if none is; null without any.
 const AccuracyPoint* recommended(const AccuracyStudy& study);
 
+/// What the scene runs with as it is; null where it was not measured.
+const AccuracyPoint* ownPoint(const AccuracyStudy& study);
+
+/// How many times cheaper the cheapest usable setting is that is no worse than the scene's own, as far as
+/// the reference solution can tell; 1 where none is cheaper. Nothing where the own setting has no figures.
+std::optional<double> distanceFromFront(const AccuracyStudy& study);
+
+/// Whether nothing moves in the reference solution, by what is accurate enough.
+bool nothingMoves(const AccuracyStudy& study);
+
 /// "Error below 0.001 costs 0.8 ms per simulated second: microcollisions, verlet, 4 substeps; 12 times
-/// cheaper than the scene's own setting …".
+/// cheaper than the scene's own setting ...", or "Nothing moves: every setting holds; the cheapest costs
+/// ...".
 std::string recommendation(const AccuracyStudy& study);
 
-/// What errors are deviations from, and how far they can be trusted: one sentence.
+/// What errors are deviations from, up to when, and how far they can be trusted: one or two sentences.
 std::string yardstickOf(const AccuracyStudy& study);
+
+/// What did not fit into the budget: sentences, or nothing.
+std::string omissionsOf(const AccuracyStudy& study);
 
 } // namespace carom

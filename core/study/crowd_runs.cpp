@@ -71,11 +71,12 @@ std::optional<ExactCrowd> exactCrowd(CrowdRun run, const Bodies& bodies, int cop
     SimulationSettings options;
     options.method = "events";
     std::vector<CrowdWatch::Sums> each;
-    for (int copy = 0; copy < copies; ++copy) {
+    for (int copy = 0; copy < copies && (!run.hasTime || run.hasTime()); ++copy) {
         std::optional<CrowdWatch::Sums> sums = runCopy(run, copy, options);
         if (!sums) return std::nullopt;
         each.push_back(std::move(*sums));
     }
+    if (each.size() < 2) return std::nullopt;
     ExactCrowd crowd{.sums = each.front(), .first = run.first, .fastest = run.fastest};
     for (std::size_t k = 1; k < each.size(); ++k) crowd.sums.add(each[k]);
     std::vector<CrowdDeviation> scatter;

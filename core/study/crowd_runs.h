@@ -26,13 +26,14 @@ struct CrowdRun {
     double step = 0;        ///< a frame [s]
     double nudge = 0;       ///< [m]
     std::function<bool()> goOn{};
-    double fastest = 0; ///< [m/s], of CrowdWatch
+    double fastest = 0;                 ///< [m/s], of CrowdWatch
+    std::function<bool()> hasTime = {}; ///< for another copy; null: always
 };
 
 /// The frame at which copies crowdNudge apart have parted altogether, if they part at `growth` [1/s].
 std::int64_t framesToForget(double growth, double step);
 
-/// What the copies of number `copy` did; the scene itself is number 0. Nothing if told to stop, or if its
+/// What the copy of number `copy` did; the scene itself is number 0. Nothing if told to stop, or if its
 /// state was lost.
 std::optional<CrowdWatch::Sums> runCopy(const CrowdRun& run, int copy, SimulationSettings options);
 
@@ -44,7 +45,8 @@ struct ExactCrowd {
     double fastest = 0;
 };
 
-/// Nothing of fewer than fifty balls, where the run is too short to look at, or if told to stop.
+/// Of up to `copies`, as many as there is time for. Nothing of fewer than fifty balls, where the run is too
+/// short to look at, without time for two, or if told to stop.
 std::optional<ExactCrowd> exactCrowd(CrowdRun run, const Bodies& bodies, int copies);
 
 } // namespace carom

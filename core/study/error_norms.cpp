@@ -13,17 +13,29 @@ std::size_t Trajectory::common(const Trajectory& other) const {
     return std::min(samples.size(), other.samples.size());
 }
 
+ErrorMeter::ErrorMeter(const Bodies& bodies, double size)
+    : m_bodies(bodies), m_size(size), m_turns(bodies.count(), 0) {
+    for (const BodyIndex i : bodies.rotating) m_turns[i] = 1;
+}
+
+void ErrorMeter::addBody(BodyIndex i, const Pose& pose, const Pose& reference) {
+    const double away = (pose.position - reference.position).norm() / m_size;
+    m_position = std::max(m_position, away);
+    m_squares += away * away;
+    m_count += 1;
+    if (m_turns[i] == 0) return;
+    const Quat between = pose.orientation * reference.orientation.conjugate();
+    m_attitude = std::max(m_attitude, toRotationVector(between).norm());
+}
+
 void ErrorMeter::add(const std::vector<Pose>& pose, const std::vector<Pose>& reference) {
-    for (const BodyIndex i : m_bodies.mobileBodies) {
-        const double away = (pose[i].position - reference[i].position).norm() / m_size;
-        m_position = std::max(m_position, away);
-        m_squares += away * away;
-        m_count += 1;
-    }
-    for (const BodyIndex i : m_bodies.rotating) {
-        const Quat between = pose[i].orientation * reference[i].orientation.conjugate();
-        m_attitude = std::max(m_attitude, toRotationVector(between).norm());
-    }
+    for (const BodyIndex i : m_bodies.mobileBodies) addBody(i, pose[i], reference[i]);
+}
+
+void ErrorMeter::add(const std::vector<Pose>& pose, const std::vector<Pose>& reference, double time,
+                     const Horizons& horizons) {
+    for (const BodyIndex i : m_bodies.mobileBodies)
+        if (time <= horizons[i]) addBody(i, pose[i], reference[i]);
 }
 
 ErrorNorms ErrorMeter::norms() const {
@@ -31,13 +43,45 @@ ErrorNorms ErrorMeter::norms() const {
 }
 
 ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
-                      double end) {
+                      const Horizons& horizons) {
     ErrorMeter meter(bodies, size);
-    for (std::size_t k = 0; k < a.common(b); ++k) {
-        if (static_cast<double>(k) * a.spacing > end) break;
-        meter.add(a.samples[k], b.samples[k]);
-    }
+    for (std::size_t k = 0; k < a.common(b); ++k)
+        meter.add(a.samples[k], b.samples[k], static_cast<double>(k) * a.spacing, horizons);
     return meter.norms();
+}
+
+namespace {
+
+/// How far a body is from its counterpart: relative to the size, or in radians times `lever`.
+double apartOf(const Pose& a, const Pose& b, double size, double lever) {
+    const double away = (a.position - b.position).norm() / size;
+    if (a.orientation.coeffs() == b.orientation.coeffs()) return away;
+    return std::max(away, lever * toRotationVector(a.orientation * b.orientation.conjugate()).norm());
+}
+
+} // namespace
+
+Horizons horizonsOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
+                    const Parting& parting) {
+    const std::size_t looks = a.common(b);
+    Horizons horizons(bodies.count(), static_cast<double>(looks - 1) * a.spacing);
+    for (const BodyIndex i : bodies.mobileBodies) {
+        const double lever = parting.by == Apart::Error ? 1 : bodies.boundingRadius[i] / size;
+        for (std::size_t k = 0; k < looks; ++k)
+            if (apartOf(a.samples[k][i], b.samples[k][i], size, lever) > parting.most) {
+                horizons[i] = static_cast<double>(k > 0 ? k - 1 : 0) * a.spacing;
+                break;
+            }
+    }
+    return horizons;
+}
+
+double largestWay(const Trajectory& run, const Bodies& bodies, double size) {
+    double largest = 0;
+    for (const std::vector<Pose>& poses : run.samples)
+        for (const BodyIndex i : bodies.mobileBodies)
+            largest = std::max(largest, apartOf(poses[i], run.samples.front()[i], size, 1));
+    return largest;
 }
 
 Steadiness steadinessOf(const std::vector<double>& time, const std::vector<double>& value, double scale) {

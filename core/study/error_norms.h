@@ -4,6 +4,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Trajectory {
     std::size_t common(const Trajectory& other) const;
 };
 
+/// The times [s] up to which single bodies can be followed, by BodyIndex.
+using Horizons = std::vector<double>;
+
 /// The distance of two states or runs over the mobile bodies. Plain, never squared.
 struct ErrorNorms {
     double position = 0;    ///< the largest |Δx|, relative to the scene's size
@@ -33,20 +37,44 @@ struct ErrorNorms {
 /// Collects the distance of states from samples of the reference solution.
 class ErrorMeter {
   public:
-    ErrorMeter(const Bodies& bodies, double size) : m_bodies(bodies), m_size(size) {}
+    ErrorMeter(const Bodies& bodies, double size);
 
     void add(const std::vector<Pose>& pose, const std::vector<Pose>& reference);
+    /// The same at `time` [s], of the bodies whose horizon is not before it.
+    void add(const std::vector<Pose>& pose, const std::vector<Pose>& reference, double time,
+             const Horizons& horizons);
     ErrorNorms norms() const;
 
   private:
+    void addBody(BodyIndex i, const Pose& pose, const Pose& reference);
+
     const Bodies& m_bodies;
-    double m_size; ///< [m]
+    double m_size;                     ///< [m]
+    std::vector<std::uint8_t> m_turns; // by body: 1 where its orientation can change
     double m_position = 0, m_attitude = 0, m_squares = 0, m_count = 0;
 };
 
-/// Distance of two trajectories up to `end` [s].
+/// Distance of two trajectories, each body up to its horizon.
 ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
-                      double end);
+                      const Horizons& horizons);
+
+/// What the distance of a body from its counterpart is measured by.
+enum class Apart : std::uint8_t {
+    Error,  ///< as ErrorNorms::worst: relative to the size, or in radians, the greater
+    Surface ///< of a point of its surface at most, relative to the size: turning a small ball means little
+};
+
+/// How far each body stays with its counterpart: the last sample [s] before the one that is more than `most`
+/// away, lengths relative to `size` [m].
+struct Parting {
+    Apart by = Apart::Error;
+    double most = 0;
+};
+Horizons horizonsOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
+                    const Parting& parting);
+
+/// The largest way of a mobile body from where it starts, relative to `size` [m], or the largest angle [rad].
+double largestWay(const Trajectory& run, const Bodies& bodies, double size);
 
 /// The course of a quantity that should be constant: a line, and what is left beside it.
 struct Steadiness {

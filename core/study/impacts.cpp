@@ -55,14 +55,15 @@ void compareBody(const std::vector<Impact>& reference, const std::vector<Impact>
 
 } // namespace
 
-ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run, double end) {
+ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run,
+                            const std::vector<double>& ends) {
     double strongest = 0;
     for (const std::vector<Impact>& impacts : reference)
         for (const Impact& impact : impacts) strongest = std::max(strongest, impact.change.norm());
     ImpactErrors errors;
     for (std::size_t i = 0; i < reference.size(); ++i)
         compareBody(strong(reference[i], strongEnough * strongest), strong(run[i], strongEnough * strongest),
-                    end, errors);
+                    ends[i], errors);
     return errors;
 }
 

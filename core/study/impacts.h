@@ -15,9 +15,10 @@ struct ImpactErrors {
     double time = 0;          ///< the largest difference between those two times [s]
 };
 
-/// Up to `end` [s]; each body's k-th impact against its true k-th, for as long as they are alike: as strong
-/// and in the same direction within a half. Impacts of less than a hundredth of the strongest true one are
-/// left out.
-ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run, double end);
+/// Each body up to its own end [s], by BodyIndex; its k-th impact against its true k-th, for as long as they
+/// are alike: as strong and in the same direction within a half. Impacts of less than a hundredth of the
+/// strongest true one are left out.
+ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run,
+                            const std::vector<double>& ends);
 
 } // namespace carom

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/reference_solution.h"
 
-#include "core/base/clock.h"
+#include "core/base/figures.h"
+#include "core/math/statistics.h"
 #include "core/simulation/method_choice.h"
 #include "core/simulation/world.h"
 #include "core/study/closed_motion.h"
@@ -13,16 +14,24 @@
 namespace carom {
 namespace {
 
-/// Copies start so far apart, relative to the scene's size, and count as parted beyond the second figure: an
-/// early error of 1e-6 has become one of 1e-3 by then.
-constexpr double copiesApart = 1e-12, copiesParted = 1e-9;
+/// Copies start so far apart, relative to the scene's size: exact ones above rounding, others above what the
+/// tolerance of their contacts leaves; and how many times as far they are when they count as parted.
+constexpr double exactApart = 1e-12, runsApart = 1e-9, partedBy = 1e3;
 /// Errors of a closed form and of exact events: rounding of a few thousand operations.
 constexpr double roundingOfReference = 1e-13;
-/// Substeps of the first converging run, how much finer than the finest setting the last one is, and what is
-/// close enough to stop at.
+/// Looks a frame where nothing keeps them from the times between frames: errors are measured there too.
+constexpr int looksBetween = 8;
+/// Substeps of the first converging run; a multiple of the looks.
 constexpr int firstSubsteps = 8;
+/// How much finer than the finest setting the last run is, and what is close enough to stop at.
 constexpr int finerThanFinest = 4;
 constexpr double convergedEnough = 1e-13;
+/// Runs that part no later and agree no better than those before, so often in a row, never will.
+constexpr int mostStalls = 2;
+constexpr double furtherOn = 1.1, muchBetter = 0.7;
+/// Of the time for converging runs, the part that the first one may take: its copy takes as long, and a finer
+/// run twice.
+constexpr double partOfFirst = 0.25;
 
 SimulationSettings optionsFor(const char* method, const char* integrator, double step) {
     SimulationSettings options;
@@ -30,134 +39,305 @@ SimulationSettings optionsFor(const char* method, const char* integrator, double
     options.integrator = integrator;
     options.step = step;
     options.substeps = 1;
+    options.preset = "accurate";
     options.tolerance = 1e-12;
     return options;
 }
 
-std::int64_t looksOf(const ReferenceRequest& request) {
-    return static_cast<std::int64_t>(std::ceil(request.duration / request.settings.step * (1 - 1e-12))) *
-           looksPerFrame;
-}
-
+/// A run as it was looked at.
 struct Recorded {
-    Trajectory trajectory;
-    ImpactRecord impacts;
+    Trajectory trajectory{};
+    ImpactRecord impacts{};
+    std::optional<Outcome> outcome{}; ///< of a run that came to its end
+    double seconds = 0;               ///< [s] of wall time
+
+    double duration() const {
+        return static_cast<double>(trajectory.samples.size() - 1) * trajectory.spacing;
+    }
 };
 
-/// The states of a run at every look, `perLook` steps apart, and its impacts; nothing if told to stop, or if
-/// the state is lost or `seconds` of wall time are over.
-std::optional<Recorded> recordRun(const ReferenceRequest& request, const Scene& scene,
-                                  const SimulationSettings& options, std::int64_t perLook, double seconds) {
-    World world(std::make_shared<const Pipeline>(scene, options));
-    const Pipeline& pipeline = world.pipeline();
-    Recorded run{{request.settings.step / looksPerFrame, {world.state().pose}}, {}};
-    ImpactWatch watchImpacts(pipeline.bodies(), pipeline.gravity(), request.settings.step, world.state());
-    const Stopwatch watch;
-    for (std::int64_t look = 0; look < looksOf(request); ++look) {
-        for (std::int64_t k = 0; k < perLook; ++k) {
-            world.step();
-            if (!request.goOn() || watch.elapsed() > 1000 * seconds) return std::nullopt;
-        }
-        if (!world.health().finite) return std::nullopt;
-        run.trajectory.samples.push_back(world.state().pose);
-        if ((look + 1) % looksPerFrame == 0) watchImpacts.look(world.state());
+/// How a run is made and looked at.
+struct Course {
+    const Scene& scene;
+    SimulationSettings options;
+    int looksPerFrame = 1;
+    int perLook = 1;    ///< steps of the options
+    double seconds = 0; ///< [s] of wall time that it may take
+};
+
+/// What of a request is still to be done, with the frames that fit.
+class Search {
+  public:
+    explicit Search(const ReferenceRequest& request)
+        : m_request(request), m_begin(request.clock.wall()),
+          m_frames(
+              static_cast<std::int64_t>(std::ceil(request.duration / request.settings.step * (1 - 1e-12)))) {}
+
+    const ReferenceRequest& request() const { return m_request; }
+    std::int64_t frames() const { return m_frames; }
+    double left() const { return m_request.seconds - 1e-3 * (m_request.clock.wall() - m_begin); } ///< [s]
+    bool stopped() const { return m_stopped; }
+
+    /// The whole frames of a run that its time is enough for; nothing if told to stop or if the state is
+    /// lost.
+    std::optional<Recorded> record(const Course& course);
+    /// Later runs are no longer than this one.
+    void shortenTo(const Recorded& run);
+
+  private:
+    bool goOn() {
+        m_stopped = m_stopped || !m_request.goOn();
+        return !m_stopped;
     }
-    if (ImpactWatch::sees(pipeline.bodies())) run.impacts = watchImpacts.record();
+
+    const ReferenceRequest& m_request;
+    double m_begin; // [ms]
+    std::int64_t m_frames;
+    bool m_stopped = false;
+};
+
+std::optional<Recorded> Search::record(const Course& course) {
+    const double step = m_request.settings.step, begin = m_request.clock.wall();
+    World world(std::make_shared<const Pipeline>(course.scene, course.options));
+    const Pipeline& pipeline = world.pipeline();
+    Recorded run{.trajectory = {step / course.looksPerFrame, {world.state().pose}}};
+    ImpactWatch impacts(pipeline.bodies(), pipeline.gravity(), step, world.state());
+    RunCourse energies(world, sizeOf(pipeline.bodies(), run.trajectory));
+    const auto spent = [&] { return 1e-3 * (m_request.clock.wall() - begin); };
+    bool hasTime = true;
+    for (std::int64_t frame = 0; frame < m_frames && hasTime; ++frame) {
+        for (int look = 0; look < course.looksPerFrame && hasTime; ++look) {
+            for (int k = 0; k < course.perLook && hasTime; ++k) {
+                world.step();
+                if (!goOn() || !world.health().finite) return std::nullopt;
+                energies.add(world);
+                hasTime = spent() <= course.seconds;
+            }
+            run.trajectory.samples.push_back(world.state().pose);
+        }
+        impacts.look(world.state());
+    }
+    run.seconds = spent();
+    const std::size_t whole =
+        (run.trajectory.samples.size() - 1) / static_cast<std::size_t>(course.looksPerFrame);
+    const bool isWhole = hasTime || (run.trajectory.samples.size() - 1 ==
+                                     static_cast<std::size_t>(m_frames * course.looksPerFrame));
+    // A frame that time ran out in may be broken off.
+    const std::size_t frames = isWhole ? whole : std::max<std::size_t>(whole, 1) - 1;
+    run.trajectory.samples.resize(frames * static_cast<std::size_t>(course.looksPerFrame) + 1);
+    if (ImpactWatch::sees(pipeline.bodies())) run.impacts = impacts.record();
+    if (isWhole) run.outcome = energies.outcome(world);
     return run;
 }
 
-/// How fast a nudged copy parts from the run, in the same setting.
-void measureHorizon(const Trajectory& run, const Trajectory& copy, const Bodies& bodies,
-                    ReferenceSolution& reference) {
-    reference.horizon = static_cast<double>(run.samples.size() - 1) * run.spacing;
-    double apart = copiesApart;
-    for (std::size_t k = 0; k < run.common(copy); ++k) {
-        ErrorMeter meter(bodies, reference.size);
-        meter.add(copy.samples[k], run.samples[k]);
-        apart = std::max(meter.norms().position, copiesApart);
-        if (apart <= copiesParted) continue;
-        reference.horizon = static_cast<double>(k > 0 ? k - 1 : 0) * run.spacing;
-        reference.chaotic = true;
-        break;
-    }
-    reference.growth = reference.horizon > 0 ? std::log(apart / copiesApart) / reference.horizon : 0;
+void Search::shortenTo(const Recorded& run) {
+    m_frames =
+        std::min(m_frames, static_cast<std::int64_t>(std::llround(run.duration() / m_request.settings.step)));
+}
+
+/// What the horizons of the mobile bodies say together.
+void summariseHorizons(const Bodies& bodies, ReferenceSolution& reference) {
+    std::vector<double> times;
+    for (const BodyIndex i : bodies.mobileBodies) times.push_back(reference.horizons[i]);
+    if (times.empty()) return;
+    reference.horizon = summarise(times).median;
+    reference.firstHorizon = *std::min_element(times.begin(), times.end());
+    reference.mobile = times.size();
+    reference.followed = static_cast<std::size_t>(
+        std::ranges::count_if(times, [&](double time) { return time >= reference.duration; }));
+    reference.chaotic = reference.followed < reference.mobile;
+}
+
+/// How fast a nudged copy parts from the run, in the same setting, and where.
+void measureChaos(const Trajectory& run, const Trajectory& copy, const Bodies& bodies,
+                  ReferenceSolution& reference) {
+    reference.horizons =
+        horizonsOf(run, copy, bodies, reference.size, {Apart::Surface, partedBy * reference.nudge});
+    reference.duration = static_cast<double>(run.common(copy) - 1) * run.spacing;
+    summariseHorizons(bodies, reference);
+    if (reference.chaotic && reference.firstHorizon > 0)
+        reference.growth = std::log(partedBy) / reference.firstHorizon;
+}
+
+/// What all kinds have in common, of the run that they end with.
+void conclude(const Bodies& bodies, Recorded&& run, ReferenceSolution& reference) {
+    reference.duration = run.duration();
+    for (double& horizon : reference.horizons) horizon = std::min(horizon, reference.duration);
+    summariseHorizons(bodies, reference);
+    reference.way = largestWay(run.trajectory, bodies, reference.size);
+    reference.trajectory = std::move(run.trajectory);
+    reference.impacts = std::move(run.impacts);
+    reference.outcome = run.outcome;
 }
 
 ReferenceSolution closedReference(const ReferenceRequest& request, const ClosedMotion& motion,
-                                  const Bodies& bodies) {
-    ReferenceSolution reference{.kind = ReferenceKind::ClosedForm, .description = motion.name};
-    reference.trajectory.spacing = request.settings.step / looksPerFrame;
-    for (std::int64_t look = 0; look <= looksOf(request); ++look)
-        reference.trajectory.samples.push_back(
-            motion.at(static_cast<double>(look) * reference.trajectory.spacing));
-    reference.size = sizeOf(bodies, reference.trajectory);
+                                  const Bodies& bodies, std::int64_t frames) {
+    ReferenceSolution reference{
+        .kind = ReferenceKind::ClosedForm, .description = motion.name, .looksPerFrame = looksBetween};
+    Recorded run;
+    run.trajectory.spacing = request.settings.step / looksBetween;
+    for (std::int64_t look = 0; look <= frames * looksBetween; ++look)
+        run.trajectory.samples.push_back(motion.at(static_cast<double>(look) * run.trajectory.spacing));
+    reference.size = sizeOf(bodies, run.trajectory);
     reference.error = roundingOfReference;
-    reference.horizon = static_cast<double>(looksOf(request)) * reference.trajectory.spacing;
+    reference.horizons.assign(bodies.count(), run.duration());
+    conclude(bodies, std::move(run), reference);
     return reference;
 }
 
-std::optional<ReferenceSolution> exactReference(const ReferenceRequest& request, const Bodies& bodies) {
-    SimulationSettings options = optionsFor("events", "euler", request.settings.step / looksPerFrame);
-    std::optional<Recorded> run = recordRun(request, request.scene, options, 1, request.timeLimit);
-    if (!run) return std::nullopt;
-    ReferenceSolution reference{.kind = ReferenceKind::ExactEvents, .description = "exact events"};
-    reference.size = sizeOf(bodies, run->trajectory);
-    reference.error = roundingOfReference;
-    const std::optional<Recorded> copy = recordRun(
-        request, nudged(request.scene, copiesApart * reference.size), options, 1, request.timeLimit);
+std::optional<ReferenceSolution> exactReference(Search& search, const Bodies& bodies) {
+    const ReferenceRequest& request = search.request();
+    const auto course = [&](const Scene& scene) {
+        return Course{.scene = scene,
+                      .options = optionsFor("events", "euler", request.settings.step / looksBetween),
+                      .looksPerFrame = looksBetween,
+                      .seconds = partOfFirst * search.left()};
+    };
+    std::optional<Recorded> run = search.record(course(request.scene));
+    if (!run || run->trajectory.samples.size() < 2) return std::nullopt;
+    search.shortenTo(*run);
+    ReferenceSolution reference{.kind = ReferenceKind::ExactEvents,
+                                .description = "exact events",
+                                .looksPerFrame = looksBetween,
+                                .size = sizeOf(bodies, run->trajectory),
+                                .error = roundingOfReference,
+                                .nudge = exactApart};
+    const std::optional<Recorded> copy =
+        search.record(course(nudged(request.scene, exactApart * reference.size)));
     if (!copy) return std::nullopt;
-    measureHorizon(run->trajectory, copy->trajectory, bodies, reference);
-    // Within the horizon rounding has grown as the distance of the copies has.
-    if (reference.chaotic) reference.error = roundingOfReference * copiesParted / copiesApart;
-    reference.trajectory = std::move(run->trajectory);
-    reference.impacts = std::move(run->impacts);
+    measureChaos(run->trajectory, copy->trajectory, bodies, reference);
+    if (run->outcome && copy->outcome)
+        reference.outcomeScatter =
+            differenceOf(*copy->outcome, *run->outcome, reference.size, run->duration()).worst();
+    conclude(bodies, std::move(*run), reference);
     if (!reference.chaotic) return reference;
+    // Within the horizon rounding has grown as the distance of the copies has.
+    reference.error = roundingOfReference * partedBy;
+    const double enough = search.left() / 2;
     CrowdRun crowd{.scene = request.scene,
-                   .frames = looksOf(request) / looksPerFrame,
+                   .frames = search.frames(),
                    .first = framesToForget(reference.growth, request.settings.step),
                    .step = request.settings.step,
                    .nudge = crowdNudge * reference.size,
-                   .goOn = request.goOn};
+                   .goOn = request.goOn,
+                   .hasTime = [&] { return search.left() > enough; }};
     reference.crowd = exactCrowd(crowd, bodies, request.copies);
     return reference;
 }
 
-std::optional<ReferenceSolution> convergedReference(const ReferenceRequest& request, const Bodies& bodies,
-                                                    bool smooth) {
-    const char* integrator = smooth ? "rk4" : "midpoint";
-    const auto optionsOf = [&](int substeps) {
-        return optionsFor("contacts", integrator, request.settings.step / substeps);
-    };
-    std::optional<Recorded> run =
-        recordRun(request, request.scene, optionsOf(firstSubsteps), 1, request.timeLimit);
-    if (!run) return std::nullopt;
-    ReferenceSolution reference{.kind = ReferenceKind::ConvergedRun};
-    reference.size = sizeOf(bodies, run->trajectory);
-    const std::optional<Recorded> copy =
-        recordRun(request, nudged(request.scene, copiesApart * reference.size), optionsOf(firstSubsteps), 1,
-                  request.timeLimit);
-    if (!copy) return std::nullopt;
-    measureHorizon(run->trajectory, copy->trajectory, bodies, reference);
+/// Runs with more and more substeps.
+class Convergence {
+  public:
+    Convergence(Search& search, const Pipeline& pipeline)
+        : m_search(search), m_bodies(pipeline.bodies()),
+          m_integrator(pipeline.simulates("spring") || m_bodies.count() == 1 ? "rk4" : "midpoint"),
+          m_looks(pipeline.simulates("collision") ? 1 : looksBetween) {}
 
-    int substeps = firstSubsteps;
-    reference.error = HUGE_VAL;
-    const Stopwatch watch;
-    while (substeps < std::max(finerThanFinest * request.finest, 8 * firstSubsteps)) {
-        const double left = request.timeLimit - watch.elapsed() / 1000;
-        std::optional<Recorded> finer =
-            recordRun(request, request.scene, optionsOf(2 * substeps), 2 * substeps / looksPerFrame, left);
-        if (!request.goOn()) return std::nullopt;
-        if (!finer) break;
-        reference.error =
-            distanceOf(run->trajectory, finer->trajectory, bodies, reference.size, reference.horizon).worst();
-        run = std::move(finer);
-        substeps *= 2;
-        if (reference.error < convergedEnough) break;
+    std::optional<ReferenceSolution> find() {
+        if (!begin()) return std::nullopt;
+        while (m_substeps < most() && m_stalls < mostStalls && m_reference.error > convergedEnough)
+            if (!refine()) break;
+        if (m_search.stopped()) return std::nullopt;
+        m_reference.description =
+            std::string("contacts, ") + m_integrator + ", " + std::to_string(m_substeps) + " substeps";
+        conclude(m_bodies, std::move(*m_run), m_reference);
+        return std::move(m_reference);
     }
-    reference.description =
-        std::string("contacts, ") + integrator + ", " + std::to_string(substeps) + " substeps";
-    reference.trajectory = std::move(run->trajectory);
-    reference.impacts = std::move(run->impacts);
+
+  private:
+    /// Substeps of the last run.
+    int most() const { return std::max(finerThanFinest * m_search.request().finest, 8 * firstSubsteps); }
+
+    std::optional<Recorded> record(const Scene& scene, int substeps, double seconds) {
+        return m_search.record(
+            {.scene = scene,
+             .options = optionsFor("contacts", m_integrator, m_search.request().settings.step / substeps),
+             .looksPerFrame = m_looks,
+             .perLook = substeps / m_looks,
+             .seconds = seconds});
+    }
+
+    /// The first run, and how a copy of it parts.
+    bool begin() {
+        const ReferenceRequest& request = m_search.request();
+        const double share = partOfFirst * m_search.left();
+        // A state that is lost at one step may be kept at half of it.
+        for (m_substeps = firstSubsteps; !m_run && !m_search.stopped() && m_substeps < most();) {
+            m_run = record(request.scene, m_substeps, share);
+            if (!m_run) m_substeps *= 2;
+        }
+        if (!m_run || m_run->trajectory.samples.size() < 2) return false;
+        m_search.shortenTo(*m_run);
+        m_reference.looksPerFrame = m_looks;
+        m_reference.size = sizeOf(m_bodies, m_run->trajectory);
+        m_reference.error = HUGE_VAL;
+        m_reference.nudge = runsApart;
+        const std::optional<Recorded> copy =
+            record(nudged(request.scene, runsApart * m_reference.size), m_substeps, share);
+        if (!copy) return false;
+        measureChaos(m_run->trajectory, copy->trajectory, m_bodies, m_reference);
+        m_beforeChaos = m_reference.horizons;
+        if (m_run->outcome && copy->outcome)
+            m_scatterOfCopy =
+                differenceOf(*copy->outcome, *m_run->outcome, m_reference.size, m_run->duration()).worst();
+        m_reference.outcomeScatter = m_scatterOfCopy;
+        return true;
+    }
+
+    /// A run with twice the substeps, if there is time for it.
+    bool refine() {
+        const double left = m_search.left();
+        if (2 * m_run->seconds > left) return false;
+        std::optional<Recorded> finer = record(m_search.request().scene, 2 * m_substeps, left);
+        if (!finer || !finer->outcome) return false;
+        const double followed = sum(m_reference.horizons), error = m_reference.error;
+        const Horizons together = horizonsOf(m_run->trajectory, finer->trajectory, m_bodies, m_reference.size,
+                                             {Apart::Error, m_search.request().agreement});
+        for (std::size_t i = 0; i < together.size(); ++i)
+            m_reference.horizons[i] = std::min(m_beforeChaos[i], together[i]);
+        m_reference.error =
+            distanceOf(m_run->trajectory, finer->trajectory, m_bodies, m_reference.size, m_reference.horizons)
+                .worst();
+        if (m_run->outcome)
+            m_reference.outcomeScatter = std::max(
+                m_scatterOfCopy,
+                differenceOf(*m_run->outcome, *finer->outcome, m_reference.size, finer->duration()).worst());
+        const bool stalls = std::isfinite(error) && m_reference.error > muchBetter * error &&
+                            sum(m_reference.horizons) < furtherOn * followed;
+        m_stalls = stalls ? m_stalls + 1 : 0;
+        m_run = std::move(finer);
+        m_substeps *= 2;
+        return true;
+    }
+
+    double sum(const Horizons& horizons) const {
+        double total = 0;
+        for (const BodyIndex i : m_bodies.mobileBodies) total += horizons[i];
+        return total;
+    }
+
+    Search& m_search;
+    const Bodies& m_bodies;
+    const char* m_integrator;
+    int m_looks;
+    ReferenceSolution m_reference;
+    std::optional<Recorded> m_run; // the finest so far
+    Horizons m_beforeChaos;
+    double m_scatterOfCopy = 0;
+    int m_substeps = firstSubsteps;
+    int m_stalls = 0;
+};
+
+/// Something to be relative to where nothing can be followed.
+ReferenceSolution noReference(const Pipeline& pipeline, const ReferenceRequest& request) {
+    const Trajectory start{request.settings.step, {pipeline.initialState().pose}};
+    ReferenceSolution reference{
+        .kind = ReferenceKind::None,
+        .description = "no run of the most accurate setting came to an end with its state whole"};
+    reference.size = sizeOf(pipeline.bodies(), start);
+    reference.duration = request.duration;
+    reference.horizons.assign(pipeline.bodies().count(), 0);
+    reference.way = HUGE_VAL;
     return reference;
 }
 
@@ -171,22 +351,26 @@ std::string_view nameOf(ReferenceKind kind) {
         return "exact events";
     case ReferenceKind::ConvergedRun:
         return "converged run";
+    case ReferenceKind::None:
+        return "none";
     }
     return {};
 }
 
 std::optional<ReferenceSolution> findReferenceSolution(const ReferenceRequest& request) {
     const Pipeline pipeline(request.scene, optionsFor("contacts", "rk4", request.settings.step));
+    Search search(request);
     if (const std::optional<ClosedMotion> motion = closedMotionOf(pipeline))
-        return closedReference(request, *motion, pipeline.bodies());
+        return closedReference(request, *motion, pipeline.bodies(), search.frames());
     const SolverRow* events = findSolver("events");
     if (!objectionTo(*events, request.scene)) {
-        if (std::optional<ReferenceSolution> reference = exactReference(request, pipeline.bodies()))
+        if (std::optional<ReferenceSolution> reference = exactReference(search, pipeline.bodies()))
             return reference;
-        if (!request.goOn()) return std::nullopt;
+        if (search.stopped()) return std::nullopt;
     }
-    const bool smooth = pipeline.simulates("spring") || pipeline.bodies().count() == 1;
-    return convergedReference(request, pipeline.bodies(), smooth);
+    if (std::optional<ReferenceSolution> reference = Convergence(search, pipeline).find()) return reference;
+    if (search.stopped()) return std::nullopt;
+    return noReference(pipeline, request);
 }
 
 } // namespace carom

@@ -4,10 +4,6 @@
 <context>
     <name>AccuracyChart</name>
     <message>
-        <source>error: distance by scene size, or angle in rad</source>
-        <translation>Fehler: Abstand durch Szenengröße, oder Winkel in rad</translation>
-    </message>
-    <message>
         <source>time per simulated second</source>
         <translation>Zeit für eine simulierte Sekunde</translation>
     </message>
@@ -76,6 +72,13 @@ Energie um %1 falsch, Drift %2 /s; Überlappung %3</translation>
 beyond the horizon, medians of %1 copies: speeds off by %2 %, pressure by %3 %, time between impacts by %4 %</source>
         <translation>
 jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben, Druck um %3 %, Zeit zwischen Stößen um %4 %</translation>
+    </message>
+    <message>
+        <source>
+%1 %2</source>
+        <comment>a measure and its value</comment>
+        <translation>
+%1 %2</translation>
     </message>
 </context>
 <context>
@@ -435,10 +438,6 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>berechnet die Referenzlösung</translation>
     </message>
     <message>
-        <source>%1 %, about %2 s left</source>
-        <translation>%1 %, noch etwa %2 s</translation>
-    </message>
-    <message>
         <source>Stopped. %1</source>
         <translation>Angehalten. %1</translation>
     </message>
@@ -479,6 +478,10 @@ Ein Klick auf einen Punkt wählt ihn.</translation>
 Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Eine Studie lässt die Szene mit jeder Methode, jedem Integrator und jeder Zahl von Teilschritten laufen und zeigt, was jeder Fehler an Zeit kostet.
 „Untersuchen“ beginnt sie; die Simulation oben geht dabei weiter.</translation>
+    </message>
+    <message>
+        <source>%1 s of at most %2 s</source>
+        <translation>%1 s von höchstens %2 s</translation>
     </message>
 </context>
 <context>
@@ -2024,61 +2027,6 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
     </message>
 </context>
 <context>
-    <name>carom::Video</name>
-    <message>
-        <source>the run stopped at %1 s</source>
-        <translation>der Lauf hielt bei %1 s an</translation>
-    </message>
-    <message>
-        <source>MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing</source>
-        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist; GIF und PNG brauchen nichts</translation>
-    </message>
-    <message>
-        <source>no folder for the pictures: %1</source>
-        <translation>kein Ordner für die Bilder: %1</translation>
-    </message>
-    <message>
-        <source>pictures of %1 × %2 pixels cannot be drawn here</source>
-        <translation>Bilder von %1 × %2 Bildpunkten lassen sich hier nicht zeichnen</translation>
-    </message>
-    <message>
-        <source>ffmpeg failed: %1</source>
-        <translation>ffmpeg ist gescheitert: %1</translation>
-    </message>
-    <message>
-        <source>it was cancelled; the picture made so far stays</source>
-        <translation>abgebrochen; das bis dahin gemachte Bild bleibt</translation>
-    </message>
-    <message>
-        <source>it was cancelled; the %1 pictures made so far stay</source>
-        <translation>abgebrochen; die %1 bis dahin gemachten Bilder bleiben</translation>
-    </message>
-    <message>
-        <source>a GIF shows %1 pictures a second at most</source>
-        <translation>ein GIF zeigt höchstens %1 Bilder in der Sekunde</translation>
-    </message>
-    <message>
-        <source>%1 pictures are too many; up to %2 can be numbered</source>
-        <translation>%1 Bilder sind zu viele; bis zu %2 lassen sich nummerieren</translation>
-    </message>
-    <message>
-        <source>there is no scene to record</source>
-        <translation>Es gibt keine Szene aufzunehmen</translation>
-    </message>
-    <message>
-        <source>a video ends after it begins, and begins at 0 s or later</source>
-        <translation>Ein Video endet nach seinem Anfang und beginnt bei 0 s oder später</translation>
-    </message>
-    <message>
-        <source>`%1` has no ending of a video; name it .gif, .mp4 or .png</source>
-        <translation>„%1“ hat keine Endung eines Videos; .gif, .mp4 oder .png ist nötig</translation>
-    </message>
-    <message>
-        <source>it was cancelled, and half a video is not kept</source>
-        <translation>abgebrochen; ein halbes Video wird nicht behalten</translation>
-    </message>
-</context>
-<context>
     <name>carom::FindBar</name>
     <message>
         <source>Find</source>
@@ -3563,6 +3511,61 @@ Die Kästchen sagen, was im Diagramm steht; Strg+Rad verbreitert seine Spalten, 
     <message>
         <source>Max</source>
         <translation>Max</translation>
+    </message>
+</context>
+<context>
+    <name>carom::Video</name>
+    <message>
+        <source>the run stopped at %1 s</source>
+        <translation>der Lauf hielt bei %1 s an</translation>
+    </message>
+    <message>
+        <source>MP4 needs the program ffmpeg, which is not installed; GIF and PNG need nothing</source>
+        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist; GIF und PNG brauchen nichts</translation>
+    </message>
+    <message>
+        <source>no folder for the pictures: %1</source>
+        <translation>kein Ordner für die Bilder: %1</translation>
+    </message>
+    <message>
+        <source>pictures of %1 × %2 pixels cannot be drawn here</source>
+        <translation>Bilder von %1 × %2 Bildpunkten lassen sich hier nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>ffmpeg failed: %1</source>
+        <translation>ffmpeg ist gescheitert: %1</translation>
+    </message>
+    <message>
+        <source>it was cancelled; the picture made so far stays</source>
+        <translation>abgebrochen; das bis dahin gemachte Bild bleibt</translation>
+    </message>
+    <message>
+        <source>it was cancelled; the %1 pictures made so far stay</source>
+        <translation>abgebrochen; die %1 bis dahin gemachten Bilder bleiben</translation>
+    </message>
+    <message>
+        <source>a GIF shows %1 pictures a second at most</source>
+        <translation>ein GIF zeigt höchstens %1 Bilder in der Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 pictures are too many; up to %2 can be numbered</source>
+        <translation>%1 Bilder sind zu viele; bis zu %2 lassen sich nummerieren</translation>
+    </message>
+    <message>
+        <source>there is no scene to record</source>
+        <translation>Es gibt keine Szene aufzunehmen</translation>
+    </message>
+    <message>
+        <source>a video ends after it begins, and begins at 0 s or later</source>
+        <translation>Ein Video endet nach seinem Anfang und beginnt bei 0 s oder später</translation>
+    </message>
+    <message>
+        <source>`%1` has no ending of a video; name it .gif, .mp4 or .png</source>
+        <translation>„%1“ hat keine Endung eines Videos; .gif, .mp4 oder .png ist nötig</translation>
+    </message>
+    <message>
+        <source>it was cancelled, and half a video is not kept</source>
+        <translation>abgebrochen; ein halbes Video wird nicht behalten</translation>
     </message>
 </context>
 <context>

@@ -54,7 +54,7 @@ class StudyAccuracyTest : public QObject {
         const QString folder = m_folder.filePath("again");
         QProcess process;
         process.start(QStringLiteral(CAROM_PROGRAM),
-                      {"study", "accuracy", m_scene, "-o", folder, "--duration=1000", "--time-limit=2"});
+                      {"study", "accuracy", m_scene, "-o", folder, "--duration=1000"});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).exists(), patience); // by then it catches signals
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
@@ -94,6 +94,43 @@ class StudyAccuracyTest : public QObject {
         ended = carom({"study", "accuracy", "-"}, "wall { normal 0, 1, 0 toOrig 0 }\n");
         QCOMPARE(ended.exitCode, 2);
         QVERIFY(ended.err.contains("nothing in the scene can move; there is no error to study"));
+    }
+
+    void theEndOfTheBudgetIsNoInterruption() {
+        const Ended ended = carom({"study", "accuracy", source("scenes/dominoes.sdl"), "--budget=1.5"});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY2(ended.out.contains("left out"), qPrintable(ended.out));
+        QVERIFY(!ended.out.contains("interrupted"));
+        QVERIFY(ended.out.contains("per simulated second"));
+    }
+
+    void aMeasureCanBeChosen() {
+        const Ended ended = study({"--measure", "energy"});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY(ended.out.contains("Measured by `energy`, as asked for."));
+        QVERIFY(ended.out.contains("Energy from nowhere below"));
+        const Ended wrong = study({"--measure", "trajectori"});
+        QCOMPARE(wrong.exitCode, 2);
+        QVERIFY2(wrong.err.contains("`trajectory`"), qPrintable(wrong.err));
+    }
+
+    void severalScenesMakeATable() {
+        const QString other = m_folder.filePath("second.sdl"), folder = m_folder.filePath("many");
+        writeFile(other, bounce + "// another\n");
+        const Ended ended = study({other, "-o", folder});
+        QCOMPARE(ended.exitCode, 0);
+        const QStringList lines = linesOf(ended.out);
+        QCOMPARE(lines.size(), 3);
+        QVERIFY(lines[0].startsWith("scene") && lines[0].contains("off the front"));
+        QVERIFY(lines[1].startsWith("ball") && lines[1].contains("exact events"));
+        QVERIFY(lines[2].startsWith("second") && lines[2].contains("per simulated second"));
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(folder + "/scenes.csv")));
+        QCOMPARE(column(rows, "scene"), (QStringList{"ball", "second"}));
+        QVERIFY(QFile::exists(folder + "/ball/accuracy.csv") &&
+                QFile::exists(folder + "/second/summary.txt"));
+        const Ended refused = study({other, "--resume"});
+        QCOMPARE(refused.exitCode, 2);
+        QVERIFY(refused.err.contains("`--resume` is for one scene; there are 2"));
     }
 
     void figuresOfOtherSettingsAreNotGoneOnWith() {

@@ -216,7 +216,7 @@ void AccuracyDock::startOrStop() {
         m_runner.stop();
         return;
     }
-    const std::vector<AccuracyPoint> known = canGoOn() ? m_result->points : std::vector<AccuracyPoint>();
+    const KnownPoints known = canGoOn() ? KnownPoints{m_result->points, m_result->duration} : KnownPoints();
     m_studied = m_build;
     m_studiedName = m_name;
     m_chosen.reset();
@@ -230,16 +230,16 @@ void AccuracyDock::startOrStop() {
 
 // On the thread: whatever touches a widget is handed to the GUI's.
 StudyRunner::Finish AccuracyDock::run(const std::stop_token& stop, const SharedBuild& build,
-                                      const AccuracyPlan& plan, const std::vector<AccuracyPoint>& known) {
+                                      const AccuracyPlan& plan, const KnownPoints& known) {
     const Stopwatch whole;
     Stopwatch sinceReport, sinceChart;
     AccuracyListener listener;
-    listener.goOn = [&](double done) {
+    listener.goOn = [&](double seconds) {
         if (sinceReport.elapsed() > reportInterval) {
             sinceReport.lap();
-            const double left = done > 0 ? 1e-3 * whole.elapsed() * (1 - done) / done : HUGE_VAL;
             QMetaObject::invokeMethod(
-                this, [this, done, left] { showProgress(done, left); }, Qt::QueuedConnection);
+                this, [this, seconds, budget = plan.budget] { showProgress(seconds, budget); },
+                Qt::QueuedConnection);
         }
         return !stop.stop_requested();
     };
@@ -254,10 +254,9 @@ StudyRunner::Finish AccuracyDock::run(const std::stop_token& stop, const SharedB
     return [this, study, seconds] { finish(study, seconds); };
 }
 
-void AccuracyDock::showProgress(double done, double secondsLeft) {
-    m_progress->setValue(static_cast<int>(progressSteps * done));
-    if (std::isfinite(secondsLeft))
-        m_state->setText(tr("%1 %, about %2 s left").arg(100 * done, 0, 'f', 0).arg(std::ceil(secondsLeft)));
+void AccuracyDock::showProgress(double seconds, double budget) {
+    m_progress->setValue(static_cast<int>(progressSteps * seconds / budget));
+    m_state->setText(tr("%1 s of at most %2 s").arg(seconds, 0, 'f', 0).arg(budget, 0, 'f', 0));
 }
 
 void AccuracyDock::take(const AccuracyStudy& study) {
@@ -292,7 +291,7 @@ void AccuracyDock::choose(int series, int point) {
     const auto s = static_cast<std::size_t>(series), p = static_cast<std::size_t>(point);
     if (s >= m_chart.points.size() || p >= m_chart.points[s].size()) return;
     m_chosen = m_result->points[m_chart.points[s][p]];
-    m_point->setText(describe(*m_chosen));
+    m_point->setText(describe(*m_result, *m_chosen));
     updateControls();
 }
 

@@ -52,8 +52,8 @@ class AccuracyDock : public Panel {
     /// Whether the study was stopped and what it has serves the scene as it is now.
     bool canGoOn() const;
     StudyRunner::Finish run(const std::stop_token& stop, const SharedBuild& build, const AccuracyPlan& plan,
-                            const std::vector<AccuracyPoint>& known);
-    void showProgress(double done, double secondsLeft);
+                            const KnownPoints& known);
+    void showProgress(double seconds, double budget);
     void take(const AccuracyStudy& study);
     void finish(const AccuracyStudy& study, double seconds);
     void showChart();

@@ -3,6 +3,8 @@
 
 #include "core/base/figures.h"
 #include "core/integrators/integrator.h"
+#include "core/study/measures.h"
+#include "ui/widgets/text_of.h"
 
 #include <QCoreApplication>
 
@@ -21,25 +23,25 @@ struct AccuracyChartTexts {
 };
 QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
 
-double shownError(const AccuracyPoint& point) {
-    return std::clamp(point.errors.worst(), leastShown, mostShown);
+double shownError(const AccuracyStudy& study, const AccuracyPoint& point) {
+    return std::clamp(study.errorOf(point), leastShown, mostShown);
 }
 
-ChartSpec emptyChart(const QString& title) {
+ChartSpec emptyChart(const QString& title, const AccuracyStudy& study) {
     return {.title = title,
             .note = {},
-            .x = {AccuracyChartTexts::tr("error: distance by scene size, or angle in rad"), {}, true},
+            .x = {textOf(study.measure->axis), {}, true},
             .y = {AccuracyChartTexts::tr("time per simulated second"), QStringLiteral("ms"), true},
             .series = {},
             .levels = {{realTime, AccuracyChartTexts::tr("real time"), true}}};
 }
 
-void append(const AccuracyPoint& point, ChartSeries& series) {
-    series.x.push_back(shownError(point));
+void append(const AccuracyStudy& study, const AccuracyPoint& point, ChartSeries& series) {
+    series.x.push_back(shownError(study, point));
     series.y.push_back(point.cost());
     series.low.push_back(point.leastCost());
     series.high.push_back(point.mostCost());
-    series.notes.push_back(describe(point));
+    series.notes.push_back(describe(study, point));
 }
 
 ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour) {
@@ -52,12 +54,12 @@ ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour
             .inOrder = true};
 }
 
-/// The same colour for an integrator in every chart; exact events and contacts to a tight tolerance have
-/// their own.
+/// The same colour for an integrator in every chart; exact events and the other presets have their
+/// own.
 QColor colourOf(const AccuracySetting& setting) {
-    constexpr double tight = 1e-8;
     if (setting.integrator == nullptr) return seriesColour(6);
-    if (setting.tolerance > 0 && setting.tolerance < tight) return seriesColour(5);
+    if (setting.preset != nullptr && setting.preset->name == "accurate") return seriesColour(5);
+    if (setting.preset != nullptr && setting.preset->name == "fast") return seriesColour(7);
     return seriesColour(static_cast<std::size_t>(setting.integrator - integrators().data()));
 }
 
@@ -67,7 +69,7 @@ void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optiona
                  ChartSpec& chart, std::vector<std::vector<std::size_t>>& points) {
     for (const AccuracyFamily& family : familiesOf(study)) {
         QString name = prefix + text(family.name);
-        if (const std::optional<double> order = orderOf(family, study.resolution()))
+        if (const std::optional<double> order = orderOf(family, study))
             name += AccuracyChartTexts::tr(" (order %1)").arg(*order, 0, 'f', 1);
         const bool counting = family.points.front()->setting.method->name == "microcollisions";
         ChartSeries series{.name = name,
@@ -81,7 +83,7 @@ void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optiona
         std::vector<std::size_t> places;
         for (const AccuracyPoint* point : family.points) {
             if (!point->finished() || point->times.empty()) continue;
-            append(*point, series);
+            append(study, *point, series);
             places.push_back(static_cast<std::size_t>(point - study.points.data()));
         }
         if (series.x.empty()) continue;
@@ -104,12 +106,12 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
     for (const AccuracyPoint& point : study.points) {
         if (point.times.empty()) continue;
         const bool lost = !point.finished();
-        if (converged && !lost && point.errors.worst() < study.resolution()) append(point, doubtful);
-        if (point.status == PointStatus::Broken) append(point, broken);
-        if (lost) append(point, failed);
-        if (point.isDefault) append(point, own);
+        if (converged && !lost && study.errorOf(point) < study.resolution()) append(study, point, doubtful);
+        if (point.status == PointStatus::Broken) append(study, point, broken);
+        if (lost) append(study, point, failed);
+        if (point.isDefault) append(study, point, own);
     }
-    if (const AccuracyPoint* point = recommended(study)) append(*point, best);
+    if (const AccuracyPoint* point = recommended(study)) append(study, *point, best);
     for (ChartSeries* series : {&doubtful, &broken, &failed, &own, &best}) {
         if (series->x.empty()) continue;
         series->low.clear();
@@ -127,7 +129,7 @@ void addFront(const AccuracyStudy& study, ChartSpec& chart) {
                       .dashed = true,
                       .inOrder = true};
     for (const AccuracyPoint* point : paretoFront(study)) {
-        front.x.push_back(shownError(*point));
+        front.x.push_back(shownError(study, *point));
         front.y.push_back(point->cost());
     }
     if (front.x.size() > 1) chart.series.push_back(std::move(front));
@@ -135,10 +137,13 @@ void addFront(const AccuracyStudy& study, ChartSpec& chart) {
 
 } // namespace
 
-QString describe(const AccuracyPoint& point) {
+QString describe(const AccuracyStudy& study, const AccuracyPoint& point) {
     QString words = AccuracyChartTexts::tr("%1\nerror %2 (distance %3, angle %4 rad)")
                         .arg(text(point.setting.name()), text(figure(point.errors.worst())),
                              text(figure(point.errors.position)), text(figure(point.errors.attitude)));
+    if (study.measure != &measures().front())
+        words += AccuracyChartTexts::tr("\n%1 %2", "a measure and its value")
+                     .arg(textOf(study.measure->noun), text(figure(study.errorOf(point))));
     words +=
         AccuracyChartTexts::tr("\n%1 ms per simulated second (%2 to %3)")
             .arg(text(figure(point.cost())), text(figure(point.leastCost())), text(figure(point.mostCost())));
@@ -164,7 +169,7 @@ QString describe(const AccuracyPoint& point) {
 }
 
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
-    AccuracyChart chart{.spec = emptyChart(title), .points = {}};
+    AccuracyChart chart{.spec = emptyChart(title, study), .points = {}};
     chart.spec.note = text(recommendation(study));
     addFamilies(study, {}, std::nullopt, chart.spec, chart.points);
     addFront(study, chart.spec);
@@ -174,8 +179,9 @@ AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
 
 AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstName,
                                const AccuracyStudy& second, const QString& secondName) {
-    AccuracyChart chart{.spec = emptyChart(AccuracyChartTexts::tr("%1 and %2").arg(firstName, secondName)),
-                        .points = {}};
+    AccuracyChart chart{
+        .spec = emptyChart(AccuracyChartTexts::tr("%1 and %2").arg(firstName, secondName), second),
+        .points = {}};
     addFamilies(first, firstName + QStringLiteral(": "), true, chart.spec, chart.points);
     for (std::vector<std::size_t>& places : chart.points) places.clear();
     addFamilies(second, secondName + QStringLiteral(": "), false, chart.spec, chart.points);

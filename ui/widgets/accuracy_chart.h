@@ -27,6 +27,6 @@ AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstN
                                const AccuracyStudy& second, const QString& secondName);
 
 /// A point in words: its setting, error, time, and what is wrong with it.
-QString describe(const AccuracyPoint& point);
+QString describe(const AccuracyStudy& study, const AccuracyPoint& point);
 
 } // namespace carom

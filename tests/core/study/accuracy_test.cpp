@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
+#include "tests/support/program.h"
 #include "tests/support/worlds.h"
 
 #include "core/integrators/integrator.h"
@@ -9,6 +10,8 @@
 #include "core/study/accuracy_report.h"
 #include "core/study/benchmark.h"
 #include "core/study/closed_motion.h"
+#include "core/study/measures.h"
+#include "core/study/run_course.h"
 
 #include <QTest>
 
@@ -52,11 +55,46 @@ AccuracyPlan quickPlan(const Scene& scene, std::vector<double> substeps, double 
     return plan;
 }
 
-AccuracyStudy studied(const Scene& scene, const AccuracyPlan& plan,
-                      const std::vector<AccuracyPoint>& known = {}) {
+AccuracyStudy studied(const Scene& scene, const AccuracyPlan& plan, const KnownPoints& known = {}) {
     AccuracyListener listener;
     listener.goOn = [](double) { return true; };
     return runAccuracy(scene, plan, listener, known);
+}
+
+/// A millisecond of wall time passes at every step, and one of processor time at every reading: what a study
+/// does then depends on its work alone.
+struct CountedTime {
+    double wall = 0, processor = 0;
+
+    AccuracyListener listener() {
+        AccuracyListener listener;
+        listener.goOn = [this](double) {
+            wall += 1;
+            return true;
+        };
+        listener.clock = {[this] { return wall; }, [this] { return processor += 1; }};
+        return listener;
+    }
+};
+
+AccuracyStudy studiedByCount(const Scene& scene, const AccuracyPlan& plan) {
+    CountedTime time;
+    return runAccuracy(scene, plan, time.listener());
+}
+
+Scene resting() {
+    return parsed("gravity { accel 0, -9.81, 0 }\n"
+                  "wall { normal 0, 1, 0 toOrig 0 friction 0.5 }\n"
+                  "cuboid { size 0.2, 0.2, 0.2 mass 1 centre 0, 0.1, 0 friction 0.5 elastic 0 }");
+}
+/// One ball among pegs, another on its own.
+Scene pegsAndPasser() {
+    return parsed("wall { normal 1, 0, 0 toOrig 1 }\nwall { normal -1, 0, 0 toOrig 1 }\n"
+                  "wall { normal 0, 1, 0 toOrig 1 }\nwall { normal 0, -1, 0 toOrig 1 }\n"
+                  "gravity { accel 0, 0, 0 }\n"
+                  "sphere { radius 0.4 mass 1e9 centre 0.1, 0, 0 }\n"
+                  "sphere among { radius 0.1 mass 1 centre -0.7, 0.55, 0 vel 25, 15, 0 }\n"
+                  "sphere alone { radius 0.1 mass 1 centre 0.1, 0, 5 vel 0.1, 0, 0 }");
 }
 
 QString q(const std::string& text) { return QString::fromStdString(text); }
@@ -75,7 +113,7 @@ class AccuracyTest : public QObject {
             const AccuracySetting& setting = family.points.front()->setting;
             // The reference's method leaves the inertia of free bodies out: it converges to another motion.
             if (!setting.method->abilities.gyroscopicTerm && study.points.front().energy.worst == 0) continue;
-            const std::optional<double> order = orderOf(family, study.resolution());
+            const std::optional<double> order = orderOf(family, study);
             const double finest = family.points.back()->errors.worst();
             const QString told = QStringLiteral("%1: order %2, error %3")
                                      .arg(q(family.name))
@@ -107,7 +145,7 @@ class AccuracyTest : public QObject {
                 QVERIFY(family.points.back()->errors.worst() < exact);
                 continue;
             }
-            const std::optional<double> order = orderOf(family, study.resolution());
+            const std::optional<double> order = orderOf(family, study);
             QVERIFY2(order && std::abs(*order - setting.integrator->order) < orderTolerance,
                      qPrintable(q(family.name) + QString::number(order.value_or(-1))));
             ++shown;
@@ -159,7 +197,7 @@ class AccuracyTest : public QObject {
         const AccuracyStudy study = studied(scene, plan);
         qInfo("%s", yardstickOf(study).c_str());
         QVERIFY(study.reference->chaotic);
-        QVERIFY(study.reference->horizon > 0 && study.reference->horizon < 4);
+        QVERIFY(study.reference->firstHorizon > 0 && study.reference->horizon < 4);
         QVERIFY(study.reference->growth > 0);
     }
 
@@ -195,11 +233,11 @@ class AccuracyTest : public QObject {
         AccuracyStudy first = studied(scene, plan);
         for (AccuracyPoint& point : first.points) point.times = {12345};
         const std::string csv = pointsAsCsv(first, "77", {"carom \"x\", y", "1", "a machine, fast"});
-        const KnownPoints read = pointsFromCsv(csv, {"77", 0.25, "1"});
+        const ReadPoints read = pointsFromCsv(csv, {"77", 0.25, "1"});
         QCOMPARE(read.objection, std::string());
-        const std::vector<AccuracyPoint>& known = read.points;
-        QCOMPARE(known.size(), first.points.size());
-        const AccuracyStudy second = studied(scene, plan, known);
+        QCOMPARE(read.known.points.size(), first.points.size());
+        QCOMPARE(read.known.duration, 0.25);
+        const AccuracyStudy second = studied(scene, plan, read.known);
         QCOMPARE(second.points.size(), first.points.size());
         for (std::size_t k = 0; k < second.points.size(); ++k) {
             QCOMPARE(second.points[k].times, std::vector<double>{12345});
@@ -212,9 +250,9 @@ class AccuracyTest : public QObject {
         const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 2}, 0.25));
         const std::string csv = pointsAsCsv(study, "77", {"carom", "1", "a machine"});
         const auto objection = [](const std::string& text, const AccuracyOrigin& origin) {
-            const KnownPoints known = pointsFromCsv(text, origin);
-            return known.points.empty() ? q(known.objection)
-                                        : QStringLiteral("points in spite of an objection");
+            const ReadPoints read = pointsFromCsv(text, origin);
+            return read.known.points.empty() ? q(read.objection)
+                                             : QStringLiteral("points in spite of an objection");
         };
         QVERIFY(objection(csv, {"78", 0.25, "1"}).contains(QStringLiteral("another scene")));
         QCOMPARE(objection(csv, {"77", 0.5, "1"}), QStringLiteral("it is of 0.25 s, not of 0.5 s"));
@@ -232,11 +270,176 @@ class AccuracyTest : public QObject {
         AccuracyListener listener;
         int measured = 0;
         listener.changed = [&](const AccuracyStudy&) { ++measured; };
-        listener.goOn = [&](double done) { return done >= 0 && measured < 3; };
+        listener.goOn = [&](double) { return measured < 3; };
         const AccuracyStudy study = runAccuracy(scene, quickPlan(scene, {1, 2}, 0.25), listener);
         QVERIFY(!study.complete);
         QCOMPARE(study.points.size(), std::size_t(3));
         QVERIFY(q(summaryOf(study)).contains(QStringLiteral("interrupted")));
+    }
+
+    void aStudyEndsWithItsBudgetAndSaysWhatDidNotFit() {
+        constexpr double budget = 4; // [s]: 4,000 steps
+        const Scene scene = oscillating();
+        AccuracyPlan plan = planFor(scene);
+        plan.budget = budget;
+        const AccuracyStudy study = studiedByCount(scene, plan);
+        QVERIFY(study.complete);
+        QVERIFY2(study.seconds <= budget, qPrintable(QString::number(study.seconds)));
+        QVERIFY(!study.leftOut.empty());
+        QCOMPARE(study.points.size() + study.leftOut.size(), plan.settings.size());
+        for (const AccuracyPoint& point : study.points) QVERIFY(!point.times.empty());
+        QVERIFY(q(omissionsOf(study)).contains(QStringLiteral("left out")));
+        QVERIFY(!q(summaryOf(study)).contains(QStringLiteral("interrupted")));
+        QVERIFY(q(recommendation(study)).contains(QStringLiteral("per simulated second")));
+    }
+
+    void ofASceneThatIsTooLongTheFirstPartIsStudied() {
+        const Scene scene = bouncing();
+        AccuracyPlan plan = planFor(scene);
+        plan.duration = 1000; // 60,000 frames, where a run may take 100
+        plan.budget = 2;
+        const AccuracyStudy study = studiedByCount(scene, plan);
+        QVERIFY(study.complete && !study.points.empty());
+        QVERIFY(study.duration > 0.1 && study.duration < 2);
+        QVERIFY(q(omissionsOf(study)).startsWith(QStringLiteral("Only the first")));
+        QVERIFY(study.seconds <= 2);
+    }
+
+    void aStudyIsValidWheneverItEnds() {
+        const Scene scene = oscillating();
+        const AccuracyPlan plan = quickPlan(scene, {1, 2, 4}, 0.25);
+        for (int changes = 1; changes < 8; ++changes) {
+            CountedTime time;
+            AccuracyListener listener = time.listener();
+            int measured = 0;
+            listener.changed = [&](const AccuracyStudy&) { ++measured; };
+            listener.goOn = [&](double) { return measured < changes; };
+            const AccuracyStudy study = runAccuracy(scene, plan, listener);
+            QCOMPARE(study.points.size(), static_cast<std::size_t>(changes));
+            QVERIFY(study.points.front().isDefault); // first of all
+            for (const AccuracyPoint& point : study.points) QVERIFY(!point.times.empty());
+            QVERIFY(!recommendation(study).empty() && distanceFromFront(study));
+        }
+    }
+
+    void settingsGoFromCoarseToFineThePresetsFirst() {
+        const AccuracyPlan plan = planFor(resting());
+        std::size_t wholePresets = 0;
+        while (wholePresets < plan.settings.size() && plan.settings[wholePresets].preset != nullptr &&
+               plan.settings[wholePresets].substeps !=
+                   plan.settings[std::min(wholePresets + 1, plan.settings.size() - 1)].substeps)
+            ++wholePresets;
+        QVERIFY(wholePresets >= presets().size());
+        for (std::size_t k = presets().size() + 1; k < plan.settings.size(); ++k)
+            QVERIFY(plan.settings[k].substeps >= plan.settings[k - 1].substeps);
+    }
+
+    void timesOfASettingAreTakenUntilTheyAgree() {
+        const Scene scene = oscillating();
+        AccuracyPlan plan = quickPlan(scene, {1}, 0.25);
+        plan.runs = 9;
+        const AccuracyStudy study = studiedByCount(scene, plan); // where all times agree
+        for (const AccuracyPoint& point : study.points) QCOMPARE(point.times.size(), std::size_t(3));
+        CountedTime time;
+        AccuracyListener listener = time.listener();
+        std::uint32_t random = 1; // where hardly any do: from 1 to 64 ms between two readings
+        listener.clock.processor = [&] {
+            random = random * 1664525 + 1013904223;
+            return time.processor += 1 + (random >> 26);
+        };
+        const AccuracyStudy restless = runAccuracy(scene, plan, listener);
+        const auto repeated = std::ranges::count_if(
+            restless.points, [](const AccuracyPoint& point) { return point.times.size() > 3; });
+        QVERIFY(repeated > 0);
+        QVERIFY(repeated <=
+                std::ssize(paretoFront(restless)) + 3); // only those that nothing beats, or beat then
+    }
+
+    void aSceneAtRestGetsASentenceAndScalesThatDoNotVanish() {
+        const Scene scene = resting();
+        AccuracyPlan plan = quickPlan(scene, {1, 4}, 0.5);
+        std::erase_if(plan.settings, [](const AccuracySetting& s) { return s.method->name != "contacts"; });
+        const AccuracyStudy study = studiedByCount(scene, plan);
+        QVERIFY(nothingMoves(study));
+        QVERIFY2(recommendation(study).starts_with("Nothing moves: every setting holds; the cheapest costs "),
+                 recommendation(study).c_str());
+        for (const AccuracyPoint& point : study.points) {
+            QCOMPARE(point.status, PointStatus::Measured);
+            QVERIFY(point.energy.worst < 0.01); // of a kinetic energy of nothing it was 1
+            for (const MeasureRow& row : measures())
+                if (const std::optional<double> value = row.value(point, study))
+                    QVERIFY(std::isfinite(*value));
+        }
+    }
+
+    void energiesAreRelativeToTheLargestExchangedInTheRun() {
+        World world(std::make_shared<const Pipeline>(bouncing(), test::contacts("default")));
+        RunCourse course(world, 1);
+        constexpr double released = 9.81 * 0.9; // [J] by a fall from 1 m to a radius of .1 m
+        for (int frame = 0; frame < 60; ++frame) {
+            world.step();
+            course.add(world);
+        }
+        QVERIFY(std::abs(course.energyScale() / released - 1) < 0.1);
+        World still(std::make_shared<const Pipeline>(resting(), test::contacts("default")));
+        RunCourse nothing(still, 2);
+        QVERIFY(std::abs(nothing.energyScale() - 1e-3 * 9.81 * 2) <
+                1e-9); // a thousandth of weight times size
+    }
+
+    void eachBodyHasAHorizonOfItsOwn() {
+        const Scene scene = pegsAndPasser();
+        AccuracyPlan plan = quickPlan(scene, {1}, 6);
+        plan.settings.resize(1);
+        const AccuracyStudy study = studied(scene, plan);
+        const ReferenceSolution& reference = *study.reference;
+        const auto alone = static_cast<BodyIndex>(scene.bodies.size() - 1), among = alone - 1;
+        QCOMPARE(reference.kind, ReferenceKind::ExactEvents);
+        QVERIFY(reference.chaotic);
+        QVERIFY(reference.horizons[alone] >= 6 - 1e-9);
+        QVERIFY(reference.horizons[among] < 5 && reference.horizons[among] > 0);
+        QCOMPARE(reference.followed, std::size_t(1));
+        QVERIFY(q(yardstickOf(study)).contains(QStringLiteral("1 of 3 to the end")));
+    }
+
+    void whereTrajectoriesMeanNothingTheFirstMeasureThatSaysSomethingTakesTheirPlace() {
+        const GeneratorRow& gas = *findGenerator("brownian");
+        const Scene scene = build(generate(gas, requestFor(gas, 60))).pipeline->scene();
+        AccuracyPlan plan = quickPlan(scene, {1}, 5);
+        plan.copies = 0;
+        std::erase_if(plan.settings, [](const AccuracySetting& s) { return s.integrator == nullptr; });
+        plan.settings.resize(2);
+        AccuracyStudy study = studied(scene, plan);
+        QVERIFY(study.measure->name != "trajectory");
+        const QString why = q(reasonOf(study));
+        QVERIFY2(why.contains(
+                     QStringLiteral("`trajectory` says nothing here: half of the bodies can be followed")),
+                 qPrintable(why));
+        plan.measure = findMeasure("overlap");
+        study = studied(scene, plan);
+        QCOMPARE(study.measure->name, std::string_view("overlap"));
+        QCOMPARE(reasonOf(study), std::string("Measured by `overlap`, as asked for."));
+    }
+
+    void everyMeasureIsExplainedInTheManual() {
+        QFile manual(test::source("resources/help/diagrams.md"));
+        QVERIFY(manual.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(manual.readAll());
+        for (const MeasureRow& row : measures()) {
+            QVERIFY(!row.help.empty() && !row.axis.empty() && !row.noun.empty());
+            QVERIFY2(text.contains(QStringLiteral("| `%1` |").arg(q(std::string(row.name)))),
+                     row.name.data());
+        }
+    }
+
+    void whereNoRunCanBeFollowedTheStudyGoesOnWithoutAReferenceSolution() {
+        const Scene scene = parsed("sphere bob { radius 0.1 mass 1 centre 0.3, 0.8, 0 }\n"
+                                   "spring { from world to bob fromAt 0, 2, 0 stiffness 4e12 length 1 }");
+        AccuracyPlan plan = quickPlan(scene, {1, 2}, 1);
+        const AccuracyStudy study = studied(scene, plan);
+        QVERIFY(study.complete);
+        QVERIFY(!study.points.empty());
+        QVERIFY(!recommendation(study).empty());
     }
 };
 

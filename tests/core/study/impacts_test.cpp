@@ -90,33 +90,34 @@ class ImpactsTest : public QObject {
 
     void recordsAreComparedImpactByImpact() {
         const ImpactRecord reference = {{hit(1, 2), hit(2, -3), hit(3, 4)}};
-        ImpactErrors errors = compareImpacts(reference, {{hit(1.01, 2), hit(2.03, -3.1), hit(2.98, 4)}}, 10);
+        ImpactErrors errors =
+            compareImpacts(reference, {{hit(1.01, 2), hit(2.03, -3.1), hit(2.98, 4)}}, {10});
         QCOMPARE(errors.expected, std::size_t{3});
         QCOMPARE(errors.seen, std::size_t{3});
         QCOMPARE(errors.matched, std::size_t{3});
         QVERIFY(std::abs(errors.time - 0.03) < timeRounding);
 
-        errors = compareImpacts(reference, {{hit(1, 2), hit(3, 4)}}, 10); // the second was missed
+        errors = compareImpacts(reference, {{hit(1, 2), hit(3, 4)}}, {10}); // the second was missed
         QCOMPARE(errors.seen, std::size_t{2});
         QCOMPARE(errors.matched, std::size_t{1});
         QCOMPARE(errors.time, 0.0);
 
         // One just as strong, but far later than the longest time between impacts, is another one.
-        errors = compareImpacts(reference, {{hit(1, 2), hit(8, -3)}}, 3.5);
+        errors = compareImpacts(reference, {{hit(1, 2), hit(8, -3)}}, {3.5});
         QCOMPARE(errors.matched, std::size_t{1});
     }
 
     void impactsBeyondTheEndDoNotCountNorDoFaintOnes() {
         const ImpactRecord reference = {{hit(1, 2), hit(2, -3)}};
         // The second lies before the end in the reference solution and behind it in the run: it is there.
-        ImpactErrors errors = compareImpacts(reference, {{hit(1, 2), hit(2.2, -3)}}, 2.1);
+        ImpactErrors errors = compareImpacts(reference, {{hit(1, 2), hit(2.2, -3)}}, {2.1});
         QCOMPARE(errors.seen, std::size_t{2});
         QVERIFY(std::abs(errors.time - 0.2) < timeRounding);
         // And the other way round: the run is early, which is no impact too many.
-        errors = compareImpacts(reference, {{hit(1, 2), hit(1.8, -3)}}, 1.9);
+        errors = compareImpacts(reference, {{hit(1, 2), hit(1.8, -3)}}, {1.9});
         QCOMPARE(errors.expected, std::size_t{1});
         QCOMPARE(errors.seen, std::size_t{1});
-        errors = compareImpacts(reference, {{hit(0.5, 0.001), hit(1, 2), hit(2, -3)}}, 10);
+        errors = compareImpacts(reference, {{hit(0.5, 0.001), hit(1, 2), hit(2, -3)}}, {10});
         QCOMPARE(errors.seen, std::size_t{2});
         QCOMPARE(errors.matched, std::size_t{2});
     }

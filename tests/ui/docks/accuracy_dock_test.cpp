@@ -184,11 +184,11 @@ class AccuracyDockTest : public QObject {
         QCOMPARE(m_dock->exportTo(csv), QString());
         QFile file(csv);
         QVERIFY(file.open(QIODevice::ReadOnly));
-        const KnownPoints known =
+        const ReadPoints read =
             pointsFromCsv(file.readAll().toStdString(),
                           {hashOfScene(bouncing), 0.5, QApplication::applicationVersion().toStdString()});
-        QCOMPARE(known.objection, std::string());
-        QCOMPARE(known.points.size(), m_dock->result()->points.size());
+        QCOMPARE(read.objection, std::string());
+        QCOMPARE(read.known.points.size(), m_dock->result()->points.size());
         QVERIFY(!m_dock->exportTo(QStringLiteral("/dev/null/a.csv")).isEmpty());
     }
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/measures.h"
+
+#include "core/base/catalogue.h"
+#include "core/base/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// What differs by less is the same: rounding of some thousand steps.
+constexpr double rounding = 1e-12;
+/// Half of the bodies must be followed for this part of the time, or trajectories say little of the scene.
+constexpr double leastFollowed = 0.1;
+
+double noResolution(const AccuracyStudy& /*study*/) { return 0; }
+std::string noObjection(const AccuracyStudy& /*study*/) { return {}; }
+
+std::optional<double> trajectoryError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    return point.errors.worst();
+}
+/// A hundred times the reference solution's own error.
+double trajectoryResolution(const AccuracyStudy& study) {
+    return study.reference ? 100 * study.reference->error : 0;
+}
+std::string trajectoryObjection(const AccuracyStudy& study) {
+    if (!study.reference) return {};
+    const ReferenceSolution& reference = *study.reference;
+    if (reference.kind == ReferenceKind::None) return reference.description;
+    if (reference.horizon >= leastFollowed * reference.duration) return {};
+    return "half of the bodies can be followed for " + figure(reference.horizon, 2) + " s of " +
+           figure(reference.duration, 3) + " s only, then their ways are chance";
+}
+
+/// The greater of what is missing and how late the others are, relative to all and to the duration.
+std::optional<double> impactError(const AccuracyPoint& point, const AccuracyStudy& study) {
+    if (!point.impacts || point.impacts->expected == 0) return std::nullopt;
+    const ImpactErrors& seen = *point.impacts;
+    const double missed =
+        static_cast<double>(seen.expected - seen.matched) / static_cast<double>(seen.expected);
+    return std::max(missed, seen.time / study.duration);
+}
+std::string impactObjection(const AccuracyStudy& study) {
+    if (!study.reference) return {};
+    if (study.reference->kind == ReferenceKind::None) return study.reference->description;
+    if (study.reference->impacts.empty()) return "impacts cannot be told from smooth motion in it";
+    const bool any = std::ranges::any_of(study.points, [](const AccuracyPoint& point) {
+        return point.impacts && point.impacts->expected > 0;
+    });
+    return any ? "" : "nothing hits anything while it can be followed";
+}
+
+std::optional<double> energyError(const AccuracyPoint& point, const AccuracyStudy& study) {
+    return study.conservative ? point.energy.worst : point.energy.gain;
+}
+
+std::optional<double> overlapError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    return point.penetration;
+}
+
+std::optional<double> residualError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    return point.relativeResidual;
+}
+
+std::optional<double> restError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    if (!point.outcome) return std::nullopt;
+    return point.outcome->worst();
+}
+double restResolution(const AccuracyStudy& study) {
+    return study.reference ? study.reference->outcomeScatter : 0;
+}
+std::string restObjection(const AccuracyStudy& study) {
+    if (study.conservative) return "nothing takes energy out of the scene, so nothing comes to rest";
+    if (study.reference && !study.reference->outcome) return "there is no run to its end to compare with";
+    return {};
+}
+
+} // namespace
+
+std::span<const MeasureRow> measures() {
+    static constexpr std::array rows = {
+        MeasureRow{"trajectory", "Error", "error: distance by scene size, or angle in rad",
+                   "The largest distance from the reference solution, relative to the scene's size, or the "
+                   "largest angle in rad; of each body as long as it can be followed.",
+                   trajectoryError, trajectoryResolution, trajectoryObjection},
+        MeasureRow{"impacts", "Error of impacts", "impacts: missed, or time off by duration",
+                   "The part of the impacts that is missed, or how much too early or late the others come, "
+                   "relative to the duration.",
+                   impactError, noResolution, impactObjection},
+        MeasureRow{"energy", "Energy from nowhere", "energy from nowhere, relative",
+                   "The energy that appeared, or in a scene that loses none that changed, relative to the "
+                   "largest exchanged in the run, at least to a thousandth of weight times size.",
+                   energyError, noResolution, noObjection},
+        MeasureRow{"overlap", "Largest overlap", "largest overlap by half thickness",
+                   "The deepest overlap of two bodies, relative to half the thickness of the thinnest.",
+                   overlapError, noResolution, noObjection},
+        MeasureRow{
+            "residual", "Residual", "residual of contacts, relative",
+            "How far the worst contact problem was from solved, relative to the speed that the largest "
+            "energy exchanged would give all bodies.",
+            residualError, noResolution, noObjection},
+        MeasureRow{"rest", "Error at the end", "what is left at the end: deviation",
+                   "What is left at the end: height and centre of mass relative to the scene's size, time to "
+                   "rest relative to the duration, energy lost relative to the largest exchanged.",
+                   restError, restResolution, restObjection},
+    };
+    return rows;
+}
+
+const MeasureRow* findMeasure(std::string_view name) { return findByName(measures(), name); }
+
+std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study) {
+    if (std::string reason = measure.objection(study); !reason.empty()) return reason;
+    const double none = std::max(rounding, measure.resolution(study));
+    bool any = false;
+    for (const AccuracyPoint& point : study.points) {
+        if (!point.finished()) continue;
+        const std::optional<double> value = measure.value(point, study);
+        any = any || value;
+        if (value && *value > none) return {};
+    }
+    if (!any) return "no setting has been measured by it";
+    return "no setting differs from none by more than can be told, " + figure(none, 2);
+}
+
+const MeasureRow& chooseMeasure(const AccuracyStudy& study) {
+    for (const MeasureRow& row : measures())
+        if (objectionTo(row, study).empty()) return row;
+    return measures().front();
+}
+
+std::string reasonOf(const AccuracyStudy& study) {
+    std::string text = "Measured by `" + std::string(study.measure->name) + "`";
+    if (study.plan.measure != nullptr) return text + ", as asked for.";
+    std::string others;
+    for (const MeasureRow& row : measures()) {
+        if (&row == study.measure) break;
+        others += (others.empty() ? "" : "; ") + ("`" + std::string(row.name) + "` says nothing here: ") +
+                  objectionTo(row, study);
+    }
+    return text + (others.empty() ? ", the first that says something." : "; " + others + ".");
+}
+
+double AccuracyStudy::errorOf(const AccuracyPoint& point) const {
+    return measure->value(point, *this).value_or(HUGE_VAL);
+}
+
+double AccuracyStudy::resolution() const { return measure->resolution(*this); }
+
+} // namespace carom

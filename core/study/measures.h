@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/accuracy.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+// What a setting's error is. Where trajectories mean nothing, others do; the first one of the list that says
+// something of the scene is the one that a study takes where nobody chooses.
+
+namespace carom {
+
+struct MeasureRow {
+    std::string_view name; ///< "trajectory"
+    std::string_view noun; ///< begins a sentence: "Error", "Largest overlap"
+    std::string_view axis; ///< of the diagram
+    std::string_view help; ///< one sentence: what it is, and relative to what
+    /// Nothing where the point has none.
+    std::optional<double> (*value)(const AccuracyPoint& point, const AccuracyStudy& study) = nullptr;
+    /// What can be told from none.
+    double (*resolution)(const AccuracyStudy& study) = nullptr;
+    /// A clause, why it says nothing of the scene whatever the settings do; empty: it may.
+    std::string (*objection)(const AccuracyStudy& study) = nullptr;
+};
+
+std::span<const MeasureRow> measures();
+const MeasureRow* findMeasure(std::string_view name);
+
+/// Why the measure says nothing of the study as far as it is, a clause; empty: it does.
+std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study);
+
+/// The first measure that says something, or the first one of all if none does.
+const MeasureRow& chooseMeasure(const AccuracyStudy& study);
+
+/// "Measured by energy, since trajectory says nothing here: ...": which measure, and why.
+std::string reasonOf(const AccuracyStudy& study);
+
+} // namespace carom

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/run_course.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// ε: the part of weight times size below which an exchange of energy counts as none.
+constexpr double noExchange = 1e-3;
+/// Kinetic energy of what rests, relative to E: a thousandth of the speed that E gives.
+constexpr double restingPart = 1e-6;
+/// Momentum below this [kg m/s] is none to compare with.
+constexpr double noMomentum = 1e-12;
+
+bool isClosed(const Pipeline& pipeline) {
+    if (pipeline.simulates("gravity") || !pipeline.bodies().forces.empty()) return false;
+    if (pipeline.bodies().mobileBodies.size() < pipeline.bodies().count()) return false;
+    return std::all_of(pipeline.bodies().springs.begin(), pipeline.bodies().springs.end(),
+                       [](const SpringForce& s) { return s.from != noBody && s.to != noBody; });
+}
+
+} // namespace
+
+double OutcomeErrors::worst() const { return std::max({height, centre, restTime, work}); }
+
+OutcomeErrors differenceOf(const Outcome& run, const Outcome& reference, double size, double duration) {
+    return {.height = std::abs(run.height - reference.height) / size,
+            .centre = (run.centre - reference.centre).norm() / size,
+            .restTime = std::abs(run.restTime - reference.restTime) / duration,
+            .work = std::abs(run.work - reference.work) / reference.energyScale};
+}
+
+RunCourse::RunCourse(const World& world, double size)
+    : m_momentum(world.statistics().momentum), m_highest(world.statistics().potential),
+      m_lowest(world.statistics().potential) {
+    const Bodies& bodies = world.pipeline().bodies();
+    double thinnest = HUGE_VAL;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        m_mass += bodies.mass[i];
+        thinnest = std::min(thinnest, halfThicknessOf(bodies.shape[i]));
+    }
+    if (std::isfinite(thinnest)) m_thickness = thinnest;
+    m_weightTimesSize = noExchange * m_mass * world.pipeline().gravity().norm() * size;
+    add(world);
+}
+
+void RunCourse::add(const World& world) {
+    const FrameStatistics& frame = world.statistics();
+    m_time.push_back(world.state().time);
+    m_energy.push_back(frame.kinetic + frame.potential);
+    m_kinetic.push_back(frame.kinetic);
+    m_fastest = std::max(m_fastest, frame.kinetic);
+    m_highest = std::max(m_highest, frame.potential);
+    m_lowest = std::min(m_lowest, frame.potential);
+    m_overlap = std::max(m_overlap, frame.maxPenetration / m_thickness);
+    m_residual = std::max(m_residual, frame.residual);
+    m_coneViolation = std::max(m_coneViolation, frame.coneViolation);
+}
+
+double RunCourse::energyScale() const {
+    const double scale = std::max({m_fastest, m_highest - m_lowest, m_weightTimesSize});
+    return scale > 0 ? scale : 1; // no energy at any time: zero of whatever
+}
+
+Steadiness RunCourse::energy() const { return steadinessOf(m_time, m_energy, energyScale()); }
+
+double RunCourse::relativeResidual() const {
+    return m_mass > 0 ? m_residual / std::sqrt(2 * energyScale() / m_mass) : 0;
+}
+
+double RunCourse::momentumChange(const World& world) const {
+    if (!isClosed(world.pipeline())) return 0;
+    double most = 0;
+    for (const BodyIndex i : world.pipeline().bodies().mobileBodies)
+        most += world.pipeline().bodies().mass[i] * world.state().velocity[i].norm();
+    return most > noMomentum ? (world.statistics().momentum - m_momentum).norm() / most : 0;
+}
+
+Outcome RunCourse::outcome(const World& world) const {
+    const Bodies& bodies = world.pipeline().bodies();
+    const Vec3 gravity = world.pipeline().gravity();
+    const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(Vec3::UnitY());
+    Outcome outcome{.height = -HUGE_VAL, .energyScale = energyScale()};
+    for (const BodyIndex i : bodies.mobileBodies) {
+        outcome.height = std::max(outcome.height, world.state().pose[i].position.dot(up));
+        outcome.centre += bodies.mass[i] / m_mass * world.state().pose[i].position;
+    }
+    std::size_t still = m_kinetic.size();
+    while (still > 0 && m_kinetic[still - 1] <= restingPart * outcome.energyScale) --still;
+    outcome.restTime = m_time[std::min(still, m_time.size() - 1)];
+    outcome.work = m_energy.front() - m_energy.back();
+    return outcome;
+}
+
+} // namespace carom
