@@ -80,7 +80,7 @@ void runJob(Job& job) {
     for (const Diagnostic& diagnostic : built.diagnostics)
         if (diagnostic.severity() == Severity::Error || diagnostic.code == DiagnosticCode::ExpectationTooLate)
             tested.faults.push_back(formatDiagnostic(built.analysis, diagnostic, tested.file));
-    tested.check = checkScene(built.pipeline, [] { return !interrupted(); });
+    tested.check = checkRepeated(built, job.options, [] { return !interrupted(); });
     if (!tested.check) return;
     for (const Judgement& judgement : tested.check->judgements)
         tested.lines.push_back(

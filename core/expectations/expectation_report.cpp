@@ -45,6 +45,7 @@ std::string wishOf(const Scene& scene, const Expectation& asked) {
     if (asked.at) wish += " at " + seconds(*asked.at);
     if (asked.from) wish += " from " + seconds(*asked.from);
     if (asked.until) wish += " until " + seconds(*asked.until);
+    if (asked.repeat > 1) wish += " in each of " + std::to_string(asked.repeat) + " runs";
     std::string limits;
     if (asked.value) {
         std::string value = withUnit(shortest(*asked.value), asked);
@@ -100,6 +101,8 @@ std::string describe(const Scene& scene, const Judgement& judgement) {
     if (somewhere && asked.of == noBody && judgement.body != noBody)
         text += ", by " + scene.nameOf(judgement.body);
     if (somewhere && !asked.at) text += ", at " + seconds(judgement.time);
+    if (judgement.seed) text += ", with seed " + std::to_string(*judgement.seed);
+    if (judgement.runs > 1) text += ", the worst of " + std::to_string(judgement.runs) + " runs";
     if (judgement.state == ExpectationState::Fails && !(judgement.share > 1))
         text += "; the run ended before its time was over";
     return text;

@@ -48,6 +48,10 @@ std::string_view nameOf(Criterion criterion) {
     return names[static_cast<std::size_t>(criterion)];
 }
 
+bool isWorse(const Judgement& a, const Judgement& b) {
+    return !b.measured || a.share > b.share || (a.share == b.share && a.off > b.off);
+}
+
 /// The state between two frames.
 struct ExpectationWatch::Between {
     Between(const ExpectationWatch& watch, const World& world, double at)
@@ -94,8 +98,9 @@ ExpectationWatch::ExpectationWatch(std::shared_ptr<const Pipeline> pipeline)
         }
         if (asked.ofEach) followed.bodies = *asked.ofEach.bodies;
         if (followed.bodies.empty() && asked.of != noBody) followed.bodies = {asked.of};
-        if (followed.bodies.empty() && asked.quantity == "impacts") followed.bodies = {noBody};
-        if (followed.bodies.empty()) followed.bodies = bodies.mobileBodies;
+        if (!asked.ofEach && followed.bodies.empty() && asked.quantity == "impacts")
+            followed.bodies = {noBody};
+        if (!asked.ofEach && followed.bodies.empty()) followed.bodies = bodies.mobileBodies;
         followed.sums.resize(followed.bodies.size());
         if (asked.rest) followed.resting = bodies.mobileBodies;
         if (asked.rest && asked.ofEach) followed.resting = *asked.ofEach.bodies;
@@ -331,8 +336,7 @@ void ExpectationWatch::judgeRest(std::size_t i, const Moment& moment, std::int64
 void ExpectationWatch::take(std::size_t i, const Judgement& seen) {
     Judgement& kept = m_judgements[i];
     const bool fails = !(seen.share <= 1);
-    const bool worse =
-        !kept.measured || seen.share > kept.share || (seen.share == kept.share && seen.off > kept.off);
+    const bool worse = isWorse(seen, kept);
     const std::optional<std::int64_t> failedAt =
         kept.failedAt || !fails ? kept.failedAt : std::optional(seen.frame);
     const bool failed = fails || kept.state == ExpectationState::Fails;

@@ -44,7 +44,13 @@ struct Judgement {
     double time = 0; ///< [s]
 
     std::optional<std::int64_t> failedAt; ///< the first frame in which it did not hold
+
+    int runs = 1;                 ///< of a repeated one: how many were judged, ...
+    std::optional<int> seed = {}; ///< ... and that of the run which the above is of
 };
+
+/// Whether the first is nearer to failing, or further beyond; of two that are as bad, the one further off.
+bool isWorse(const Judgement& a, const Judgement& b);
 
 class ExpectationWatch {
   public:

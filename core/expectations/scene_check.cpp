@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace carom {
 namespace {
@@ -54,6 +55,70 @@ std::optional<SceneCheck> checkScene(std::shared_ptr<const Pipeline> pipeline,
                       .health = world.health(),
                       .frames = world.state().frame,
                       .seconds = clock.elapsed() / 1000};
+}
+
+namespace {
+
+/// The seeds an expectation is judged with: from `first`, `count` of them.
+struct Seeds {
+    int first = 0, count = 1;
+
+    bool contain(int seed) const { return seed >= first && seed - first < count; }
+};
+
+Seeds seedsOf(const Expectation& asked, int declared) {
+    return {asked.seed.value_or(declared), asked.repeat};
+}
+
+/// The worse of two runs; either may have failed.
+void take(Judgement& kept, const Judgement& seen, int seed) {
+    const bool first = kept.runs == 0;
+    const bool worse = first ||
+                       (kept.state != ExpectationState::Fails && seen.state == ExpectationState::Fails) ||
+                       (kept.state == seen.state && isWorse(seen, kept));
+    const Expectation* expectation = kept.expectation; // of the pipeline that is kept
+    const int runs = kept.runs + 1;
+    if (worse) {
+        kept = seen;
+        kept.seed = seed;
+    }
+    kept.expectation = expectation;
+    kept.runs = runs;
+}
+
+} // namespace
+
+std::optional<SceneCheck> checkRepeated(const Build& built, const SimulationSettings& options,
+                                        const std::function<bool()>& goOn, std::optional<double> mostOpen) {
+    std::optional<SceneCheck> check = checkScene(built.pipeline, goOn, mostOpen);
+    const Scene& scene = built.pipeline->scene();
+    if (!check || !scene.generated) return check;
+    const int declared = scene.generated->seed;
+    std::set<int> seeds;
+    const std::vector<Judgement> asWritten = check->judgements;
+    for (Judgement& judgement : check->judgements) {
+        const Expectation& asked = *judgement.expectation;
+        if (asked.repeat == 1 && !asked.seed) continue;
+        const Seeds own = seedsOf(asked, declared);
+        for (int i = 0; i < own.count; ++i) seeds.insert(own.first + i);
+        judgement.runs = 0;
+    }
+    for (const int seed : seeds) {
+        std::optional<SceneCheck> run;
+        if (seed != declared) {
+            run = checkScene(buildSeeded(built.analysis.text, options, seed).pipeline, goOn, mostOpen);
+            if (!run) return std::nullopt;
+            check->frames += run->frames;
+            check->seconds += run->seconds;
+        }
+        const std::vector<Judgement>& seen = run ? run->judgements : asWritten;
+        for (std::size_t i = 0; i < check->judgements.size(); ++i) {
+            const Expectation& asked = *check->judgements[i].expectation;
+            const bool repeats = asked.repeat != 1 || asked.seed;
+            if (repeats && seedsOf(asked, declared).contain(seed)) take(check->judgements[i], seen[i], seed);
+        }
+    }
+    return check;
 }
 
 } // namespace carom

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/expectations/expectation_watch.h"
+#include "core/simulation/build.h"
 
 #include <cstdint>
 #include <functional>
@@ -32,5 +33,11 @@ std::int64_t framesToJudge(const Pipeline& pipeline, const ExpectationWatch& wat
 std::optional<SceneCheck> checkScene(std::shared_ptr<const Pipeline> pipeline,
                                      const std::function<bool()>& goOn = {},
                                      std::optional<double> mostOpen = {});
+
+/// The same of a text. An expectation with `repeat` is judged in so many runs of the generated scene, each
+/// with the next seed; its judgement is that of the worst. `built` is the text's build.
+std::optional<SceneCheck> checkRepeated(const Build& built, const SimulationSettings& options,
+                                        const std::function<bool()>& goOn = {},
+                                        std::optional<double> mostOpen = {});
 
 } // namespace carom

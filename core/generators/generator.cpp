@@ -13,14 +13,14 @@
 
 namespace carom {
 
-#define CAROM_GENERATOR(function) GeneratorRow function();
-#include "core/generators/generators.def"
+#define CAROM_GENERATOR(word, function) GeneratorRow function();
+#include "core/scene/generators.def"
 #undef CAROM_GENERATOR
 
 std::span<const GeneratorRow> generators() {
     static const std::array rows = {
-#define CAROM_GENERATOR(function) function(),
-#include "core/generators/generators.def"
+#define CAROM_GENERATOR(word, function) function(),
+#include "core/scene/generators.def"
 #undef CAROM_GENERATOR
     };
     return rows;

@@ -70,18 +70,26 @@ std::optional<BodyIndex> BodyLabels::find(SourceRange label) {
 }
 
 BodyFamily BodyLabels::findFamily(SourceRange label) {
-    if (spelling(label) == "world" || m_entries.contains(spelling(label))) return {};
+    if (spelling(label) == "world") return {};
+    if (m_entries.contains(spelling(label)) && !m_made.contains(spelling(label))) return {};
     gatherFamilies();
     const auto found = m_families.find(spelling(label));
     if (found == m_families.end()) return {};
     return {.name = std::string(spelling(label)), .bodies = found->second};
 }
 
+BodyFamily BodyLabels::makeFamily(SourceRange label) {
+    m_made.insert(spelling(label));
+    const auto bodies = std::make_shared<std::vector<BodyIndex>>();
+    m_families[spelling(label)] = bodies;
+    return {.name = std::string(spelling(label)), .bodies = bodies};
+}
+
 void BodyLabels::gatherFamilies() {
     for (; m_gathered < m_names.size(); ++m_gathered) {
         const std::string_view name = m_names[m_gathered];
         const std::string_view family = familyOf(name);
-        if (family.empty()) continue;
+        if (family.empty() || m_made.contains(family)) continue;
         std::shared_ptr<std::vector<BodyIndex>>& bodies = m_families[family];
         if (bodies == nullptr) bodies = std::make_shared<std::vector<BodyIndex>>();
         bodies->push_back(m_entries[name].body);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace carom {
@@ -32,7 +33,10 @@ class BodyLabels {
     /// The body that carries the label written at `label` (noBody for `world`); nothing, and reported, where
     /// no built body does.
     std::optional<BodyIndex> find(SourceRange label);
-    /// The bodies whose labels are this one and a number; none where a declaration carries the very label.
+    /// A family of its own for a label that claimForOther took; nobody is in it yet.
+    BodyFamily makeFamily(SourceRange label);
+    /// Those of makeFamily, or the bodies whose labels are this one and a number; none where a declaration
+    /// carries the very label.
     BodyFamily findFamily(SourceRange label);
 
   private:
@@ -52,7 +56,8 @@ class BodyLabels {
     std::vector<std::string_view> m_names; ///< in the order of the text, for suggestions
     std::size_t m_comparisons = 0;
     std::unordered_map<std::string_view, std::shared_ptr<std::vector<BodyIndex>>> m_families;
-    std::size_t m_gathered = 0; ///< so many of m_names are in their families
+    std::unordered_set<std::string_view> m_made; ///< families of makeFamily
+    std::size_t m_gathered = 0;                  ///< so many of m_names are in their families
 };
 
 } // namespace carom

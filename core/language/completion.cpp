@@ -134,6 +134,9 @@ class Completer {
 
     /// What labels share before their numbers, where several do.
     void addFamilies(const ParameterRow& row) {
+        const std::optional<Generated>& generated = m_analysis.scene.generated;
+        if (generated && generated->bodies)
+            add(CompletionKind::Label, generated->bodies.name, "each generated body", row.help);
         std::map<std::string_view, std::size_t> members;
         for (const Body& body : m_analysis.scene.bodies)
             if (const std::string_view family = familyOf(body.label); !family.empty()) ++members[family];

@@ -17,8 +17,8 @@ class ExpectationCheck {
         : m_input(input), m_syntax(syntax), m_scene(scene), m_asked(expectation) {}
 
     bool run() {
-        const bool sound =
-            saysSomething() && saysHowNearly() && hasOneTime() && isInOrder() && fitsItsBodies();
+        const bool sound = saysSomething() && saysHowNearly() && hasOneTime() && isInOrder() &&
+                           fitsItsBodies() && repeatsWhatChanges();
         if (sound) warnOfTheEnd();
         return sound;
     }
@@ -111,6 +111,22 @@ class ExpectationCheck {
                                                 (m_asked.quantity.empty() ? "rest" : word) + " has one end");
         if (isOfWholeOnly(m_asked.quantity) && (m_asked.of != noBody || m_asked.ofEach))
             return contradict(nameOf("of"), word + " is of the whole scene; remove `of`");
+        return true;
+    }
+
+    bool repeatsWhatChanges() {
+        constexpr int most = 10'000;
+        const std::string_view given = m_asked.seed ? "seed" : "repeat";
+        if (m_asked.repeat == 1 && !m_asked.seed) return true;
+        if (!m_scene.generated)
+            return contradict(nameOf(given),
+                              "`" + std::string(given) +
+                                  "` belongs to a generated scene; every run of this text is the "
+                                  "same without a `generate` declaration");
+        if (m_asked.repeat > most)
+            return fail(DiagnosticCode::ValueOutOfRange, valueOf("repeat"),
+                        "`repeat` is " + std::to_string(m_asked.repeat) + "; it must be at most " +
+                            std::to_string(most));
         return true;
     }
 

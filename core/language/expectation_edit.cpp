@@ -45,6 +45,8 @@ class Naming {
 } // namespace
 
 std::vector<TextEdit> withExpectation(const Analysis& analysis, const Expectation& asked) {
+    for (const BodyIndex body : {asked.of, asked.to}) // a generated body has no place for a label
+        if (body != noBody && analysis.scene.isGenerated(body)) return {};
     Naming naming(analysis.scene);
     std::string line = "expect";
     const auto add = [&line](std::string_view name, const std::string& value) {
@@ -70,6 +72,8 @@ std::vector<TextEdit> withExpectation(const Analysis& analysis, const Expectatio
     addNumber("max", asked.most);
     addNumber("drift", asked.drift);
     if (asked.rest) add("rest", "yes");
+    if (asked.repeat != 1) add("repeat", std::to_string(asked.repeat));
+    if (asked.seed) add("seed", std::to_string(*asked.seed));
     if (!asked.preset.empty()) add("preset", std::string(asked.preset));
     line.erase(inside, 1); // one blank behind the brace
     line += " }\n";

@@ -99,7 +99,12 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
                            declaration.label.length > 0 ? declaration.label : declaration.type,
                            noBody,
                            false};
-        if (body < scene.bodies.size() && scene.bodies[body].source.declaration == range) {
+        if (scene.generated && isSource(scene.generated->source, range)) { // all that it made, under one name
+            while (body < scene.bodies.size() && scene.bodies[body].source.declaration == range) ++body;
+            while (spring < scene.springs.size() && scene.springs[spring].source.declaration == range)
+                ++spring;
+            entry.built = true;
+        } else if (body < scene.bodies.size() && scene.bodies[body].source.declaration == range) {
             entry.body = static_cast<BodyIndex>(body++);
             entry.built = true;
         } else if (spring < scene.springs.size() && scene.springs[spring].source.declaration == range) {

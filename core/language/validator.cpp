@@ -52,7 +52,7 @@ class Validator {
         done = all - naming.size();
         m_scene.expectations.reserve(
             static_cast<std::size_t>(std::ranges::count_if(naming, [this](const DeclarationSyntax* syntax) {
-                return findDeclaration(spelling(syntax->type))->titled;
+                return findDeclaration(spelling(syntax->type))->name == "expect";
             })));
         for (const DeclarationSyntax* syntax : naming) {
             stage.reach(done, done, all);
@@ -156,13 +156,21 @@ class Validator {
         m_scene.camera = camera;
     }
 
+    void add(Generated& generated, const DeclarationSource& source) {
+        generated.source = source;
+        if (source.label.length > 0)
+            generated.bodies = m_labels.makeFamily(source.label); // empty until they are made
+        m_scene.generated = std::move(generated);
+    }
+
     bool claimLabel(const DeclarationSyntax& syntax, const DeclarationRow& row) {
         if (syntax.label.length == 0) return true;
         if (row.isBody) return m_labels.claim(syntax.label);
-        if (row.titled) return m_labels.claimForOther(syntax.label, "an expectation");
+        if (row.takesLabel()) return m_labels.claimForOther(syntax.label, row.labels);
         if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnexpectedLabel, syntax.label)) {
             diagnostic->message = std::string(row.name) + " takes no label, found " +
-                                  quoted(spelling(syntax.label)) + "; bodies and expectations are labelled";
+                                  quoted(spelling(syntax.label)) +
+                                  "; bodies, expectations and generated bodies are labelled";
             diagnostic->fixIt = removal(m_text, syntax.label, "remove the label");
         }
         return false;

@@ -40,6 +40,11 @@ std::string_view familyOf(std::string_view label) {
     return numbered ? label.substr(0, last + 1) : std::string_view();
 }
 
+bool Scene::isGenerated(BodyIndex body) const {
+    return generated && generated->source &&
+           bodies[body].source.declaration == generated->source->declaration;
+}
+
 BodyIndex Scene::labelled(std::string_view label) const {
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!label.empty() && bodies[i].label == label) return static_cast<BodyIndex>(i);

@@ -93,7 +93,6 @@ struct SimulationSettings {
 /// `over` wins wherever it says something.
 SimulationSettings overridden(const SimulationSettings& base, const SimulationSettings& over);
 
-/// What must come out of a run: an `expect` declaration. It watches and never changes the motion.
 /// Bodies whose labels are the same but for the number at their end: `log1`, `log2`, ... are the family
 /// `log`.
 struct BodyFamily {
@@ -106,6 +105,7 @@ struct BodyFamily {
 /// `log` of `log12`; empty where no number ends the label.
 std::string_view familyOf(std::string_view label);
 
+/// What must come out of a run: an `expect` declaration. It watches and never changes the motion.
 struct Expectation {
     std::string label;                 ///< empty where there is none
     std::string_view quantity;         ///< a word of quantityWords(); empty where only rest is asked for
@@ -120,6 +120,8 @@ struct Expectation {
     std::optional<double> least, most; ///< `min`, `max`, in the quantity's unit
     std::optional<double> drift;       ///< relative change since the beginning of its time
     bool rest = false;                 ///< nothing moves
+    int repeat = 1;                    ///< runs of the generated scene, each with the next seed
+    std::optional<int> seed;           ///< of the first of them; absent: that of the `generate` declaration
     std::string_view preset;           ///< judged in runs with this preset only; empty: in all
     DeclarationSource source;
 };
@@ -131,6 +133,17 @@ struct CameraSettings {
     std::optional<DeclarationSource> source;
 };
 
+/// A `generate` declaration: bodies that a generator makes. The language knows their number as little as it
+/// knows the generators; core/simulation puts them in.
+struct Generated {
+    std::string_view generator; ///< a word of generatorWords()
+    std::optional<int> count;   ///< `n`; absent: the generator's default
+    int seed = 1;
+    Vec3 offset = Vec3::Zero(); ///< by which everything it makes is moved [m]
+    BodyFamily bodies;          ///< by the declaration's label: what moves of them, once they are there
+    std::optional<DeclarationSource> source;
+};
+
 struct Scene {
     std::vector<Body> bodies; ///< in the order of the text, walls included; BodyIndex points here
     std::vector<Spring> springs;
@@ -139,12 +152,15 @@ struct Scene {
     SimulationSettings simulation;
     CameraSettings camera;
     std::vector<Expectation> expectations;
+    std::optional<Generated> generated;
     std::vector<ParameterSource> parameterSources;
 
     /// Where a declaration gave a parameter; nothing if it did not.
     const ParameterSource* find(const DeclarationSource& source, std::string_view parameter) const;
     /// The body that carries a label, or noBody.
     BodyIndex labelled(std::string_view label) const;
+    /// Whether a generator made the body: it has no declaration of its own in the text.
+    bool isGenerated(BodyIndex body) const;
     /// How messages name a body: "`cue`" by its label, else "sphere 4" by kind and index.
     std::string nameOf(BodyIndex body) const;
 };

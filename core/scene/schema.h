@@ -50,7 +50,8 @@ struct CheckedValue {
 };
 
 /// What one declaration builds, while its parameters are stored into it.
-using Declared = std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation>;
+using Declared =
+    std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation, Generated>;
 
 enum class Layer : std::uint8_t { Reference, Carom };
 
@@ -75,15 +76,15 @@ struct DeclarationRow {
     std::string_view name = {};
     std::string_view help = {}; ///< one line
     Layer layer = Layer::Reference;
-    bool isBody = false; ///< may carry a label that others name it by
-    bool titled = false; ///< no body, and may carry a label all the same
-    bool once = false;   ///< a scene has at most one
+    bool isBody = false;          ///< may carry a label that others name it by
+    std::string_view labels = {}; ///< what its label labels where that is no body: "an expectation"
+    bool once = false;            ///< a scene has at most one
     std::vector<ParameterRow> parameters = {};
     Declared (*begin)() = nullptr; ///< an empty one, defaults in place
     std::string_view example = {}; ///< a snippet that validates by itself (with the bodies it names)
 
     const ParameterRow* find(std::string_view parameter) const;
-    bool takesLabel() const { return isBody || titled; }
+    bool takesLabel() const { return isBody || !labels.empty(); }
     /// Whether it names bodies, and so can be built only when all bodies are known.
     bool takesLabels() const;
 };
@@ -109,6 +110,8 @@ std::span<const std::string_view> broadphaseWords();
 std::span<const std::string_view> boxesWords();
 std::span<const std::string_view> impactsWords();
 std::span<const std::string_view> presetWords();
+/// Words of `generate`'s `scene`.
+std::span<const std::string_view> generatorWords();
 /// Words of `expect`'s `quantity`; those that only the whole scene has, and those of two bodies.
 std::span<const std::string_view> quantityWords();
 bool isOfWholeOnly(std::string_view quantity);

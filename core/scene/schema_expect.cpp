@@ -24,6 +24,13 @@ ParameterRow expectedNumber(std::string_view name, std::string_view unit, std::s
             .help = help};
 }
 
+ParameterRow wholeNumber(std::string_view name, std::string_view defaultText, std::string_view example,
+                         std::string_view help) {
+    ParameterRow row = expectedNumber(name, "", defaultText, example, help);
+    row.kind = ValueKind::WholeNumber;
+    return row;
+}
+
 ParameterRow stored(ParameterRow row, void (*store)(Declared&, const CheckedValue&),
                     Constraint constraint = Constraint::None) {
     row.store = store;
@@ -103,6 +110,16 @@ std::vector<ParameterRow> whatMustHold() {
          .words = yesOrNoWords(),
          .help = "Nothing moves: no bit of a place changes, and velocities are 0.",
          .store = [](D& into, const V& value) { expectation(into).rest = value.word == "yes"; }},
+        stored(
+            wholeNumber(
+                "repeat", "1", "20",
+                "Of a scene with `generate`: so many runs, each with the next seed; the worst counts."),
+            [](D& into, const V& value) { expectation(into).repeat = static_cast<int>(value.number); },
+            Constraint::AtLeastOne),
+        stored(
+            wholeNumber("seed", "that of `generate`", "1", "Of the first of `repeat` runs."),
+            [](D& into, const V& value) { expectation(into).seed = static_cast<int>(value.number); },
+            Constraint::NotNegative),
         {.name = "preset",
          .kind = ValueKind::Word,
          .defaultText = "every preset",
@@ -115,6 +132,46 @@ std::vector<ParameterRow> whatMustHold() {
 
 } // namespace
 
+DeclarationRow generateDeclaration() {
+    std::vector<ParameterRow> rows = {
+        {.name = "scene",
+         .kind = ValueKind::Word,
+         .required = true,
+         .example = "log_pile",
+         .words = generatorWords(),
+         .help = "Which generator makes the bodies; `carom generate --list` describes them.",
+         .store = [](D& into, const V& value) { std::get<Generated>(into).generator = value.word; }},
+        stored(
+            wholeNumber("n", "the generator's", "6", "How many bodies it makes; most 100000 in a text."),
+            [](D& into, const V& value) { std::get<Generated>(into).count = static_cast<int>(value.number); },
+            Constraint::AtLeastOne),
+        stored(
+            wholeNumber("seed", "1", "1", "Of its random numbers."),
+            [](D& into, const V& value) { std::get<Generated>(into).seed = static_cast<int>(value.number); },
+            Constraint::NotNegative),
+        {.name = "offset",
+         .kind = ValueKind::Vector,
+         .unit = "m",
+         .defaultText = "0, 0, 0",
+         .example = "0, 0, 0",
+         .help = "By which everything it makes is moved.",
+         .store = [](D& into, const V& value) { std::get<Generated>(into).offset = value.vector; }}};
+    for (ParameterRow& row : rows) row.layer = Layer::Carom;
+    return {
+        .name = "generate",
+        .help =
+            "The bodies and springs of a generated scene, in this place of the text; its gravity, camera "
+            "and settings hold where the text has none of its own. By its label an `expect` asks for each "
+            "of its bodies that can move.",
+        .layer = Layer::Carom,
+        .labels = "generated bodies",
+        .once = true,
+        .parameters = std::move(rows),
+        .begin = []() -> Declared { return Generated{}; },
+        .example = "generate logs { scene log_pile  n 6 }\n"
+                   "expect { quantity turn  of logs  max 1e-3 }"};
+}
+
 DeclarationRow expectDeclaration() {
     std::vector<ParameterRow> rows = whatAndWhen();
     for (ParameterRow& row : whatMustHold()) rows.push_back(std::move(row));
@@ -125,7 +182,7 @@ DeclarationRow expectDeclaration() {
     return {.name = "expect",
             .help = "What must come out of a run; `carom test` judges it, and it never changes the motion.",
             .layer = Layer::Carom,
-            .titled = true,
+            .labels = "an expectation",
             .parameters = std::move(rows),
             .begin = []() -> Declared { return Expectation{}; },
             .example = "sphere ball { radius 0.1  mass 1  centre 0, 5, 0 }\n"

@@ -18,5 +18,6 @@ DeclarationRow springDeclaration();
 DeclarationRow simulationDeclaration();
 DeclarationRow cameraDeclaration();
 DeclarationRow expectDeclaration();
+DeclarationRow generateDeclaration();
 
 } // namespace carom

@@ -31,6 +31,11 @@ constexpr auto presets = std::to_array<std::string_view>({
 #include "core/scene/presets.def"
 #undef CAROM_PRESET
 });
+constexpr auto generatorNames = std::to_array<std::string_view>({
+#define CAROM_GENERATOR(word, function) #word,
+#include "core/scene/generators.def"
+#undef CAROM_GENERATOR
+});
 constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};
 constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
 // Of a body, or of each; then of the whole scene only; then what is found by other means.
@@ -62,6 +67,7 @@ std::span<const std::string_view> broadphaseWords() { return broadphaseNames; }
 std::span<const std::string_view> boxesWords() { return boxesNames; }
 std::span<const std::string_view> impactsWords() { return impactsNames; }
 std::span<const std::string_view> yesOrNoWords() { return yesOrNo; }
+std::span<const std::string_view> generatorWords() { return generatorNames; }
 std::span<const std::string_view> presetWords() { return presets; }
 std::span<const std::string_view> quantityWords() { return quantities; }
 bool isOfWholeOnly(std::string_view quantity) {

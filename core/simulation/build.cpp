@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/build.h"
 
+#include "core/simulation/generated_scene.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,9 +12,20 @@ namespace {
 /// The analysis's share of the time, as it is for 200,000 spheres in a gas.
 constexpr double analysed = 0.35;
 
-Build buildOf(std::string text, const SimulationSettings& options, const WorkStage& stage) {
+/// One more mistake in the text, in its place among the others.
+void report(Analysis& analysis, Diagnostic diagnostic) {
+    const auto behind = std::ranges::upper_bound(analysis.diagnostics, diagnostic.range.offset, {},
+                                                 [](const Diagnostic& other) { return other.range.offset; });
+    analysis.diagnostics.insert(behind, std::move(diagnostic));
+    ++analysis.mistakes;
+}
+
+Build buildOf(std::string text, const SimulationSettings& options, const WorkStage& stage,
+              std::optional<int> seed = {}) {
     Build built;
     built.analysis = analyse(std::move(text), stage.part(0, analysed));
+    if (std::optional<Diagnostic> wrong = addGenerated(built.analysis.scene, seed))
+        report(built.analysis, std::move(*wrong));
     built.pipeline = std::make_shared<const Pipeline>(built.analysis.scene, options, stage.part(analysed, 1));
     built.diagnostics = built.analysis.diagnostics;
     const std::vector<Diagnostic>& warnings = built.pipeline->warnings();
@@ -28,6 +41,10 @@ Build buildOf(std::string text, const SimulationSettings& options, const WorkSta
 
 Build build(std::string text, const SimulationSettings& options) {
     return buildOf(std::move(text), options, {});
+}
+
+Build buildSeeded(std::string text, const SimulationSettings& options, int seed) {
+    return buildOf(std::move(text), options, {}, seed);
 }
 
 std::optional<Build> buildWhile(const GoOn& goOn, std::string text, const SimulationSettings& options) {

@@ -22,6 +22,8 @@ struct Build {
 };
 
 Build build(std::string text, const SimulationSettings& options = {});
+/// The same with another seed for what its `generate` declaration asks for.
+Build buildSeeded(std::string text, const SimulationSettings& options, int seed);
 /// The same, asking on the way; nothing where `goOn` ended it.
 std::optional<Build> buildWhile(const GoOn& goOn, std::string text, const SimulationSettings& options = {});
 

@@ -90,11 +90,12 @@ void askMembers(Trial& trial) {
 
 void runScene(Trial& trial) {
     const HardCase& hardCase = trial.hardCase();
-    const Build built = build(std::string(hardCase.scene), settingsOf(hardCase, trial.column()));
+    const SimulationSettings settings = settingsOf(hardCase, trial.column());
+    const Build built = build(std::string(hardCase.scene), settings);
     ASSERT(!built.hasErrors());
     const std::optional<double> mostOpen = trial.isLong() ? std::nullopt : std::optional<double>(shortForm);
-    const std::optional<SceneCheck> check = checkScene(
-        built.pipeline, [&trial] { return trial.goesOn(); }, mostOpen);
+    const std::optional<SceneCheck> check = checkRepeated(
+        built, settings, [&trial] { return trial.goesOn(); }, mostOpen);
     if (!check) return;
     for (const Judgement& judgement : check->judgements)
         trial.add(figureOf(built.pipeline->scene(), judgement));

@@ -18,6 +18,7 @@ void InspectorEdits::write(BodyIndex body, const QString& parameter, const QStri
     if (body == noBody || !m_builds.isCurrent() || !m_preview.shown()) return;
     const Scene& scene = m_builds.latest()->scene();
     if (scene.bodies.size() != m_preview.shown()->scene().bodies.size()) return;
+    if (scene.isGenerated(body)) return; // its figures stand nowhere in the text
     const DeclarationSource& source = scene.bodies[body].source;
     const QByteArray name = parameter.toUtf8(), text = value.toUtf8();
     const std::string_view wanted(name.constData(), static_cast<std::size_t>(name.size()));

@@ -42,7 +42,7 @@ std::string names(std::string text) {
     return all;
 }
 
-constexpr const char* types = "sphere cylinder wall cuboid gravity air spring simulation camera expect";
+constexpr const char* types = "sphere cylinder wall cuboid gravity air spring simulation camera expect generate";
 
 class CompletionTest : public QObject {
     Q_OBJECT

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/scene/scene.h"
+
+#include <optional>
+
+namespace carom {
+
+/// More bodies than this a text does not ask for: they are made anew at every keystroke.
+inline constexpr int mostGenerated = 100'000;
+
+/// Puts into the scene what its `generate` declaration asks for, in that place of the text: bodies and
+/// springs, and gravity, camera and settings where the scene declares none. They carry no labels, and their
+/// source is the declaration. `seed` replaces the declaration's. Nothing for a scene without one; what is
+/// wrong with the request otherwise.
+std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed = {});
+
+} // namespace carom
