@@ -1254,6 +1254,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>Show what the scene expects of its run, and how it fares</source>
         <translation>Zeigt, was die Szene von ihrem Lauf erwartet und wie es darum steht</translation>
     </message>
+    <message>
+        <source>Ra&amp;ce…</source>
+        <translation>&amp;Wettlauf…</translation>
+    </message>
+    <message>
+        <source>Run the scene twice, with two settings or two texts, and see how the runs part</source>
+        <translation>Die Szene zweimal laufen lassen, mit zwei Einstellungen oder zwei Texten, und sehen, wie sich die Läufe trennen</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -2920,6 +2928,183 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     <message>
         <source>%1: %2 s left</source>
         <translation>%1: noch %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>carom::RaceDock</name>
+    <message>
+        <source>Race</source>
+        <translation>Wettlauf</translation>
+    </message>
+    <message>
+        <source>Same text</source>
+        <translation>Derselbe Text</translation>
+    </message>
+    <message>
+        <source>Which text the second run is of</source>
+        <translation>Von welchem Text der zweite Lauf ist</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play both runs in real time</source>
+        <translation>Beide Läufe in Echtzeit abspielen</translation>
+    </message>
+    <message>
+        <source>A race runs the scene twice, with two settings or two texts, and shows how the runs part.
+Choose what differs and then Race; the simulation above goes on meanwhile.</source>
+        <translation>Ein Wettlauf lässt die Szene zweimal laufen, mit zwei Einstellungen oder zwei Texten, und zeigt, wie sich die Läufe trennen.
+Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft inzwischen weiter.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Substeps</source>
+        <translation>Teilschritte</translation>
+    </message>
+    <message>
+        <source>Substeps a frame</source>
+        <translation>Teilschritte je Bild</translation>
+    </message>
+    <message>
+        <source>Substeps of the text</source>
+        <translation>Teilschritte des Textes</translation>
+    </message>
+    <message>
+        <source> substeps</source>
+        <translation> Teilschritte</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>How long both runs last</source>
+        <translation>Wie lange beide Läufe dauern</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Show the first frame in which a bit differs</source>
+        <translation>Das erste Bild zeigen, in dem sich ein Bit unterscheidet</translation>
+    </message>
+    <message>
+        <source>The same text</source>
+        <translation>Derselbe Text</translation>
+    </message>
+    <message>
+        <source>The text as it is now</source>
+        <translation>Der Text, wie er jetzt ist</translation>
+    </message>
+    <message>
+        <source>%1 before</source>
+        <translation>%1 vorher</translation>
+    </message>
+    <message>
+        <source>A file…</source>
+        <translation>Eine Datei…</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>The other text</source>
+        <translation>Der andere Text</translation>
+    </message>
+    <message>
+        <source>Scenes (*.sdl);;All files (*)</source>
+        <translation>Szenen (*.sdl);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Keep what was computed so far</source>
+        <translation>Behalten, was bisher berechnet ist</translation>
+    </message>
+    <message>
+        <source>Run the scene both ways</source>
+        <translation>Die Szene auf beide Arten laufen lassen</translation>
+    </message>
+    <message>
+        <source>Nothing in the scene can move</source>
+        <translation>Nichts in der Szene kann sich bewegen</translation>
+    </message>
+    <message>
+        <source>computing</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <source>%1 m apart after %2 frames</source>
+        <translation>%1 m auseinander nach %2 Bildern</translation>
+    </message>
+    <message>
+        <source>race of %1: %2; %3</source>
+        <translation>Wettlauf von %1: %2; %3</translation>
+    </message>
+    <message>
+        <source>first difference: %1</source>
+        <translation>erster Unterschied: %1</translation>
+    </message>
+    <message>
+        <source>no bit differs in %1 frames</source>
+        <translation>in %1 Bildern unterscheidet sich kein Bit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>greatest distance of a body from itself</source>
+        <translation>größter Abstand eines Körpers von sich selbst</translation>
+    </message>
+    <message>
+        <source>there was no race yet; choose Race first</source>
+        <translation>es gab noch keinen Wettlauf; wählen Sie zuerst Wettlauf</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrationsverfahren</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Preset of the text</source>
+        <translation>Voreinstellung des Textes</translation>
+    </message>
+    <message>
+        <source>Method of the text</source>
+        <translation>Verfahren des Textes</translation>
+    </message>
+    <message>
+        <source>Integrator of the text</source>
+        <translation>Integrator des Textes</translation>
     </message>
 </context>
 <context>

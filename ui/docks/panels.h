@@ -11,6 +11,7 @@
 #include "ui/docks/output_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
+#include "ui/docks/race_dock.h"
 #include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
 

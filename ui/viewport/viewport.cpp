@@ -257,6 +257,7 @@ void Viewport::takePicture(const DrawnPicture& picture) {
 void Viewport::moveCamera() {
     m_cameraMoved = true;
     redraw();
+    Q_EMIT cameraMoved();
 }
 
 PictureSize Viewport::pictureSize() const {

@@ -121,6 +121,8 @@ class Viewport : public QWidget {
     void dragBegan(carom::BodyIndex body, carom::BodyHandle handle);
     void dragged(const carom::DraggedBody& now);
     void dragEnded();
+    /// By the user, or by setCamera.
+    void cameraMoved();
     /// Between perspective and orthographic.
     void orthographicChanged(bool orthographic);
     /// A new picture is about to be on screen.

@@ -35,7 +35,7 @@ class Workspaces;
 ///     find bar          │                 outline | effects
 ///     timeline ──────────────────────────
 ///     transport ─────────────────────────
-///     problems | timing | broad-phase | plots | accuracy | breakpoints | checks | output | stability
+///     problems | timing | broad-phase | plots | accuracy | breakpoints | checks | output | stability | race
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:

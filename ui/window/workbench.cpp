@@ -12,6 +12,7 @@
 #include "ui/docks/output_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/problems_dock.h"
+#include "ui/docks/race_dock.h"
 #include "ui/docks/stability_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/colour_marks.h"
@@ -181,6 +182,8 @@ void Workbench::connectProgress() {
 }
 
 void Workbench::connectAccuracy() {
+    connect(&m_window->actions()[ActionId::Race], &QAction::triggered, this,
+            [this] { m_window->open(m_window->race()); });
     AccuracyDock& dock = m_window->accuracy();
     connect(&dock, &AccuracyDock::runWanted, this, [this](const std::shared_ptr<const Pipeline>& pipeline) {
         m_preview->giveUpComing();
@@ -202,6 +205,7 @@ void Workbench::showBuild(const SharedBuild& result) {
     m_window->outline().show(result);
     m_window->effects().show(result);
     m_window->accuracy().setScene(result, m_document->name());
+    m_window->race().setScene(result, m_document->name());
     m_preview->take(result);
     m_expectations->takeText();
     m_selection->followCaret();
