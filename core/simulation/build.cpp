@@ -24,7 +24,8 @@ Build buildOf(std::string text, const SimulationSettings& options, const WorkSta
               std::optional<int> seed = {}) {
     Build built;
     built.analysis = analyse(std::move(text), stage.part(0, analysed));
-    if (std::optional<Diagnostic> wrong = addGenerated(built.analysis.scene, seed))
+    const WorkStage none = stage.part(analysed, analysed); // asked, but short beside the others
+    if (std::optional<Diagnostic> wrong = addGenerated(built.analysis.scene, seed, none))
         report(built.analysis, std::move(*wrong));
     built.pipeline = std::make_shared<const Pipeline>(built.analysis.scene, options, stage.part(analysed, 1));
     built.diagnostics = built.analysis.diagnostics;

@@ -112,7 +112,7 @@ void takeSurroundings(Scene& scene, const Scene& made) {
 
 } // namespace
 
-std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed) {
+std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed, const WorkStage& stage) {
     if (!scene.generated) return std::nullopt;
     const Generated& asked = *scene.generated;
     const GeneratorRow* row = findGenerator(asked.generator);
@@ -125,10 +125,8 @@ std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed) {
         diagnostic.message = *objection;
         return diagnostic;
     }
-    Scene made = analyse(generate(*row, {.n = asked.count,
-                                         .seed = static_cast<std::uint64_t>(seed.value_or(asked.seed)),
-                                         .options = {}}))
-                     .scene;
+    const auto number = static_cast<std::uint64_t>(seed.value_or(asked.seed));
+    Scene made = analyse(generate(*row, {.n = asked.count, .seed = number, .options = {}}), stage).scene;
     move(made, asked.offset);
     DeclarationSource source = *asked.source;
     source.label = {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_stage.h"
 #include "core/scene/scene.h"
 
 #include <optional>
@@ -15,6 +16,7 @@ inline constexpr int mostGenerated = 100'000;
 /// springs, and gravity, camera and settings where the scene declares none. They carry no labels, and their
 /// source is the declaration. `seed` replaces the declaration's. Nothing for a scene without one; what is
 /// wrong with the request otherwise.
-std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed = {});
+std::optional<Diagnostic> addGenerated(Scene& scene, std::optional<int> seed = {},
+                                       const WorkStage& stage = {});
 
 } // namespace carom
