@@ -42,7 +42,8 @@ std::string names(std::string text) {
     return all;
 }
 
-constexpr const char* types = "sphere cylinder wall cuboid gravity air spring simulation camera expect generate";
+constexpr const char* types =
+    "sphere cylinder wall cuboid gravity air spring simulation camera expect generate";
 
 class CompletionTest : public QObject {
     Q_OBJECT
