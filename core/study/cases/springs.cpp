@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-// The pendulum of case 45 alone: whether its energy has a trend, and the order of its path from three steps.
+// The pendulum of case 45 alone: whether its energy has a trend, and the orders of its path from three steps.
 
 namespace carom {
 namespace {
@@ -20,16 +20,16 @@ std::string pendulum() {
 /// add up as a random walk does: no trend.
 constexpr double rounding = 1e-12;
 
-Vec3 placeAfterASecond(Trial& trial, int substeps) {
-    World world = trial.world(pendulum(), text("substeps ", substeps));
+Vec3 placeAfterASecond(Trial& trial, std::string_view further, int substeps) {
+    World world = trial.world(pendulum(), text(further, "substeps ", substeps));
     trial.run(world, 60);
     return world.state().pose[0].position;
 }
 
-/// From three steps, each half the one before.
-double orderOf(Trial& trial) {
-    const Vec3 coarse = placeAfterASecond(trial, 16), middle = placeAfterASecond(trial, 32),
-               fine = placeAfterASecond(trial, 64);
+/// From three steps, each half the one before; `further` parameters of `simulation`.
+double orderOf(Trial& trial, std::string_view further, int coarsest) {
+    const auto place = [&](int substeps) { return placeAfterASecond(trial, further, substeps); };
+    const Vec3 coarse = place(coarsest), middle = place(2 * coarsest), fine = place(4 * coarsest);
     return std::log2((coarse - middle).norm() / (middle - fine).norm());
 }
 
@@ -47,7 +47,9 @@ void askSpringPendulum(Trial& trial) {
     });
     trial.expect("energy error, second half against the first",
                  std::max(late, rounding) / std::max(early, rounding), {1.5, 1.5});
-    trial.expect("order, distance from 2", std::abs(orderOf(trial) - 2), {0.05, 0.05});
+    trial.expect("order, distance from 2", std::abs(orderOf(trial, "", 16) - 2), {0.05, 0.05});
+    trial.expect("order of rk4, distance from 4", std::abs(orderOf(trial, "integrator rk4  ", 8) - 4),
+                 {0.1, 0.1});
 }
 
 } // namespace carom
