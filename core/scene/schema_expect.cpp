@@ -137,7 +137,7 @@ DeclarationRow generateDeclaration() {
         {.name = "scene",
          .kind = ValueKind::Word,
          .required = true,
-         .example = "log_pile",
+         .example = "tower",
          .words = generatorWords(),
          .help = "Which generator makes the bodies; `carom generate --list` describes them.",
          .store = [](D& into, const V& value) { std::get<Generated>(into).generator = value.word; }},
@@ -168,8 +168,8 @@ DeclarationRow generateDeclaration() {
         .once = true,
         .parameters = std::move(rows),
         .begin = []() -> Declared { return Generated{}; },
-        .example = "generate logs { scene log_pile  n 6 }\n"
-                   "expect { quantity turn  of logs  max 1e-3 }"};
+        .example = "generate cubes { scene tower  n 6 }\n"
+                   "expect { quantity turn  of cubes  max 1e-3 }"};
 }
 
 DeclarationRow expectDeclaration() {
