@@ -109,7 +109,7 @@ std::string summaryOf(std::span<const TestedScene> scenes) {
         files.insert(tested.file);
         if (tested.hasErrors || !tested.check) ++faulty;
         if (!tested.check) continue;
-        ++runs;
+        runs += tested.check->runs;
         all += tested.check->judgements.size();
         failing += tested.failing();
     }

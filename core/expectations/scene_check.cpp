@@ -108,6 +108,7 @@ std::optional<SceneCheck> checkRepeated(const Build& built, const SimulationSett
         if (seed != declared) {
             run = checkScene(buildSeeded(built.analysis.text, options, seed).pipeline, goOn, mostOpen);
             if (!run) return std::nullopt;
+            ++check->runs;
             check->frames += run->frames;
             check->seconds += run->seconds;
         }

@@ -16,7 +16,8 @@ namespace carom {
 struct SceneCheck {
     std::shared_ptr<const Pipeline> pipeline; ///< what the judgements point into
     std::vector<Judgement> judgements;        ///< in the order of the text
-    Health health;
+    Health health;                            ///< of the scene as it is written
+    std::size_t runs = 1;                     ///< more where seeds were tried; frames and seconds are of all
     std::int64_t frames = 0;
     double seconds = 0; ///< wall time
 
