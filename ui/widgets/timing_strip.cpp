@@ -17,7 +17,9 @@ namespace {
 constexpr std::size_t leastSamples = 4000;
 /// The scale of Budget leaves room above the line of 1/30 s [ms].
 constexpr double budgetScale = 40;
-constexpr int labelMargin = 4; // [px]
+constexpr int labelMargin = 4;   // [px]
+constexpr int widestColumn = 16; // [px]
+constexpr int notch = 120;       // [eighths of a degree] of a wheel
 
 /// The next of 1, 2, 5 times a power of ten that is not below x.
 double roundedUp(double x) {
@@ -64,28 +66,55 @@ TimingStrip::TimingStrip(QWidget* parent) : ScrubStrip(parent) {
 
 void TimingStrip::addSamples(std::span<const FrameSample> samples) {
     if (samples.empty()) return;
+    samples = samples.last(std::min(samples.size(), m_most));
+    makeRoom(samples.size());
     m_samples.insert(m_samples.end(), samples.begin(), samples.end());
     // Who has scrolled back keeps looking at the same frames.
     if (m_scrolledBack > 0) m_scrolledBack += static_cast<std::ptrdiff_t>(samples.size());
-    if (m_samples.size() > m_most) dropOldest();
+    scrollTo(m_scrolledBack);
+}
+
+/// The oldest half goes where there would be too many; never is there room for more than may be.
+void TimingStrip::makeRoom(std::size_t more) {
+    if (m_samples.size() + more > m_most) {
+        const std::size_t kept = std::min({m_samples.size(), m_most / 2, m_most - more});
+        const std::ptrdiff_t dropped = static_cast<std::ptrdiff_t>(m_samples.size() - kept);
+        m_samples.erase(m_samples.begin(), m_samples.begin() + dropped);
+        m_picked = std::max(m_picked - dropped, noFrame);
+    }
+    const std::size_t needed = m_samples.size() + more;
+    if (needed > m_samples.capacity())
+        m_samples.reserve(std::min(m_most, std::max(needed, 2 * m_samples.capacity())));
+}
+
+void TimingStrip::scrollTo(std::ptrdiff_t back) {
+    const std::ptrdiff_t most = std::max<std::ptrdiff_t>(count() - columns() * m_perColumn, 0);
+    m_scrolledBack = std::clamp<std::ptrdiff_t>(back, 0, most);
     rescale();
     update();
 }
 
-void TimingStrip::dropOldest() {
-    const std::ptrdiff_t dropped = static_cast<std::ptrdiff_t>(m_samples.size() - m_most / 2);
-    m_samples.erase(m_samples.begin(), m_samples.begin() + dropped);
-    m_picked = std::max(m_picked - dropped, noFrame);
-    m_scrolledBack = std::min(m_scrolledBack, static_cast<std::ptrdiff_t>(m_samples.size()) - 1);
+void TimingStrip::zoom(bool in, int x) {
+    const auto back = [&] { return (width() - 1 - x) / m_columnWidth * m_perColumn; };
+    const std::ptrdiff_t place = m_scrolledBack + back(); // frames from the newest to x
+    if (in && m_perColumn > 1)
+        m_perColumn /= 2;
+    else if (in)
+        m_columnWidth = std::min(2 * m_columnWidth, widestColumn);
+    else if (m_columnWidth > 1)
+        m_columnWidth /= 2;
+    else if (columns() * m_perColumn < count())
+        m_perColumn *= 2;
+    // Who looks at the newest frames goes on seeing them come.
+    scrollTo(m_scrolledBack == 0 && !in ? 0 : place - back());
 }
 
 void TimingStrip::setBudget(std::size_t bytes) {
     m_most = std::clamp(bytes / sizeof(FrameSample), leastSamples, mostSamples);
-    if (m_samples.size() <= m_most) return;
-    dropOldest();
+    if (m_samples.capacity() <= m_most) return;
+    if (m_samples.size() > m_most) makeRoom(0);
     m_samples.shrink_to_fit();
-    rescale();
-    update();
+    scrollTo(m_scrolledBack);
 }
 
 void TimingStrip::showFrame(std::int64_t frame) {
@@ -100,8 +129,7 @@ std::optional<int> TimingStrip::cursor() const {
         m_samples.begin(), m_samples.end(), m_frame,
         [](const FrameSample& sample, std::int64_t frame) { return sample.statistics.frame < frame; });
     if (place == m_samples.end() || place->statistics.frame != m_frame) return std::nullopt;
-    const std::ptrdiff_t fromRight =
-        static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1 - (place - m_samples.begin());
+    const std::ptrdiff_t fromRight = lastColumn() - (place - m_samples.begin()) / m_perColumn;
     const std::ptrdiff_t x = width() - 1 - fromRight * m_columnWidth - m_columnWidth / 2;
     if (fromRight < 0 || x < 0) return std::nullopt;
     return static_cast<int>(x);
@@ -136,9 +164,9 @@ double TimingStrip::shownOf(const FrameSample& sample) const {
 }
 
 void TimingStrip::setColumnWidth(int pixels) {
-    m_columnWidth = std::clamp(pixels, 1, 16);
-    rescale();
-    update();
+    m_columnWidth = std::clamp(pixels, 1, widestColumn);
+    m_perColumn = 1;
+    scrollTo(m_scrolledBack);
 }
 
 void TimingStrip::pick(std::ptrdiff_t index) {
@@ -149,24 +177,29 @@ void TimingStrip::pick(std::ptrdiff_t index) {
     Q_EMIT framePicked(index);
 }
 
-std::ptrdiff_t TimingStrip::firstVisible() const {
-    const std::ptrdiff_t columns = width() / m_columnWidth;
-    return static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - columns;
+/// Columns are counted from the right edge, so that a width that is no multiple leaves its rest at the left.
+std::ptrdiff_t TimingStrip::frameAt(int x) const {
+    if (x < 0 || x >= width() || m_samples.empty()) return noFrame;
+    const std::ptrdiff_t column = lastColumn() - (width() - 1 - x) / m_columnWidth;
+    return column < 0 ? noFrame : slowestOf(column);
 }
 
-std::ptrdiff_t TimingStrip::frameAt(int x) const {
-    // Columns are counted from the right edge, so that a width that is no multiple leaves its rest at the
-    // left.
-    const std::ptrdiff_t fromRight = (width() - 1 - x) / m_columnWidth;
-    const std::ptrdiff_t index =
-        static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1 - fromRight;
-    return x < 0 || x >= width() || index < 0 ? noFrame : index;
+std::ptrdiff_t TimingStrip::slowestOf(std::ptrdiff_t column) const {
+    const std::ptrdiff_t first = column * m_perColumn;
+    if (m_perColumn == 1) return first;
+    const auto begin = m_samples.begin() + first,
+               end = m_samples.begin() + std::min(first + m_perColumn, count());
+    const auto isSlower = [this](const FrameSample& a, const FrameSample& b) {
+        return shownOf(a) < shownOf(b);
+    };
+    return std::max_element(begin, end, isSlower) - m_samples.begin();
 }
 
 void TimingStrip::rescale() {
     double highest = 0;
-    const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(firstVisible(), 0); i < end; ++i) {
+    const std::ptrdiff_t last = m_samples.empty() ? -1 : lastColumn();
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>((last + 1 - columns()) * m_perColumn, 0);
+    for (std::ptrdiff_t i = first; i < std::min((last + 1) * m_perColumn, count()); ++i) {
         const FrameSample& sample = m_samples[static_cast<std::size_t>(i)];
         // The first frame also pays for what is made once; it may leave the picture.
         if (sample.statistics.frame > 1) highest = std::max(highest, shownOf(sample));
@@ -181,9 +214,10 @@ void TimingStrip::paintColumns(QImage& image, double pixelRatio) const {
     for (std::size_t i = 0; i < framePartCount; ++i) colours[i] = frameParts()[i].colour.rgb();
     const QRgb pickedColour = palette().color(QPalette::Text).rgb();
 
-    std::ptrdiff_t index = static_cast<std::ptrdiff_t>(m_samples.size()) - m_scrolledBack - 1;
-    for (int right = image.width(); right > 0 && index >= 0; right -= columnWidth, --index) {
+    std::ptrdiff_t column = m_samples.empty() ? -1 : lastColumn();
+    for (int right = image.width(); right > 0 && column >= 0; right -= columnWidth, --column) {
         const int left = std::max(0, right - columnWidth);
+        const std::ptrdiff_t index = slowestOf(column);
         const std::array<int, framePartCount> rows =
             stackedRows(m_samples[static_cast<std::size_t>(index)], m_fullScale, image.height(), m_hidden);
         int y = image.height();
@@ -193,7 +227,7 @@ void TimingStrip::paintColumns(QImage& image, double pixelRatio) const {
                 std::fill(line + left, line + right, colours[part]);
             }
         }
-        if (index == m_picked)
+        if (m_picked != noFrame && m_picked / m_perColumn == column)
             while (y > 0) {
                 QRgb* line = reinterpret_cast<QRgb*>(image.scanLine(--y));
                 std::fill(line + left, line + right, pickedColour);
@@ -261,31 +295,66 @@ void TimingStrip::paintEvent(QPaintEvent*) {
 }
 
 void TimingStrip::wheelEvent(QWheelEvent* event) {
-    const int notch = event->angleDelta().y() + event->angleDelta().x();
-    if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        setColumnWidth(m_columnWidth + (notch > 0 ? 1 : -1));
-    } else {
-        const std::ptrdiff_t most = std::max<std::ptrdiff_t>(
-            static_cast<std::ptrdiff_t>(m_samples.size()) - width() / m_columnWidth, 0);
-        m_scrolledBack = std::clamp<std::ptrdiff_t>(m_scrolledBack + notch / 4, 0, most);
-        rescale();
-        update();
-    }
+    const bool along = event->modifiers().testFlag(Qt::ShiftModifier) ||
+                       event->angleDelta().x() != 0; // of a wheel that tilts, or a touch pad
+    const int turned = event->angleDelta().y() + event->angleDelta().x();
+    constexpr std::ptrdiff_t columnsANotch = 30;
+    if (along)
+        scrollTo(m_scrolledBack + turned * columnsANotch * m_perColumn / notch);
+    else if (turned != 0)
+        zoom(turned > 0, static_cast<int>(event->position().x()));
     event->accept();
 }
 
+void TimingStrip::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) {
+        m_moving.emplace(event->position().x(), m_scrolledBack);
+        setCursor(Qt::ClosedHandCursor);
+    } else if (!m_moving) {
+        ScrubStrip::mousePressEvent(event);
+    }
+}
+
+void TimingStrip::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_moving) return ScrubStrip::mouseMoveEvent(event);
+    const double columns = (event->position().x() - m_moving->first) / m_columnWidth;
+    scrollTo(m_moving->second + std::llround(columns * static_cast<double>(m_perColumn)));
+}
+
+void TimingStrip::mouseReleaseEvent(QMouseEvent* event) {
+    if (m_moving && (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) == 0) {
+        m_moving.reset();
+        unsetCursor();
+    }
+    ScrubStrip::mouseReleaseEvent(event);
+}
+
+void TimingStrip::resizeEvent(QResizeEvent* event) {
+    ScrubStrip::resizeEvent(event);
+    scrollTo(m_scrolledBack);
+}
+
 void TimingStrip::keyPressEvent(QKeyEvent* event) {
-    const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(m_samples.size()) - 1;
-    if (event->key() == Qt::Key_Left)
-        pick(m_picked == noFrame ? last : std::max<std::ptrdiff_t>(m_picked - 1, 0));
-    else if (event->key() == Qt::Key_Right)
-        pick(m_picked == noFrame ? last : std::min(m_picked + 1, last));
-    else if (event->key() == Qt::Key_End) {
-        m_scrolledBack = 0;
-        rescale();
-        update();
-    } else
+    const std::ptrdiff_t last = count() - 1, page = columns() * m_perColumn;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return pick(m_picked == noFrame ? last : std::max<std::ptrdiff_t>(m_picked - 1, 0));
+    case Qt::Key_Right:
+        return pick(m_picked == noFrame ? last : std::min(m_picked + 1, last));
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+        return zoom(event->key() == Qt::Key_Plus);
+    case Qt::Key_PageUp:
+        return scrollTo(m_scrolledBack + page);
+    case Qt::Key_PageDown:
+        return scrollTo(m_scrolledBack - page);
+    case Qt::Key_Home:
+        return scrollTo(count());
+    case Qt::Key_End:
+        return scrollTo(0);
+    default:
         QWidget::keyPressEvent(event);
+    }
 }
 
 QString TimingStrip::tellOf(double x) const {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -21,8 +22,11 @@ using HiddenParts = std::array<bool, framePartCount>;
 std::array<int, framePartCount> stackedRows(const FrameSample& sample, double fullScale, int height,
                                             const HiddenParts& hidden = {});
 
-/// The live graph of frame times: one column a frame, its parts stacked, the newest at the right. The columns
-/// are written straight into an image, which costs a tenth of a plotting library's repaint.
+/// The live graph of frame times: one column a frame, its parts stacked, the newest at the right; zoomed out,
+/// a column is of several frames and shows the slowest of them. The wheel zooms at the mouse, + and - at the
+/// right edge; a drag with the right or middle button moves along the run, as do Shift with the wheel, Page
+/// Up, Page Down, Home and End. The columns are written straight into an image, which costs a tenth of a
+/// plotting library's repaint.
 class TimingStrip : public ScrubStrip {
     Q_OBJECT
 
@@ -30,7 +34,7 @@ class TimingStrip : public ScrubStrip {
     /// Budget shows the lines of 1/60 and 1/30 s always; Fit fills the height with what there is.
     enum class Scale { Budget, Fit };
 
-    /// Half an hour at 60 frames a second, 60 MB with their ledgers.
+    /// Half an hour at 60 frames a second, 70 MB with their ledgers.
     static constexpr std::size_t mostSamples = 108'000;
     /// What no frame is.
     static constexpr std::ptrdiff_t noFrame = -1;
@@ -48,6 +52,16 @@ class TimingStrip : public ScrubStrip {
     std::optional<int> cursor() const;
     void setScale(Scale scale);
     void setColumnWidth(int pixels); ///< of one frame, 1 to 16
+    int columnWidth() const { return m_columnWidth; }
+    /// Frames of a column: 1, or a power of two where columns are one pixel wide.
+    std::ptrdiff_t framesAColumn() const { return m_perColumn; }
+    /// By one step, twice or half as many frames; what is under x stays there [px].
+    void zoom(bool in, int x);
+    void zoom(bool in) { zoom(in, width() - 1); }
+    /// Frames between the newest and the right edge.
+    std::ptrdiff_t scrolledBack() const { return m_scrolledBack; }
+    /// As far as there are older frames to fill the width.
+    void scrollTo(std::ptrdiff_t back);
     /// Whether a part of the frame is in the graph.
     void showPart(std::size_t part, bool shown);
 
@@ -56,7 +70,7 @@ class TimingStrip : public ScrubStrip {
     /// Index into samples() of the frame that was picked, or noFrame.
     std::ptrdiff_t picked() const { return m_picked; }
     void pick(std::ptrdiff_t index);
-    /// Index of the frame in a column of pixels, or noFrame.
+    /// Index of the frame shown in a column of pixels, or noFrame.
     std::ptrdiff_t frameAt(int x) const;
 
     QSize sizeHint() const override { return {600, 140}; }
@@ -68,15 +82,22 @@ class TimingStrip : public ScrubStrip {
   protected:
     void goTo(double x) override { pick(frameAt(static_cast<int>(x))); }
     QString tellOf(double x) const override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
-    std::ptrdiff_t firstVisible() const;
+    std::ptrdiff_t count() const { return static_cast<std::ptrdiff_t>(m_samples.size()); }
+    std::ptrdiff_t columns() const { return width() / m_columnWidth; }
+    std::ptrdiff_t lastColumn() const { return (count() - 1 - m_scrolledBack) / m_perColumn; }
+    std::ptrdiff_t slowestOf(std::ptrdiff_t column) const;
     void rescale();
     double shownOf(const FrameSample& sample) const;
-    void dropOldest();
+    void makeRoom(std::size_t more);
     void paintColumns(QImage& image, double pixelRatio) const;
     void paintLines(QPainter& painter) const;
 
@@ -85,8 +106,11 @@ class TimingStrip : public ScrubStrip {
     std::ptrdiff_t m_picked = noFrame;
     std::int64_t m_frame = -1; ///< on screen
     std::size_t m_most = mostSamples;
-    std::ptrdiff_t m_scrolledBack = 0; ///< frames between the newest and the right edge
-    int m_columnWidth = 2;             ///< [px] of the widget
+    std::ptrdiff_t m_scrolledBack = 0;
+    int m_columnWidth = 2;          ///< [px] of the widget
+    std::ptrdiff_t m_perColumn = 1; ///< frames
+    /// Of a drag along the run: where it began [px], and what m_scrolledBack was.
+    std::optional<std::pair<double, std::ptrdiff_t>> m_moving;
     Scale m_scale = Scale::Budget;
     HiddenParts m_hidden{};
 };

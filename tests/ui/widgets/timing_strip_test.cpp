@@ -4,9 +4,12 @@
 #include "core/math/random.h"
 #include "ui/widgets/timing_strip.h"
 
+#include <QCoreApplication>
 #include <QImage>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <cmath>
 #include <numeric>
@@ -121,6 +124,91 @@ class TimingStripTest : public QObject {
         QCOMPARE(strip.samples().back().statistics.frame, std::int64_t{20'000});
         strip.clear();
         QCOMPARE(strip.bytes(), std::size_t{0});
+    }
+
+    void theBudgetHoldsWhileFramesCome() {
+        TimingStrip strip;
+        constexpr std::size_t most = 6000;
+        strip.setBudget(most * sizeof(FrameSample));
+        const std::vector<FrameSample> samples = randomSamples(20'000, 5);
+        for (std::size_t i = 0; i < samples.size(); i += 700) {
+            strip.addSamples(std::span(samples).subspan(i, std::min<std::size_t>(700, samples.size() - i)));
+            QVERIFY(strip.bytes() <= most * sizeof(FrameSample));
+        }
+        QCOMPARE(strip.samples().back().statistics.frame, std::int64_t{20'000});
+        strip.addSamples(samples); // more than there may be, at once
+        QVERIFY(strip.bytes() <= most * sizeof(FrameSample));
+        QCOMPARE(strip.samples().back().statistics.frame, std::int64_t{20'000});
+    }
+
+    void theWheelZoomsAtTheMouse() {
+        TimingStrip strip;
+        strip.resize(300, 100);
+        strip.addSamples(randomSamples(2000, 7));
+        const auto turn = [&strip](int by, int x) {
+            QWheelEvent event({double(x), 50}, strip.mapToGlobal(QPointF(x, 50)), {}, {0, by}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&strip, &event);
+        };
+        strip.scrollTo(500);
+        const std::ptrdiff_t under = strip.frameAt(100);
+        turn(120, 100);
+        QCOMPARE(strip.columnWidth(), 4);
+        QCOMPARE(strip.frameAt(100), under);
+        turn(120, 100);
+        QCOMPARE(strip.frameAt(100), under);
+        turn(-120, 100);
+        turn(-120, 100);
+        QCOMPARE(strip.columnWidth(), 2);
+        QCOMPARE(strip.frameAt(100), under);
+    }
+
+    void aColumnOfSeveralFramesShowsTheSlowest() {
+        TimingStrip strip;
+        strip.resize(300, 160);
+        std::vector<FrameSample> samples = randomSamples(2048, 8);
+        constexpr std::size_t slow = 1003;
+        samples[slow].statistics.respond += 30;
+        samples[slow].statistics.simulate += 30;
+        strip.addSamples(samples);
+        strip.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        strip.setFocus();
+        for (int i = 0; i < 10; ++i) QTest::keyClick(&strip, Qt::Key_Minus);
+        QCOMPARE(strip.framesAColumn(), std::ptrdiff_t{8}); // the whole run fits, and no more
+        const int x = 299 - (2047 / 8 - static_cast<int>(slow) / 8);
+        QCOMPARE(strip.frameAt(x), static_cast<std::ptrdiff_t>(slow));
+        QTest::mouseClick(&strip, Qt::LeftButton, {}, {x, 50});
+        QCOMPARE(strip.picked(), static_cast<std::ptrdiff_t>(slow));
+        const QImage image = strip.grab().toImage();
+        int height = 0;
+        for (const int rows : stackedRows(samples[slow], strip.fullScale(), 160)) height += rows;
+        QVERIFY(image.pixel(x + 4, 160 - height + 4) != image.pixel(x, 160 - height + 4));
+        for (int i = 0; i < 10; ++i) QTest::keyClick(&strip, Qt::Key_Plus);
+        QCOMPARE(strip.framesAColumn(), std::ptrdiff_t{1});
+        QCOMPARE(strip.columnWidth(), 16);
+    }
+
+    void aDragAndKeysMoveAlongTheRun() {
+        TimingStrip strip;
+        strip.resize(300, 100);
+        strip.addSamples(randomSamples(1000, 9));
+        const std::ptrdiff_t under = strip.frameAt(100);
+        QTest::mousePress(&strip, Qt::RightButton, {}, {100, 50});
+        QMouseEvent move(QEvent::MouseMove, QPointF(180, 50), strip.mapToGlobal(QPointF(180, 50)),
+                         Qt::NoButton, Qt::RightButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&strip, &move);
+        QCOMPARE(strip.frameAt(180), under);
+        QTest::mouseRelease(&strip, Qt::RightButton, {}, {180, 50});
+        QCOMPARE(strip.picked(), TimingStrip::noFrame);
+        QTest::keyClick(&strip, Qt::Key_Home);
+        QCOMPARE(strip.frameAt(1), std::ptrdiff_t{0});
+        QTest::keyClick(&strip, Qt::Key_PageDown);
+        QCOMPARE(strip.frameAt(1), std::ptrdiff_t{150});
+        QTest::keyClick(&strip, Qt::Key_PageUp);
+        QCOMPARE(strip.frameAt(1), std::ptrdiff_t{0});
+        QTest::keyClick(&strip, Qt::Key_End);
+        QCOMPARE(strip.scrolledBack(), std::ptrdiff_t{0});
     }
 
     void theGraphCanShowTheSimulationOnly() {
