@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 namespace carom {
 
 /// Numbers look alike in scenes, files, sentences, axes and fields, whatever the user's language: a point, no
 /// separators of thousands. To be called when the application object is there, which takes over the user's
 /// locale for both Qt and the C library. Dates keep the user's (QLocale::system()).
 void writeNumbersAsScenesDo();
+
+/// A number as one reads it aloud, rounded to so many significant digits and without an exponent: "17000",
+/// "0.2".
+QString rounded(double value, int digits);
 
 } // namespace carom

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/timeline.h"
 
+#include "ui/base/numbers.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -250,7 +252,7 @@ void Timeline::paintEvent(QPaintEvent*) {
     const QRectF below(margin - 4, lineY + 8, width() - 2 * margin + 8, height() - lineY - 8);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, tr("0 s"));
     painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
-                     tr("%1 s").arg(static_cast<double>(end()) * m_step, 0, 'g', 4));
+                     tr("%1 s").arg(rounded(static_cast<double>(end()) * m_step, 4)));
 
     painter.setPen(QPen(m_theme.panel, 1.5));
     painter.setBrush(hasFocus() ? m_theme.accent : m_theme.text);

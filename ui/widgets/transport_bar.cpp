@@ -2,6 +2,7 @@
 #include "ui/widgets/transport_bar.h"
 
 #include "core/player/simulation_thread.h"
+#include "ui/base/numbers.h"
 #include "ui/base/actions.h"
 
 #include <QFontDatabase>
@@ -128,7 +129,7 @@ QString TransportBar::speedText() const { return m_speedText->text(); }
 
 void TransportBar::tellSpeed() {
     constexpr double nearlyAll = 0.95; // of what is asked: windows end between two frames
-    const auto written = [](double speed) { return QStringLiteral("%1×").arg(speed, 0, 'g', 2); };
+    const auto written = [](double speed) { return rounded(speed, 2) + u'×'; };
     const std::optional<double> asked = speed();
     if (!asked)
         m_speedText->setText(m_reached ? tr("max: %1").arg(written(*m_reached)) : tr("max"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
 #include "ui/base/failures.h"
+#include "ui/base/numbers.h"
 
 #include <QDoubleSpinBox>
 #include <QLocale>
@@ -20,6 +21,17 @@ class NumbersTest : public QObject {
         std::array<char, 16> written{};
         std::snprintf(written.data(), written.size(), "%g", 0.5);
         QCOMPARE(QByteArray(written.data()), QByteArray("0.5"));
+    }
+
+    void nobodyReadsAnExponentInASentence() {
+        QCOMPARE(rounded(17321, 2), QStringLiteral("17000"));
+        QCOMPARE(rounded(2e6, 4), QStringLiteral("2000000"));
+        QCOMPARE(rounded(0.2, 2), QStringLiteral("0.2"));
+        QCOMPARE(rounded(0.0123, 2), QStringLiteral("0.012"));
+        QCOMPARE(rounded(9.99, 2), QStringLiteral("10"));
+        QCOMPARE(rounded(1, 2), QStringLiteral("1"));
+        QCOMPARE(rounded(0, 2), QStringLiteral("0"));
+        QCOMPARE(rounded(-35.4, 2), QStringLiteral("-35"));
     }
 
     void fieldsShowAndTakeAPoint() {

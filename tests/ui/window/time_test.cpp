@@ -341,6 +341,8 @@ class TimeTest : public QObject {
         ide.trigger(ActionId::Unlimited);
         bar.showReached(35.0);
         QCOMPARE(bar.speedText(), QStringLiteral("max: 35×"));
+        bar.showReached(17321.0);
+        QCOMPARE(bar.speedText(), QStringLiteral("max: 17000×"));
     }
 
     void aFramePickedInTheTimingGraphIsTheOneOnScreen() {
