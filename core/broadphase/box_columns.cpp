@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/box_columns.h"
 
-#include "core/base/wide.h"
-
 namespace carom {
+namespace {
+
+/// Four doubles from anywhere.
+using Loose = double __attribute__((vector_size(32), aligned(8)));
+using Lanes = std::int64_t __attribute__((vector_size(32)));
+
+[[gnu::always_inline]] inline Wide loadLoose(const double* from) {
+    return *reinterpret_cast<const Loose*>(from);
+}
+
+} // namespace
 
 void BoxColumns::resize(std::size_t count) {
-    for (std::vector<double>& column : lower) column.resize(count);
-    for (std::vector<double>& column : upper) column.resize(count);
+    for (std::vector<double>& column : lower) column.resize(count + wideLanes);
+    for (std::vector<double>& column : upper) column.resize(count + wideLanes);
 }
 
 void BoxColumns::set(std::size_t entry, const Aabb& box) {
@@ -62,6 +71,33 @@ CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box, s
         hits[found] = static_cast<std::uint32_t>(j);
         found += static_cast<std::size_t>(hit(j));
     }
+    return found;
+}
+
+// Ranges of a few boxes: four at a time, those beyond the end masked out.
+CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
+                                   std::span<const BoxRange> ranges, std::uint32_t* hits) {
+    const double* const lowerX = columns.lower[0].data();
+    const double* const lowerY = columns.lower[1].data();
+    const double* const lowerZ = columns.lower[2].data();
+    const double* const upperX = columns.upper[0].data();
+    const double* const upperY = columns.upper[1].data();
+    const double* const upperZ = columns.upper[2].data();
+    const Wide lx = wideOf(box.lower.x()), ly = wideOf(box.lower.y()), lz = wideOf(box.lower.z());
+    const Wide ux = wideOf(box.upper.x()), uy = wideOf(box.upper.y()), uz = wideOf(box.upper.z());
+    std::size_t found = 0;
+    for (const BoxRange& range : ranges)
+        for (std::int64_t j = range.begin; j < range.end; j += wideLanes) {
+            const Lanes entries = Lanes{0, 1, 2, 3} + j;
+            const Lanes hit = (loadLoose(lowerX + j) <= ux) & (lx <= loadLoose(upperX + j)) &
+                              (loadLoose(lowerY + j) <= uy) & (ly <= loadLoose(upperY + j)) &
+                              (loadLoose(lowerZ + j) <= uz) & (lz <= loadLoose(upperZ + j)) &
+                              (entries < std::int64_t(range.end));
+            for (int lane = 0; lane < wideLanes; ++lane) {
+                hits[found] = static_cast<std::uint32_t>(j + lane);
+                found += static_cast<std::size_t>(-hit[lane]);
+            }
+        }
     return found;
 }
 

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/wide.h"
 #include "core/math/aabb.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace carom {
 
 /// Boxes turned on their side: one array a coordinate, so that one box is compared with many at once.
 struct BoxColumns {
-    std::array<std::vector<double>, 3> lower, upper; ///< [m], by axis, then by entry
+    std::array<std::vector<double>, 3> lower, upper; ///< [m], by axis, then by entry; wideLanes more
 
     void resize(std::size_t count);
-    std::size_t size() const { return lower[0].size(); }
+    std::size_t size() const { return lower[0].size() - wideLanes; }
     void set(std::size_t entry, const Aabb& box);
     Aabb box(std::size_t entry) const;
     std::size_t bytes() const;
@@ -24,6 +26,16 @@ struct BoxColumns {
 /// Writes the entries in begin .. end-1 whose boxes overlap `box` to `hits`, ascending, and returns how many
 /// there are. `hits` must have room for end - begin.
 std::size_t overlapping(const BoxColumns& columns, const Aabb& box, std::size_t begin, std::size_t end,
+                        std::uint32_t* hits);
+
+/// Entries begin .. end-1.
+struct BoxRange {
+    std::uint32_t begin = 0, end = 0;
+};
+
+/// The same for several short ranges, one after the other. `hits` must have room for all of their entries and
+/// wideLanes more.
+std::size_t overlapping(const BoxColumns& columns, const Aabb& box, std::span<const BoxRange> ranges,
                         std::uint32_t* hits);
 
 } // namespace carom

@@ -38,14 +38,6 @@ std::int64_t floorOf(double value) {
     return towardsZero - static_cast<std::int64_t>(value < static_cast<double>(towardsZero));
 }
 
-// overlap() without branches: which of the six comparisons fails cannot be predicted between neighbours.
-bool overlapWithoutBranches(const Aabb& a, const Aabb& b) {
-    int all = 1;
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-        all &= int(a.lower[axis] <= b.upper[axis]) & int(b.lower[axis] <= a.upper[axis]);
-    return all != 0;
-}
-
 } // namespace
 
 void UniformGrid::update(const BroadphaseInput& input) {
@@ -53,11 +45,17 @@ void UniformGrid::update(const BroadphaseInput& input) {
     m_found.clear();
     makeLevels(input);
     place(input);
-    for (std::uint32_t p = 0; p < m_inTable; ++p) {
-        compareWithNeighbours(p);
-        if (m_placed[p].level > 0) compareWithCoarser(p);
+    for (std::uint32_t p = 0; p < m_placed.size(); ++p) {
+        const Aabb& box = input.boxes[m_placed[p].entry];
+        m_ranges.clear();
+        if (p < m_inTable) {
+            addNeighbours(p);
+            addCoarser(p, box);
+        } else {
+            addRange(0, p);
+        }
+        compare(p, box);
     }
-    for (std::uint32_t p = m_inTable; p < m_placed.size(); ++p) compareRange(p, 0, p);
     m_order.tidy(m_found, input);
     translate(m_found, input, m_pairs);
 
@@ -66,7 +64,10 @@ void UniformGrid::update(const BroadphaseInput& input) {
     m_counters.memoryBytes = m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) +
                              m_levelOf.capacity() +
                              (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
-                             m_placed.capacity() * sizeof(Placed) + m_found.capacity() * sizeof(PairKey) +
+                             m_placed.capacity() * sizeof(Placed) + m_boxes.bytes() +
+                             m_ranges.capacity() * sizeof(BoxRange) +
+                             m_hits.capacity() * sizeof(std::uint32_t) +
+                             m_found.capacity() * sizeof(PairKey) +
                              m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
 }
 
@@ -137,12 +138,14 @@ void UniformGrid::place(const BroadphaseInput& input) {
     m_slots.resize(count);
     m_starts.assign(slots + 2, 0); // shifted by one more while filling
     m_placed.resize(count);
+    m_boxes.resize(count);
     std::size_t atEnd = count;
     for (std::size_t i = 0; i < count; ++i) {
         const Aabb& box = input.boxes[i];
         const std::uint8_t level = m_levelOf[exponentOf(halfWidth(box))];
         if (level == loose) {
-            m_placed[--atEnd] = {box, static_cast<std::uint32_t>(i), loose};
+            m_placed[--atEnd] = {static_cast<std::uint32_t>(i), loose};
+            m_boxes.set(atEnd, box);
             m_slots[i] = noSlot;
             continue;
         }
@@ -155,8 +158,9 @@ void UniformGrid::place(const BroadphaseInput& input) {
     for (std::size_t i = 0; i < count; ++i) {
         if (m_slots[i] == noSlot) continue;
         const Aabb& box = input.boxes[i];
-        m_placed[m_starts[m_slots[i] + 1]++] = {box, static_cast<std::uint32_t>(i),
-                                                m_levelOf[exponentOf(halfWidth(box))]};
+        const std::uint32_t place = m_starts[m_slots[i] + 1]++;
+        m_placed[place] = {static_cast<std::uint32_t>(i), m_levelOf[exponentOf(halfWidth(box))]};
+        m_boxes.set(place, box);
     }
 }
 
@@ -173,53 +177,56 @@ std::uint64_t UniformGrid::slotOf(const Cell& cell, std::uint32_t level) const {
 }
 
 // The rest of its own row, and those four of the eight neighbouring rows from which it is not itself found.
-void UniformGrid::compareWithNeighbours(std::uint32_t place) {
-    const Placed& placed = m_placed[place];
-    const std::uint64_t slot = m_slots[placed.entry];
-    compareRange(place, place + 1, m_starts[slot + 1]);
-    compareRow(place, slot + 1, 1);
-    compareRow(place, slot - 1 + m_strideY, 3);
-    compareRow(place, slot - 1 + m_strideZ, 3);
-    compareRow(place, slot - 1 + m_strideZ + m_strideY, 3);
-    compareRow(place, slot - 1 + m_strideZ - m_strideY, 3);
+void UniformGrid::addNeighbours(std::uint32_t place) {
+    const std::uint64_t slot = m_slots[m_placed[place].entry];
+    addRange(place + 1, m_starts[slot + 1]);
+    addRow(slot + 1, 1);
+    addRow(slot - 1 + m_strideY, 3);
+    addRow(slot - 1 + m_strideZ, 3);
+    addRow(slot - 1 + m_strideZ + m_strideY, 3);
+    addRow(slot - 1 + m_strideZ - m_strideY, 3);
 }
 
-void UniformGrid::compareWithCoarser(std::uint32_t place) {
-    const Placed& placed = m_placed[place];
-    for (std::uint32_t level = 0; level < placed.level; ++level) {
+void UniformGrid::addCoarser(std::uint32_t place, const Aabb& box) {
+    for (std::uint32_t level = 0; level < m_placed[place].level; ++level) {
         const Vec3 reach = Vec3::Constant(slack * m_levels[level].largest);
-        const Cell low = cellOf(placed.box.lower - reach, m_levels[level]);
-        const Cell high = cellOf(placed.box.upper + reach, m_levels[level]);
+        const Cell low = cellOf(box.lower - reach, m_levels[level]);
+        const Cell high = cellOf(box.upper + reach, m_levels[level]);
         for (std::int64_t z = low.z; z <= high.z; ++z)
             for (std::int64_t y = low.y; y <= high.y; ++y)
-                compareRow(place, slotOf({low.x, y, z}, level),
-                           static_cast<std::uint64_t>(high.x - low.x + 1));
+                addRow(slotOf({low.x, y, z}, level), static_cast<std::uint64_t>(high.x - low.x + 1));
     }
 }
 
 // The boxes of `width` neighbouring slots; the table is a ring.
-void UniformGrid::compareRow(std::uint32_t place, std::uint64_t slot, std::uint64_t width) {
+void UniformGrid::addRow(std::uint64_t slot, std::uint64_t width) {
     const std::uint64_t first = slot & m_mask, slots = m_mask + 1;
-    if (first + width <= slots) return compareRange(place, m_starts[first], m_starts[first + width]);
-    compareRange(place, m_starts[first], m_starts[slots]);
-    compareRange(place, 0, m_starts[first + width - slots]);
+    if (first + width <= slots) return addRange(m_starts[first], m_starts[first + width]);
+    addRange(m_starts[first], m_starts[slots]);
+    addRange(0, m_starts[first + width - slots]);
 }
 
-void UniformGrid::compareRange(std::uint32_t place, std::uint32_t begin, std::uint32_t end) {
-    const Placed& a = m_placed[place];
-    const Placed* const placed = m_placed.data();
-    for (std::uint32_t p = begin; p < end; ++p)
-        if (overlapWithoutBranches(a.box, placed[p].box) && p != place) // on a small ring it may meet itself
-            m_found.push_back(pairKey(a.entry, placed[p].entry));
-    m_counters.tested += end - begin;
+void UniformGrid::addRange(std::uint32_t begin, std::uint32_t end) {
     ++m_counters.cells;
+    if (begin < end) m_ranges.push_back({begin, end});
+}
+
+void UniformGrid::compare(std::uint32_t place, const Aabb& box) {
+    std::size_t room = wideLanes;
+    for (const BoxRange& range : m_ranges) room += range.end - range.begin;
+    m_counters.tested += room - wideLanes;
+    if (m_hits.size() < room) m_hits.resize(room);
+    const std::size_t hits = overlapping(m_boxes, box, m_ranges, m_hits.data());
+    for (std::size_t k = 0; k < hits; ++k)
+        if (m_hits[k] != place) // on a small ring it may meet itself
+            m_found.push_back(pairKey(m_placed[place].entry, m_placed[m_hits[k]].entry));
 }
 
 std::vector<Aabb> UniformGrid::structure() const {
     std::vector<Aabb> cells;
     for (std::uint32_t p = 0; p < m_inTable; ++p) {
         const Level& level = m_levels[m_placed[p].level];
-        const Cell cell = cellOf(centreOf(m_placed[p].box), level);
+        const Cell cell = cellOf(centreOf(m_boxes.box(p)), level);
         const Vec3 lower = Vec3(double(cell.x), double(cell.y), double(cell.z)) / level.inverseSide;
         cells.push_back({lower, lower + Vec3::Constant(1 / level.inverseSide)});
     }

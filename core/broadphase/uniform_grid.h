@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/broadphase/box_columns.h"
 #include "core/broadphase/broadphase.h"
 #include "core/broadphase/pair_keys.h"
 
@@ -36,7 +37,6 @@ class UniformGrid final : public Broadphase {
         std::int64_t x, y, z;
     };
     struct Placed {
-        Aabb box;
         std::uint32_t entry; ///< of the input
         std::uint32_t level;
     };
@@ -44,10 +44,11 @@ class UniformGrid final : public Broadphase {
 
     void makeLevels(const BroadphaseInput& input);
     void place(const BroadphaseInput& input);
-    void compareWithNeighbours(std::uint32_t place);
-    void compareWithCoarser(std::uint32_t place);
-    void compareRow(std::uint32_t place, std::uint64_t slot, std::uint64_t width);
-    void compareRange(std::uint32_t place, std::uint32_t begin, std::uint32_t end);
+    void addNeighbours(std::uint32_t place);
+    void addCoarser(std::uint32_t place, const Aabb& box);
+    void addRow(std::uint64_t slot, std::uint64_t width);
+    void addRange(std::uint32_t begin, std::uint32_t end);
+    void compare(std::uint32_t place, const Aabb& box);
     static Cell cellOf(const Vec3& point, const Level& level);
     std::uint64_t slotOf(const Cell& cell, std::uint32_t level) const;
 
@@ -57,6 +58,9 @@ class UniformGrid final : public Broadphase {
     std::vector<std::uint32_t> m_slots;         ///< by entry
     std::vector<std::uint32_t> m_starts;        ///< first place of a slot; one more for the end
     std::vector<Placed> m_placed;               ///< by slot, then entry; after them the loose ones
+    BoxColumns m_boxes;                         ///< of m_placed
+    std::vector<BoxRange> m_ranges;             ///< of m_placed: whom one of them is compared with
+    std::vector<std::uint32_t> m_hits;          ///< of these
     std::uint32_t m_inTable = 0;                ///< of m_placed
     std::uint64_t m_mask = 0;                   ///< slots - 1
     std::uint64_t m_strideY = 0, m_strideZ = 0; ///< Y and Z above
