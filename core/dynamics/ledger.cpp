@@ -3,6 +3,7 @@
 
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/energy.h"
+#include "core/dynamics/free_rotation.h"
 #include "core/dynamics/state.h"
 
 namespace carom {
@@ -65,8 +66,10 @@ void recordDifference(const Invariants& before, const Invariants& after, const V
 }
 
 double spinEnergy(const Bodies& bodies, BodyIndex body, const State& state) {
+    const Vec3& inertia = bodies.inertia[body];
+    if (isIsotropic(inertia)) return 0.5 * inertia.x() * state.angularVelocity[body].squaredNorm();
     const Vec3 spin = state.pose[body].directionToBody(state.angularVelocity[body]);
-    return 0.5 * spin.dot(bodies.inertia[body].cwiseProduct(spin));
+    return 0.5 * spin.dot(inertia.cwiseProduct(spin));
 }
 
 double spinEnergy(const Bodies& bodies, std::span<const BodyIndex> list, const State& state) {

@@ -2,7 +2,7 @@
 #include "core/narrowphase/core_direction.h"
 
 #include "core/narrowphase/contact_features.h"
-#include "core/narrowphase/separating_axis.h"
+#include "core/narrowphase/cylinder_cylinder.h"
 
 #include <algorithm>
 #include <array>
@@ -22,14 +22,17 @@ constexpr int mostIterations = 24;
 /// Directions that are exact in their places win over the others within this part of the size.
 constexpr double tie = 1e-6;
 
-/// A shape less its rim, seen from A.
-struct Core {
+/// A cylinder or cuboid, seen from A.
+struct Solid {
     bool isCylinder = false;
-    Vec3 half = Vec3::Zero(); ///< of a cuboid; of a cylinder radius, half height, radius
+    Vec3 half = Vec3::Zero(); ///< of a cuboid; of a cylinder radius, half height, radius [m]
     Mat3 turn = Mat3::Identity();
-    Vec3 centre = Vec3::Zero();
-    double rim = 0;
+    Vec3 centre = Vec3::Zero(); ///< [m]
 
+    double rim() const { return rimPart * half.minCoeff(); }
+    Solid core() const { return {isCylinder, half.array() - rim(), turn, centre}; }
+
+    /// The point furthest along `direction`.
     Vec3 support(const Vec3& direction) const {
         const Vec3 inBody = turn.transpose() * direction;
         Vec3 point(std::copysign(half.x(), inBody.x()), std::copysign(half.y(), inBody.y()),
@@ -42,20 +45,132 @@ struct Core {
         }
         return centre + turn * point;
     }
+    /// How far it reaches from its centre along unit `direction` [m].
+    double extent(const Vec3& direction) const {
+        const Vec3 inBody = turn.transpose() * direction;
+        if (!isCylinder) return half.dot(inBody.cwiseAbs());
+        return half.x() * std::sqrt(inBody.x() * inBody.x() + inBody.z() * inBody.z()) +
+               half.y() * std::abs(inBody.y());
+    }
+    bool contains(const Vec3& point, double tolerance) const {
+        const Vec3 inBody = (turn.transpose() * (point - centre)).cwiseAbs();
+        if (!isCylinder) return (inBody.array() <= half.array() + tolerance).all();
+        const double most = half.x() + tolerance;
+        return inBody.y() <= half.y() + tolerance &&
+               inBody.x() * inBody.x() + inBody.z() * inBody.z() <= most * most;
+    }
+    /// The middle of the edge along axis `edge` that is furthest along unit `direction` across it; of a
+    /// cylinder of the line of its side.
+    Vec3 middleOfEdge(Eigen::Index edge, const Vec3& direction) const {
+        if (isCylinder) return centre + half.x() * direction;
+        const Vec3 inBody = turn.transpose() * direction;
+        Vec3 point(std::copysign(half.x(), inBody.x()), std::copysign(half.y(), inBody.y()),
+                   std::copysign(half.z(), inBody.z()));
+        point[edge] = 0;
+        return centre + turn * point;
+    }
+    /// visit(axis) for each direction that has faces across it, and edges along it.
+    template<class Visit>
+    void forEachAxis(const Visit& visit) const {
+        if (isCylinder) return visit(Eigen::Index{1});
+        for (Eigen::Index axis = 0; axis < 3; ++axis) visit(axis);
+    }
 };
 
-Core coreOf(const Shape& shape) {
-    Core core;
+Solid solidOf(const Shape& shape) {
+    Solid solid;
     if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-        core.isCylinder = true;
-        core.half = {cylinder->radius, cylinder->halfHeight, cylinder->radius};
+        solid.isCylinder = true;
+        solid.half = {cylinder->radius, cylinder->halfHeight, cylinder->radius};
     } else {
-        core.half = std::get_if<Cuboid>(&shape)->halfSize;
+        solid.half = std::get_if<Cuboid>(&shape)->halfSize;
     }
-    core.rim = rimPart * core.half.minCoeff();
-    core.half.array() -= core.rim;
-    return core;
+    return solid;
 }
+
+/// Two solids, the first at the origin and not turned, and the best of the directions tried.
+class SolidPair {
+  public:
+    SolidPair(const Solid& a, const Solid& b)
+        : m_a(a), m_b(b), m_tolerance(tie * (a.half.maxCoeff() + b.half.maxCoeff())) {}
+
+    const Vec3& normal() const { return m_normal; }
+    double gap() const { return m_gap; }
+
+    void considerFaces() {
+        for (const Solid* solid : {&m_a, &m_b})
+            solid->forEachAxis([&](Eigen::Index axis) { consider(solid->turn.col(axis), noEdge, noEdge); });
+    }
+    void considerEdges() {
+        m_a.forEachAxis([&](Eigen::Index one) {
+            m_b.forEachAxis([&](Eigen::Index other) {
+                const Vec3 across = m_a.turn.col(one).cross(m_b.turn.col(other));
+                const double sine = across.norm();
+                if (sine > smallestSine) consider(across / sine, one, other);
+            });
+        });
+    }
+    /// Of two cylinders: the side of each and a rim of the other.
+    void considerRims() {
+        if (!m_a.isCylinder || !m_b.isCylinder) return;
+        const Vec3 axisA = m_a.turn.col(1), axisB = m_b.turn.col(1), across = axisA.cross(axisB);
+        const double sine = across.norm();
+        if (!(sine > smallestSine)) return;
+        const Cylinder a{m_a.half.x(), m_a.half.y()}, b{m_b.half.x(), m_b.half.y()};
+        consider(sideToRim(axisA, {b, axisB}, m_b.centre, across / sine));
+        consider(sideToRim(axisB, {a, axisA}, m_b.centre, across / sine));
+    }
+    /// From the axis of each cylinder straight to the centre of the other.
+    void considerSides() {
+        for (const Solid* solid : {&m_a, &m_b}) {
+            if (!solid->isCylinder) continue;
+            const Vec3 axis = solid->turn.col(1), across = axis.cross(m_b.centre).cross(axis);
+            const double length = across.norm();
+            if (length > smallestSine * m_b.centre.norm()) consider(across / length, noEdge, noEdge);
+        }
+    }
+    /// Any unit vector.
+    void consider(const Vec3& direction) { consider(direction, noEdge, noEdge); }
+
+    /// Whether two points straight across from each other show that no direction near the best is better; if
+    /// the solids are apart, that no direction is.
+    bool isProven() const {
+        if (m_edgeA != noEdge) return doCross();
+        const Vec3 step = m_gap * m_normal;
+        return m_b.contains(m_a.support(m_normal) + step, m_tolerance) ||
+               m_a.contains(m_b.support(-m_normal) - step, m_tolerance);
+    }
+
+  private:
+    static constexpr Eigen::Index noEdge = -1;
+    static constexpr double smallestSine = 1e-9;
+
+    void consider(const Vec3& direction, Eigen::Index edgeA, Eigen::Index edgeB) {
+        const double between = m_b.centre.dot(direction);
+        const double gap = std::abs(between) - m_a.extent(direction) - m_b.extent(direction);
+        if (!(gap > m_gap + m_tolerance)) return;
+        m_normal = between < 0 ? Vec3(-direction) : direction;
+        m_gap = gap;
+        m_edgeA = edgeA;
+        m_edgeB = edgeB;
+    }
+    // Whether the edges the best direction is across meet between their ends, seen along it.
+    bool doCross() const {
+        const Vec3 alongA = m_a.turn.col(m_edgeA), alongB = m_b.turn.col(m_edgeB);
+        const Vec3 between = m_b.middleOfEdge(m_edgeB, -m_normal) - m_a.middleOfEdge(m_edgeA, m_normal);
+        const double sine = alongA.cross(alongB).dot(m_normal);
+        const double onA = between.cross(alongB).dot(m_normal), onB = between.cross(alongA).dot(m_normal);
+        return std::abs(onA) <= std::abs(sine) * m_a.half[m_edgeA] &&
+               std::abs(onB) <= std::abs(sine) * m_b.half[m_edgeB];
+    }
+
+    const Solid& m_a;
+    const Solid& m_b;
+    double m_tolerance; // [m]
+    Vec3 m_normal = Vec3::UnitY();
+    double m_gap = -std::numeric_limits<double>::infinity(); // [m]
+    Eigen::Index m_edgeA = noEdge, m_edgeB = noEdge;         // that the normal is across
+};
 
 /// Up to four points of the difference B − A.
 struct Simplex {
@@ -148,7 +263,7 @@ Vec3 nearestOf(Simplex& simplex) {
 
 /// The vector between the nearest points of two cores, from A to B; zero if they touch or overlap. Where it
 /// is known to be longer than `far` the search ends.
-Vec3 betweenCores(const Core& a, const Core& b, const Vec3& guess, double far) {
+Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, double far) {
     const double small = 1e-6 * (a.half.maxCoeff() + b.half.maxCoeff());
     Simplex simplex;
     Vec3 v = guess;
@@ -182,43 +297,26 @@ bool haveCores(const Shape& a, const Shape& b) {
 
 bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
                   Manifold& manifold) {
-    const Core coreA = coreOf(*a.shape);
-    Core coreB = coreOf(*b.shape);
-    const Mat3 turnA = a.pose->orientation.toRotationMatrix(), turnB = b.pose->orientation.toRotationMatrix();
-    const Vec3 offset = b.pose->position - a.pose->position;
-    coreB.turn = turnA.transpose() * turnB;
-    coreB.centre = turnA.transpose() * offset;
-    const double far = margin + std::sqrt(3.0) * (coreA.rim + coreB.rim); // so far at a corner
-    const Vec3 between = betweenCores(coreA, coreB, turnA.transpose() * guess, far);
-    const double distance = between.norm();
-    if (!(distance > 0)) return collide(a, b, margin, manifold);
-    const Vec3 found = turnA * between / distance;
-
-    // The best of the directions that are exact somewhere, and of the one that was found.
-    const double within = tie * (coreA.half.maxCoeff() + coreB.half.maxCoeff());
-    BestAxis best;
-    const auto consider = [&](const Vec3& direction) {
-        const double separation = gapAlong(direction, a, b);
-        if (separation > best.separation + within) best = {direction, separation};
-    };
-    const auto nearestAxis = [&](const Core& core, const Mat3& turn) {
-        const Vec3 inBody = turn.transpose() * found;
-        Eigen::Index axis = 1;
-        if (!core.isCylinder) inBody.cwiseAbs().maxCoeff(&axis);
-        consider(inBody[axis] < 0 ? Vec3(-turn.col(axis)) : Vec3(turn.col(axis)));
-    };
-    nearestAxis(coreA, turnA);
-    nearestAxis(coreB, turnB);
-    const auto considerTowards = [&](const Vec3& direction) {
-        const double length = direction.norm();
-        if (length > 1e-9)
-            consider(direction.dot(found) < 0 ? Vec3(direction / -length) : Vec3(direction / length));
-    };
-    if (coreA.isCylinder) considerTowards(turnA.col(1).cross(offset).cross(turnA.col(1)) / offset.norm());
-    if (coreB.isCylinder) considerTowards(turnB.col(1).cross(offset).cross(turnB.col(1)) / offset.norm());
-    if (coreA.isCylinder && coreB.isCylinder) considerTowards(turnA.col(1).cross(turnB.col(1)));
-    consider(found);
-
+    const Solid solidA = solidOf(*a.shape);
+    Solid solidB = solidOf(*b.shape);
+    const Mat3 turnA = a.pose->orientation.toRotationMatrix();
+    solidB.turn = turnA.transpose() * b.pose->orientation.toRotationMatrix();
+    solidB.centre = turnA.transpose() * (b.pose->position - a.pose->position);
+    const double rims = solidA.rim() + solidB.rim();
+    SolidPair pair(solidA, solidB);
+    const auto isFound = [&] { return pair.gap() > margin || (pair.gap() > -rims && pair.isProven()); };
+    pair.considerFaces();
+    if (!isFound()) pair.considerEdges();
+    if (!isFound()) pair.considerRims();
+    if (!isFound()) {
+        const double far = margin + std::sqrt(3.0) * rims; // so far at a corner
+        const Vec3 between = betweenCores(solidA.core(), solidB.core(), turnA.transpose() * guess, far);
+        const double distance = between.norm();
+        if (!(distance > 0)) return collide(a, b, margin, manifold);
+        pair.considerSides();
+        pair.consider(between / distance);
+    }
+    const BestAxis best{turnA * pair.normal(), pair.gap()};
     manifold.normal = best.normal;
     manifold.count = 0;
     if (!(best.separation <= margin)) return false;

@@ -55,21 +55,6 @@ Vec3 furthestPoint(const Cylinder& cylinder, const Vec3& axis, const Vec3& n) {
     return sine > 0 ? Vec3(cap + (cylinder.radius / sine) * lateral) : cap;
 }
 
-// Side of one cylinder (its axis u) against the rims of the other (axis v): n in the plane across u.
-struct SideAndRim {
-    Vec3 u, v, x; // x across both axes
-    const Cylinder& rim;
-};
-void considerSideRim(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const SideAndRim& sides) {
-    const Vec3 y = sides.x.cross(sides.u); // with x a basis of that plane
-    const double k = std::abs(y.dot(sides.v));
-    const double alongX = pair.offset.dot(sides.x);
-    const double alongY = pair.offset.dot(y);
-    const PlaneAngle angle = steepestAngle({std::abs(alongX), std::abs(alongY) - sides.rim.halfHeight * k,
-                                            sides.rim.radius, k, std::abs(sides.u.dot(sides.v))});
-    search.consider(std::copysign(angle.cosine, alongX) * sides.x + std::copysign(angle.sine, alongY) * y);
-}
-
 // The unit normal of both axes. The cross product of nearly parallel axes is mostly rounding, part of it
 // along the axes; without that part it is across both to rounding, whatever its direction.
 Vec3 acrossBoth(const CylinderPair& pair) {
@@ -181,14 +166,25 @@ BestAxis searchAxes(const CylinderPair& pair, double margin) {
     if (search.apartBy(margin)) return search.best();
     const Vec3 x = acrossBoth(pair);
     search.considerEitherWay(x);
-    considerSideRim(search, pair, {pair.axisA, pair.axisB, x, pair.shapeB});
-    considerSideRim(search, pair, {pair.axisB, pair.axisA, x, pair.shapeA});
+    search.consider(sideToRim(pair.axisA, {pair.shapeB, pair.axisB}, pair.offset, x));
+    search.consider(sideToRim(pair.axisB, {pair.shapeA, pair.axisA}, pair.offset, x));
     if (search.apartBy(margin) || isProven(pair, search.best())) return search.best();
     considerRims(search, pair, pair.offset.dot(x) < 0 ? Vec3(-x) : x);
     return search.best();
 }
 
 } // namespace
+
+Vec3 sideToRim(const Vec3& side, const AxisOfCylinder& other, const Vec3& offset, const Vec3& x) {
+    const Vec3 y = x.cross(side); // with x a basis of the plane across the side
+    const double k = std::abs(y.dot(other.axis));
+    const double alongX = offset.dot(x);
+    const double alongY = offset.dot(y);
+    const PlaneAngle angle =
+        steepestAngle({std::abs(alongX), std::abs(alongY) - other.cylinder.halfHeight * k,
+                       other.cylinder.radius, k, std::abs(side.dot(other.axis))});
+    return std::copysign(angle.cosine, alongX) * x + std::copysign(angle.sine, alongY) * y;
+}
 
 bool collideCylinderCylinder(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
     const BestAxis best = searchAxes(CylinderPair(a, b), margin);
