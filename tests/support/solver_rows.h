@@ -54,7 +54,7 @@ struct RowScene {
             pair.points = points;
             rows.add(pair, static_cast<std::uint32_t>(i), bodies);
         }
-        rows.end();
+        rows.end(bodies);
     }
     double energy() const;
     Vec3 momentum() const;

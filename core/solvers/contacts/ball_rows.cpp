@@ -10,19 +10,10 @@
 namespace carom {
 namespace {
 
-/// Two tangents of a unit vector, for every direction (T. Duff et al., "Building an orthonormal basis,
-/// revisited", 2017); the second is n × first.
-CAROM_INLINE Wide3 tangentOf(const Wide3& n) {
-    const Wide one = wideOf(1), sign = n.z < Wide{} ? -one : one;
-    const Wide a = -one / (sign + n.z), b = n.x * n.y * a;
-    return {one + sign * n.x * n.x * a, sign * b, -sign * n.x};
-}
-
 CAROM_INLINE Wide3 gatherPlace(const BodyPlace* places, const std::array<std::uint32_t, 4>& index) {
     return gatherThree<BodyPlace>(places->position.data(), index);
 }
 
-CAROM_INLINE void store(std::array<Wide, 3>& to, const Wide3& from) { to = {from.x, from.y, from.z}; }
 CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& other) {
     return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
 }

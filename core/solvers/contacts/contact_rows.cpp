@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/contact_rows.h"
 
 #include "core/math/rotation.h"
+#include "core/solvers/contacts/wide_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,25 +11,6 @@ namespace carom {
 namespace {
 
 constexpr std::size_t fewGroups = 256;
-
-/// W of a point along the axes of its frame (rows n, t1, t2).
-Mat3 responseOf(const SolverBody& a, const SolverBody& b, const PointInput& point, const Mat3& frame) {
-    Mat3 response = (a.inverseMass + b.inverseMass) * Mat3::Identity();
-    const auto add = [&](const SolverBody& body, const Vec3& arm) {
-        if (body.inverseMass == 0) return;
-        if (isIsotropic(body)) {
-            const Vec3 along = frame * arm;
-            response += body.xx * (along.squaredNorm() * Mat3::Identity() - along * along.transpose());
-            return;
-        }
-        Mat3 turning; // rows: arm × axis
-        for (Eigen::Index k = 0; k < 3; ++k) turning.row(k) = arm.cross(frame.row(k).transpose()).transpose();
-        response += turning * inverseInertiaOf(body) * turning.transpose();
-    };
-    add(a, point.armA);
-    add(b, point.armB);
-    return response;
-}
 
 double largerEigenvalue(double xx, double xy, double yy) {
     const double mean = 0.5 * (xx + yy), half = 0.5 * (xx - yy);
@@ -43,6 +25,53 @@ Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
     return {from[0][lane], from[1][lane], from[2][lane]};
 }
 
+/// Adds what an impulse of 1 N s along each axis of the frame does along each, with `arm` from the centre.
+struct Response {
+    Wide nn, n1, n2, aa, ab, bb; ///< of W: n, t1 and t2 are the axes; a and b stand for t1 and t2 [1/kg]
+
+    CAROM_INLINE void add(const Motion& body, const Wide3& arm, const Wide3& n, const Wide3& t1,
+                          const Wide3& t2) {
+        const Wide3 byN = cross(arm, n), by1 = cross(arm, t1), by2 = cross(arm, t2);
+        const Wide3 turnN = turnedBy(body, byN), turn1 = turnedBy(body, by1), turn2 = turnedBy(body, by2);
+        nn += body.inverseMass + dot(byN, turnN);
+        n1 += dot(byN, turn1);
+        n2 += dot(byN, turn2);
+        aa += body.inverseMass + dot(by1, turn1);
+        ab += dot(by1, turn2);
+        bb += body.inverseMass + dot(by2, turn2);
+    }
+};
+
+// The masses and tangents of rows whose pairs are all there, and their impulses, given in the world, along
+// these axes.
+CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const SolverBody* bodies) {
+    const Wide zero{}, one = wideOf(1);
+    for (RowGroup& group : groups) {
+        Motion a, b;
+        gather(bodies, group.a, a);
+        gather(bodies, group.b, b);
+        const Wide3 n = load(group.normal), t1 = tangentOf(n), t2 = cross(n, t1);
+        store(group.tangent, t1);
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            RowPoint& row = points[group.firstPoint + k];
+            Response response{};
+            response.add(a, load(row.armA), n, t1, t2);
+            response.add(b, load(row.armB), n, t1, t2);
+            const auto used = row.massNormal > zero;
+            const Wide mean = 0.5 * (response.aa + response.bb), half = 0.5 * (response.aa - response.bb);
+            const Wide larger = mean + rootOf(half * half + response.ab * response.ab);
+            row.massNormal = used ? one / response.nn : zero;
+            row.massTangent = used ? one / larger : zero;
+            row.coupling1 = response.n1;
+            row.coupling2 = response.n2;
+            const Wide3 impulse{row.normal, row.along1, row.along2};
+            row.normal = dot(n, impulse);
+            row.along1 = dot(t1, impulse);
+            row.along2 = dot(t2, impulse);
+        }
+    }
+}
+
 } // namespace
 
 void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
@@ -50,6 +79,7 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
     m_groups.clear();
     m_points.clear();
     m_rolling.clear();
+    m_prepared = 0;
     if (m_points.capacity() == 0) { // for islands of the usual size
         m_groups.reserve(fewGroups);
         m_points.reserve(2 * fewGroups);
@@ -79,16 +109,10 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     RowGroup& group = place.isNew ? addGroup(std::uint32_t{1} << size) : m_groups[place.group];
     const std::size_t lane = place.lane;
 
-    const Tangents tangents = tangentsOf(pair.normal);
-    Mat3 frame;
-    frame.row(0) = pair.normal.transpose();
-    frame.row(1) = tangents.first.transpose();
-    frame.row(2) = tangents.second.transpose();
     group.a[lane] = pair.a;
     group.b[lane] = pair.b;
     group.source[lane] = source;
     setLane(group.normal, lane, pair.normal);
-    setLane(group.tangent, lane, tangents.first);
     group.friction[lane] = pair.friction;
     group.restitution[lane] = pair.restitution;
     group.push[lane] = pair.push;
@@ -97,34 +121,34 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     for (std::size_t k = 0; k < pair.points.size(); ++k) {
         const PointInput& from = pair.points[k];
         RowPoint& to = m_points[group.firstPoint + k];
-        const Mat3 response = responseOf(bodies[pair.a], bodies[pair.b], from, frame);
         setLane(to.armA, lane, from.armA);
         setLane(to.armB, lane, from.armB);
         to.gap[lane] = from.separation;
-        to.massNormal[lane] = 1 / response(0, 0);
-        to.massTangent[lane] = 1 / largerEigenvalue(response(1, 1), response(1, 2), response(2, 2));
-        to.coupling1[lane] = response(0, 1);
-        to.coupling2[lane] = response(0, 2);
-        const Vec3 impulse = frame * from.impulse;
-        to.normal[lane] = impulse.x();
-        to.along1[lane] = impulse.y();
-        to.along2[lane] = impulse.z();
+        to.massNormal[lane] = 1; // it is used
+        to.normal[lane] = from.impulse.x();
+        to.along1[lane] = from.impulse.y();
+        to.along2[lane] = from.impulse.z();
     }
     if (pair.rolling > 0) {
         const Mat3 response = inverseInertiaOf(bodies[pair.a]) + inverseInertiaOf(bodies[pair.b]);
-        const Mat3 across = frame * response * frame.transpose();
-        m_rolling.push_back({.a = pair.a,
-                             .b = pair.b,
-                             .group = place.group,
-                             .lane = place.lane,
-                             .normal = pair.normal,
-                             .rolling = pair.rolling,
-                             .inertia = 1 / largerEigenvalue(across(1, 1), across(1, 2), across(2, 2))});
+        const Tangents tangents = tangentsOf(pair.normal);
+        const Vec3 first = response * tangents.first, second = response * tangents.second;
+        m_rolling.push_back(
+            {.a = pair.a,
+             .b = pair.b,
+             .group = place.group,
+             .lane = place.lane,
+             .normal = pair.normal,
+             .rolling = pair.rolling,
+             .inertia = 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
+                                             tangents.second.dot(second))});
     }
 }
 
-void ContactRows::end() {
+void ContactRows::end(std::span<const SolverBody> bodies) {
     for (LanePacker& packer : m_packers) packer.closeAll();
+    prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
+    m_prepared = m_groups.size();
 }
 
 Vec3 ContactRows::impulseOf(const RowGroup& group, int lane, std::size_t point) const {

@@ -84,8 +84,8 @@ class ContactRows {
     void begin(std::size_t bodies, std::uint32_t immobile);
     std::uint32_t immobile() const { return m_immobile; }
     void add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
-    /// To be called after the last pair.
-    void end();
+    /// To be called after the last pair, of all or of those that are added later.
+    void end(std::span<const SolverBody> bodies);
 
     /// Forces [N] given as impulses become impulses over so many seconds.
     void scaleImpulses(double duration) {
@@ -113,6 +113,7 @@ class ContactRows {
     RowGroup& addGroup(std::uint32_t points);
 
     std::uint32_t m_immobile = 0;
+    std::size_t m_prepared = 0;              // groups whose pairs are all there
     std::array<LanePacker, sizes> m_packers; // by the number of points
     std::vector<RowGroup> m_groups;
     std::vector<RowPoint> m_points;

@@ -172,7 +172,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
             report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
         addRow(input, entry, contact);
     }
-    m_rows.end();
+    m_rows.end(m_bodies);
     m_rows.scaleImpulses(m_step);
 }
 
@@ -250,7 +250,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
         pair.entry = ContactRows::noPair;
         anyRow = true;
     }
-    if (anyRow) m_rows.end();
+    if (anyRow) m_rows.end(m_bodies);
     return any || anyRow;
 }
 

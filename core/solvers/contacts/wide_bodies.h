@@ -26,6 +26,15 @@ CAROM_INLINE Wide3 cross(const Wide3& a, const Wide3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 CAROM_INLINE Wide3 load(const std::array<Wide, 3>& from) { return {from[0], from[1], from[2]}; }
+CAROM_INLINE void store(std::array<Wide, 3>& to, const Wide3& from) { to = {from.x, from.y, from.z}; }
+
+/// A tangent of a unit vector, for every direction; the second is n × first (T. Duff et al., "Building an
+/// orthonormal basis, revisited", 2017).
+CAROM_INLINE Wide3 tangentOf(const Wide3& n) {
+    const Wide one = wideOf(1), sign = n.z < Wide{} ? -one : one;
+    const Wide a = -one / (sign + n.z), b = n.x * n.y * a;
+    return {one + sign * n.x * n.x * a, sign * b, -sign * n.x};
+}
 
 /// One body in each lane.
 struct Motion {
@@ -111,12 +120,16 @@ CAROM_INLINE Wide3 relativeVelocity(const Motion& a, const Motion& b, const Wide
     return b.velocity + cross(b.spin, armB) - a.velocity - cross(a.spin, armA);
 }
 
+/// Change of angular velocity by a torque impulse.
+CAROM_INLINE Wide3 turnedBy(const Motion& motion, const Wide3& torque) {
+    return {motion.xx * torque.x + motion.xy * torque.y + motion.xz * torque.z,
+            motion.xy * torque.x + motion.yy * torque.y + motion.yz * torque.z,
+            motion.xz * torque.x + motion.yz * torque.y + motion.zz * torque.z};
+}
+
 /// Impulse p at `arm` of the body, times `sign`.
 CAROM_INLINE void apply(Motion& motion, const Wide3& arm, const Wide3& p, double sign) {
-    const Wide3 torque = cross(arm, p);
-    const Wide3 change = {motion.xx * torque.x + motion.xy * torque.y + motion.xz * torque.z,
-                          motion.xy * torque.x + motion.yy * torque.y + motion.yz * torque.z,
-                          motion.xz * torque.x + motion.yz * torque.y + motion.zz * torque.z};
+    const Wide3 change = turnedBy(motion, cross(arm, p));
     const Wide factor = wideOf(sign);
     motion.velocity = motion.velocity + (factor * motion.inverseMass) * p;
     motion.spin = motion.spin + factor * change;

@@ -123,7 +123,7 @@ class BallRowsTest : public QObject {
                              .points = std::span(&point, 1)},
                             static_cast<std::uint32_t>(i), scene.bodies);
             }
-            general.end();
+            general.end(scene.bodies);
             QCOMPARE(general.groups().size(), rows.groups());
             std::vector<SolverBody> bodies = scene.bodies;
             const StepSettings settings = randomSettings(random, scene.duration);
