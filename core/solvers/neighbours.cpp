@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 constexpr double roominess = 2;
 /// And at least this many times what was asked for beyond it before the list was made.
 constexpr double lentAgain = 1.5;
+/// For so many bodies all others are looked at one after the other, a few thousand instructions for each of
+/// them; a search for all costs as many for every body of the scene.
+constexpr std::size_t fewOutrun = 128;
+/// A body has so many pairs in the mean, nearly always: room for them is there from the start.
+constexpr std::size_t usualAround = 32;
 
 } // namespace
 
@@ -39,13 +45,18 @@ bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, dou
 Neighbours::Neighbours(const Bodies& bodies)
     : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_pull(bodies.count(), 0.0),
       m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
-      m_origin(bodies.count()), m_first(bodies.count() + 1, 0) {
+      m_origin(bodies.count()), m_isOutrun(bodies.count(), 0), m_first(bodies.count() + 1, 0) {
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+    m_outrun.reserve(2 * bodies.count());
+    m_found.reserve(usualAround * fewOutrun);
+    m_balls.resize(bodies.bounded.size());
+    m_hits.resize(bodies.bounded.size());
 }
 
 void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration, Broadphase& broadphase) {
     if (follow(bodies, state, list, gravity, duration)) return;
+    if (areFewOutrun()) return searchForOutrun(bodies, state);
     double sum = 0;
     for (const BodyIndex i : list) {
         const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
@@ -55,7 +66,7 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
     // Neighbours lend each other their reach: who was asked for more than he needs will be again.
     for (std::size_t i = 0; i < m_skin.size(); ++i) m_skin[i] = lentAgain * m_asked[i];
     std::fill(m_asked.begin(), m_asked.end(), 0.0);
-    search(bodies, state, broadphase);
+    searchAll(bodies, state, broadphase);
 }
 
 double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
@@ -116,7 +127,9 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
         const double radius = bodies.boundingRadius[i];
         m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall + m_pull[i];
         m_moved[i] = displacement(bodies, i, m_origin[i], state.pose[i]);
-        serves = serves && m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i];
+        if (m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i]) continue;
+        m_outrun.push_back(i);
+        serves = false;
     }
     return serves;
 }
@@ -125,17 +138,75 @@ bool Neighbours::covers(BodyIndex body, double room) {
     m_asked[body] = std::max(m_asked[body], room);
     if (m_moved[body] + room <= m_skin[body]) return true;
     m_skin[body] = roominess * room;
+    m_outrun.push_back(body);
     return false;
 }
 
 void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& broadphase) {
-    ++m_searches;
-    for (const BodyIndex i : bodies.mobileBodies) {
-        const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
-        m_skin[i] = std::max(m_skin[i], roominess * std::max(needed, m_typical));
-        m_moved[i] = 0;
-        m_origin[i] = state.pose[i];
+    if (areFewOutrun())
+        searchForOutrun(bodies, state);
+    else
+        searchAll(bodies, state, broadphase);
+}
+
+bool Neighbours::areFewOutrun() const { return m_searches > 0 && m_outrun.size() <= fewOutrun; }
+
+void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
+    const double needed = m_path[body] + leastMargin * bodies.boundingRadius[body];
+    m_skin[body] = std::max(m_skin[body], roominess * std::max(needed, m_typical));
+    m_moved[body] = 0;
+    m_origin[body] = state.pose[body];
+}
+
+// The list as it was, without the pairs of those that have outrun it, and these as they are found now.
+void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
+    for (const BodyIndex i : m_outrun) {
+        renewSkin(bodies, state, i);
+        m_isOutrun[i] = 1;
     }
+    placeBalls(bodies, state);
+    m_found.clear();
+    for (const BodyIndex i : m_outrun)
+        if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, state, i);
+    std::sort(m_found.begin(), m_found.end());
+    std::erase_if(m_pairs,
+                  [this](BodyPair pair) { return m_isOutrun[pair.a] != 0 || m_isOutrun[pair.b] != 0; });
+    makeRoomFor(m_pairs.size() + m_found.size(), m_merged);
+    m_merged.resize(m_pairs.size() + m_found.size());
+    std::merge(m_pairs.begin(), m_pairs.end(), m_found.begin(), m_found.end(), m_merged.begin());
+    std::swap(m_pairs, m_merged);
+    for (const BodyIndex i : m_outrun) m_isOutrun[i] = 0;
+    m_outrun.clear();
+    listAround(bodies.count());
+}
+
+void Neighbours::placeBalls(const Bodies& bodies, const State& state) {
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
+        const BodyIndex i = bodies.bounded[k];
+        m_balls.set(k, state.pose[i].position, bodies.boundingRadius[i] + skinOf(bodies, i));
+    }
+}
+
+// Each pair once, of two that have outrun the list when the first of them is looked at.
+void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
+    const double radius = bodies.boundingRadius[body] + m_skin[body];
+    const Vec3& centre = state.pose[body].position;
+    const std::size_t count = overlapping(m_balls, centre, radius, m_hits.data());
+    makeRoomFor(m_found.size() + count + bodies.walls.size(), m_found);
+    for (std::size_t k = 0; k < count; ++k) {
+        const BodyIndex other = bodies.bounded[m_hits[k]];
+        if (other != body && m_isOutrun[other] != 2)
+            m_found.push_back({std::min(body, other), std::max(body, other)});
+    }
+    for (const BodyIndex w : bodies.walls)
+        if (distanceTo(std::get<Wall>(bodies.shape[w]), centre) <= radius)
+            m_found.push_back({std::min(w, body), std::max(w, body)});
+}
+
+void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
+    ++m_searches;
+    m_outrun.clear();
+    for (const BodyIndex i : bodies.mobileBodies) renewSkin(bodies, state, i);
     for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
         const BodyIndex i = bodies.bounded[k];
         m_boxes[k] = grown(bodies.boxAt(i, state.pose[i]), skinOf(bodies, i));
@@ -155,6 +226,7 @@ void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& br
         m_pairs.push_back(pair);
     }
     m_pairs.insert(m_pairs.end(), wall, m_wallPairs.end());
+    makeRoomFor(m_pairs.size() + m_found.capacity(), m_merged);
     listAround(bodies.count());
 }
 

@@ -4,8 +4,10 @@
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/solvers/ball_columns.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,8 @@
 //      |  /body\___>    |        where path is what it needs in the substep at hand;
 //      |  \____/  moved |
 //       \______________/                more, for what may be hit on the way, is asked for by covers()
+//
+// Where only a few have used it up, all others are compared with these, and the rest of the list stays.
 //
 // Whoever uses the list tests its pairs for what they are now: what happens depends neither on the skins nor
 // on when they were renewed, only the time it takes does.
@@ -56,14 +60,14 @@ class Neighbours {
     /// could miss a pair of them: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration);
-    /// Searches, with wider skins where covers() was answered no.
+    /// Searches, with wider skins where covers() was answered no; only for these, if they are few.
     void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
 
     /// Whether the list has all pairs that a body can meet within `room` [m] of where it is now. If not it is
     /// remembered, and search() must be called.
     bool covers(BodyIndex body, double room);
 
-    /// How often it has searched.
+    /// How often it has searched for all.
     std::uint64_t searches() const { return m_searches; }
 
     /// No point of a body's surface moves faster [m/s]; a sphere's spin moves none outwards.
@@ -110,6 +114,12 @@ class Neighbours {
 
   private:
     double skinOf(const Bodies& bodies, BodyIndex body) const;
+    void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
+    bool areFewOutrun() const;
+    void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
+    void searchForOutrun(const Bodies& bodies, const State& state);
+    void placeBalls(const Bodies& bodies, const State& state);
+    void findAround(const Bodies& bodies, const State& state, BodyIndex body);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies, const State& state);
     void listAround(std::size_t count);
@@ -125,6 +135,11 @@ class Neighbours {
     double m_duration = 1;       // noted last [s]
     double m_typical = 0;        // root mean square of what bodies need [m]
     std::uint64_t m_searches = 0;
+    std::vector<BodyIndex> m_outrun;         // since the last search; some may be named twice
+    std::vector<std::uint8_t> m_isOutrun;    // by body, of m_outrun
+    BallColumns m_balls;                     // of bodies.bounded, each with its skin
+    std::vector<std::uint32_t> m_hits;       // of m_balls
+    std::vector<BodyPair> m_found, m_merged; // of m_outrun
     std::vector<BodyPair> m_wallPairs, m_pairs;
     std::vector<std::uint32_t> m_first; // by body, into m_others, one more at the end
     std::vector<std::uint32_t> m_next;
