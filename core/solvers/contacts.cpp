@@ -12,7 +12,6 @@
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/refinement.h"
 #include "core/solvers/contacts/work_budget.h"
-#include "core/solvers/elastic_gas.h"
 #include "core/solvers/island_crew.h"
 #include "core/solvers/islands.h"
 #include "core/solvers/local_solver.h"
@@ -244,7 +243,7 @@ void Contacts::findMembers(const SolverInput& input) {
                             (input.part == 0 ? (input.parts + Neighbours::reachFactor - 1) : 1) *
                                 input.substep,
                             input.broadphase);
-    followMembers(input);
+    if (input.part == 0) followMembers(input); // later parts of a frame were followed just now
     const bool isOver = input.part == 0 && m_stayed >= m_patience;
     if (!m_base.isEmpty() && (isOver || !renewBase(input))) {
         leave(input, m_base);
@@ -518,9 +517,7 @@ MassRatioLimit massRatioLimit(const SolverSettings& settings, std::size_t points
 }
 
 std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings& settings) {
-    std::unique_ptr<Solver> contacts = std::make_unique<Contacts>(bodies, settings);
-    return isElasticGas(bodies) && !settings.simultaneous ? elasticGas(bodies, std::move(contacts))
-                                                          : std::move(contacts);
+    return std::make_unique<Contacts>(bodies, settings);
 }
 
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
