@@ -292,8 +292,7 @@ bool Contacts::wakeTouched(const SolverInput& input) {
     for (const BodyIndex i : m_members)
         for (const BodyIndex k : m_neighbours.around(i))
             if (m_resting.rests(k) && // not yet woken by another
-                boundingGap(input.bodies, input.state, {std::min(i, k), std::max(i, k)}) <=
-                    m_candidates.reach(i))
+                areWithin(input.bodies, input.state, {std::min(i, k), std::max(i, k)}, m_candidates.reach(i)))
                 m_resting.wake(k, m_woken);
     if (m_woken.empty()) return false;
     m_calm.forget(m_woken);

@@ -142,7 +142,7 @@ bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
             }
         }
     }
-    bool covered = true;
+    bool covered = coversThoseHere(input, neighbours);
     for (const Renewed& renewed : m_renewed)
         covered = neighbours.covers(renewed.body, renewed.reach) && covered;
     return covered;
@@ -159,7 +159,7 @@ bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbou
         if (block.isEmpty()) continue;
         block.forEachEntry([&](Entry& entry) {
             if (m_renewal[entry.pair.a] == 0 && m_renewal[entry.pair.b] == 0) return;
-            entry.margin = std::max(entry.margin, marginOf(input.bodies, entry.pair));
+            entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
             m_present.push_back(entry.pair);
         });
         block.beginPairs();
@@ -171,7 +171,7 @@ bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbou
             const bool mobile = input.bodies.mobile[k] != 0;
             if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i))) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const double margin = marginOf(input.bodies, pair);
+            const double margin = marginOf(input, pair);
             if (!areWithin(input.bodies, input.state, pair, margin) ||
                 std::binary_search(m_present.begin(), m_present.end(), pair))
                 continue;
@@ -191,7 +191,7 @@ bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbou
 bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                        Neighbours& neighbours) {
     const Bodies& bodies = input.bodies;
-    bool covered = true;
+    bool covered = coversThoseHere(input, neighbours);
     for (const BodyIndex i : list) {
         m_block[i] = entering;
         m_origin[i] = input.state.pose[i];
@@ -212,9 +212,26 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     return covered;
 }
 
-double BasePath::marginOf(const Bodies& bodies, BodyPair pair) const {
-    const auto reachOf = [&](BodyIndex i) { return bodies.mobile[i] != 0 ? m_reach[i] : 0; };
-    return reachOf(pair.a) + reachOf(pair.b);
+// How far its surface may still come [m]; of who enters or is renewed all of its reach.
+double BasePath::roomLeft(const SteppedInput& input, BodyIndex body) const {
+    if (input.bodies.mobile[body] == 0) return 0;
+    return isHere(m_block[body]) && m_renewal[body] == 0 ? std::max(0.0, roomOf(input, body)) : m_reach[body];
+}
+
+double BasePath::marginOf(const SteppedInput& input, BodyPair pair) const {
+    return roomLeft(input, pair.a) + roomLeft(input, pair.b);
+}
+
+// Who enters or is renewed takes up pairs with those that are here: the list must have all of them, or which
+// pairs are here would depend on when it was made.
+bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const {
+    bool covered = true;
+    for (const SteppedMotion& block : m_blocks) {
+        if (block.isEmpty()) continue;
+        for (const BodyIndex i : block.bodies())
+            if (m_renewal[i] == 0) covered = neighbours.covers(i, roomLeft(input, i)) && covered;
+    }
+    return covered;
 }
 
 // Pairs of those that enter with each other, with those that are here and with what cannot move, ascending.
@@ -227,7 +244,7 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
             const bool mobile = input.bodies.mobile[k] != 0;
             if (mobile && (m_block[k] == noBlock || (m_block[k] == entering && k < i))) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const double margin = marginOf(input.bodies, pair);
+            const double margin = marginOf(input, pair);
             if (!areWithin(input.bodies, input.state, pair, margin)) continue;
             (i < k ? m_upward : m_downward).push_back({pair, Manifolds::none, margin});
         }

@@ -110,7 +110,9 @@ class BasePath {
                     const Neighbours& neighbours);
     bool findStruck(const SteppedInput& input, Neighbours& neighbours);
     bool takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
-    double marginOf(const Bodies& bodies, BodyPair pair) const;
+    double roomLeft(const SteppedInput& input, BodyIndex body) const;
+    double marginOf(const SteppedInput& input, BodyPair pair) const;
+    bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
     std::uint8_t blockFor(const Island& island, const Manifolds& manifolds) const;
