@@ -80,6 +80,10 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>
 %1 %2</translation>
     </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
 </context>
 <context>
     <name>BenchmarkCharts</name>
@@ -438,10 +442,6 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>berechnet die Referenzlösung</translation>
     </message>
     <message>
-        <source>Stopped. %1</source>
-        <translation>Angehalten. %1</translation>
-    </message>
-    <message>
         <source>
 
 Click a point to choose it.</source>
@@ -482,6 +482,38 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
     <message>
         <source>%1 s of at most %2 s</source>
         <translation>%1 s von höchstens %2 s</translation>
+    </message>
+    <message>
+        <source>Time for the study</source>
+        <translation>Zeit für die Studie</translation>
+    </message>
+    <message>
+        <source>How long the study may take; what does not fit is left out</source>
+        <translation>Wie lange die Studie dauern darf; was nicht hineinpasst, entfällt</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>What the diagram has across</source>
+        <translation>Was das Diagramm waagerecht zeigt</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>binnen</translation>
+    </message>
+    <message>
+        <source>studied in %1 s</source>
+        <translation>in %1 s untersucht</translation>
+    </message>
+    <message>
+        <source>stopped after %1 s</source>
+        <translation>nach %1 s angehalten</translation>
     </message>
 </context>
 <context>

@@ -136,6 +136,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QFrame[role="popup"] { background: @panel; border: 1px solid @accent; border-radius: 5px; }
 QLabel[role="badge"] { background: @error; color: @accentText; padding: 5px 10px; border-radius: 4px; }
 *[role="muted"] { color: @mutedText; }
+QLabel[role="verdict"] { background: @panel; border: 1px solid @border; border-radius: 5px; padding: 6px 10px; font-size: 12pt; }
 *[role="error"] { color: @error; }
 )";
 

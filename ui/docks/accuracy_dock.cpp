@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/integrators/integrator.h"
 #include "core/study/accuracy_csv.h"
+#include "core/study/measures.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
@@ -11,12 +12,14 @@
 #include "ui/widgets/text_of.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QSysInfo>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -68,7 +71,8 @@ bool isChosen(const std::vector<QAction*>& actions, std::string_view name) {
 AccuracyDock::AccuracyDock(QWidget* parent)
     : Panel(tr("Accuracy"), parent), m_start(new QPushButton),
       m_knobs(wordButton("accuracyKnobs", tr("Vary"), tr("Which methods and integrators are compared"))),
-      m_duration(new QDoubleSpinBox), m_progress(new QProgressBar), m_state(new QLabel),
+      m_duration(new QDoubleSpinBox), m_budget(new QSpinBox), m_measure(new QComboBox),
+      m_progress(new QProgressBar), m_state(new QLabel), m_verdict(new QLabel),
       m_keep(wordButton("accuracyKeep", tr("Keep"), tr("Show this study together with the next one"))),
       m_export(new ExportMenu), m_plot(new PlotWidget), m_point(new QLabel),
       m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
@@ -83,6 +87,23 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_duration->setSuffix(tr(" s"));
     m_duration->setValue(AccuracyPlan{}.duration);
     connect(m_duration, &QDoubleSpinBox::valueChanged, this, &AccuracyDock::updateControls);
+    m_budget->setObjectName(QStringLiteral("accuracyBudget"));
+    m_budget->setAccessibleName(tr("Time for the study"));
+    m_budget->setToolTip(tr("How long the study may take; what does not fit is left out"));
+    m_budget->setRange(1, 3600);
+    m_budget->setSuffix(tr(" s"));
+    m_budget->setValue(static_cast<int>(AccuracyPlan{}.budget));
+    m_measure->setObjectName(QStringLiteral("accuracyMeasure"));
+    m_measure->setAccessibleName(tr("Measure"));
+    m_measure->setToolTip(tr("What the diagram has across"));
+    m_measure->addItem(tr("automatic"), QString());
+    for (const MeasureRow& row : measures()) {
+        m_measure->addItem(textOf(row.name), textOf(row.name));
+        m_measure->setItemData(m_measure->count() - 1, textOf(row.help), Qt::ToolTipRole);
+    }
+    connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
+        if (m_result) take(AccuracyStudy(*m_result));
+    });
     m_progress->setObjectName(QStringLiteral("accuracyProgress"));
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(false);
@@ -95,14 +116,19 @@ AccuracyDock::AccuracyDock(QWidget* parent)
 
     QHBoxLayout* top = new QHBoxLayout;
     QLabel* simulated = new QLabel(tr("over"));
-    simulated->setProperty("role", QStringLiteral("muted"));
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_start, m_knobs, simulated, m_duration, m_progress})
+    QLabel* within = new QLabel(tr("within"));
+    for (QLabel* word : {simulated, within}) word->setProperty("role", QStringLiteral("muted"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_start, m_knobs, simulated, m_duration, within,
+                                                           m_budget, m_measure, m_progress})
         top->addWidget(widget);
     top->addWidget(m_state, 1);
     top->addWidget(m_keep);
     top->addWidget(m_export);
 
+    m_verdict->setObjectName(QStringLiteral("accuracyVerdict"));
+    m_verdict->setProperty("role", QStringLiteral("verdict"));
+    m_verdict->setWordWrap(true);
+    m_verdict->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_point->setObjectName(QStringLiteral("accuracyPoint"));
     m_point->setWordWrap(true);
     m_point->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -118,8 +144,11 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     buttons->addWidget(m_use);
     side->addLayout(buttons);
     m_point->setFixedWidth(pointWidth);
-    QHBoxLayout* sideBySide = new QHBoxLayout(figures);
-    sideBySide->setContentsMargins(0, 0, 0, 0);
+    QVBoxLayout* underVerdict = new QVBoxLayout(figures);
+    underVerdict->setContentsMargins(0, 0, 0, 0);
+    underVerdict->addWidget(m_verdict);
+    QHBoxLayout* sideBySide = new QHBoxLayout;
+    underVerdict->addLayout(sideBySide, 1);
     sideBySide->addWidget(m_plot, 1);
     sideBySide->addLayout(side);
     m_empty = new EmptyState(figures, tr("A study runs the scene with every method, integrator and number of "
@@ -187,6 +216,7 @@ void AccuracyDock::updateControls() {
                                              : tr("Nothing in the scene can move"));
     m_knobs->setEnabled(!m_runner.isRunning());
     m_duration->setEnabled(!m_runner.isRunning());
+    m_budget->setEnabled(!m_runner.isRunning());
     m_progress->setVisible(m_runner.isRunning());
     const bool figures = hasFigures(m_result);
     m_empty->setEmpty(!figures);
@@ -203,7 +233,13 @@ AccuracyPlan AccuracyDock::chosenPlan() const {
                (setting.integrator != nullptr && !isChosen(m_integrators, setting.integrator->name));
     });
     plan.duration = m_duration->value();
+    plan.budget = m_budget->value();
     return plan;
+}
+
+void AccuracyDock::chooseMeasureOf(AccuracyStudy& study) const {
+    study.plan.measure = findMeasure(m_measure->currentData().toString().toStdString());
+    study.measure = study.plan.measure != nullptr ? study.plan.measure : &chooseMeasure(study);
 }
 
 bool AccuracyDock::canGoOn() const {
@@ -261,17 +297,22 @@ void AccuracyDock::showProgress(double seconds, double budget) {
 
 void AccuracyDock::take(const AccuracyStudy& study) {
     m_result = study;
+    chooseMeasureOf(*m_result);
+    m_verdict->setText(QString::fromStdString(recommendation(*m_result)));
     updateControls();
     showChart();
 }
 
 void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
     take(study);
-    const QString sentence = QString::fromStdString(recommendation(study));
-    m_state->setText(study.complete ? sentence : tr("Stopped. %1").arg(sentence));
-    m_point->setText(QString::fromStdString(yardstickOf(study)) + tr("\n\nClick a point to choose it."));
+    m_state->setText(study.complete ? tr("studied in %1 s").arg(seconds, 0, 'f', 1)
+                                    : tr("stopped after %1 s").arg(seconds, 0, 'f', 1));
+    QString words = QString::fromStdString(yardstickOf(*m_result));
+    if (const std::string omissions = omissionsOf(*m_result); !omissions.empty())
+        words += QStringLiteral("\n\n") + QString::fromStdString(omissions);
+    m_point->setText(words + tr("\n\nClick a point to choose it."));
     Q_EMIT reported(tr("accuracy of %1 studied in %2 s: %3")
-                        .arg(m_studiedName, QString::number(seconds, 'f', 1), m_state->text()));
+                        .arg(m_studiedName, QString::number(seconds, 'f', 1), m_verdict->text()));
 }
 
 void AccuracyDock::showChart() {
@@ -282,7 +323,8 @@ void AccuracyDock::showChart() {
                        : accuracyChart(*m_result, m_studiedName);
     ChartSpec shown = m_chart.spec;
     shown.title.clear();
-    shown.note.clear();                                // it stands above
+    shown.note.clear(); // it stands above
+    if (m_chosen && !compares) markChosen(*m_result, *m_chosen, shown);
     shown.legend = m_plot->height() > heightForLegend; // where there is none, the mouse over a point tells
     m_plot->setChart(shown);
 }
@@ -293,6 +335,7 @@ void AccuracyDock::choose(int series, int point) {
     m_chosen = m_result->points[m_chart.points[s][p]];
     m_point->setText(describe(*m_result, *m_chosen));
     updateControls();
+    showChart();
 }
 
 QString AccuracyDock::exportTo(const QString& path) const {

@@ -11,11 +11,13 @@
 #include <optional>
 #include <vector>
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QMenu;
 class QProgressBar;
 class QPushButton;
+class QSpinBox;
 class QToolButton;
 
 namespace carom {
@@ -57,6 +59,8 @@ class AccuracyDock : public Panel {
     void take(const AccuracyStudy& study);
     void finish(const AccuracyStudy& study, double seconds);
     void showChart();
+    /// The measure of the diagram, of a study that is there or of the next one.
+    void chooseMeasureOf(AccuracyStudy& study) const;
     void choose(int series, int point);
     void updateControls();
     QMenu* knobsMenu();
@@ -71,8 +75,11 @@ class AccuracyDock : public Panel {
     QPushButton* m_start;
     QToolButton* m_knobs;
     QDoubleSpinBox* m_duration; ///< [s]
+    QSpinBox* m_budget;         ///< [s] of wall time
+    QComboBox* m_measure;       ///< the data is the name, empty: the first that says something
     QProgressBar* m_progress;
     QLabel* m_state;
+    QLabel* m_verdict; ///< the sentence
     QToolButton* m_keep;
     ExportMenu* m_export;
     PlotWidget* m_plot;

@@ -33,7 +33,8 @@ ChartSpec emptyChart(const QString& title, const AccuracyStudy& study) {
             .x = {textOf(study.measure->axis), {}, true},
             .y = {AccuracyChartTexts::tr("time per simulated second"), QStringLiteral("ms"), true},
             .series = {},
-            .levels = {{realTime, AccuracyChartTexts::tr("real time"), true}}};
+            .levels = {{realTime, AccuracyChartTexts::tr("real time"), true}},
+            .legendBeside = true};
 }
 
 void append(const AccuracyStudy& study, const AccuracyPoint& point, ChartSeries& series) {
@@ -166,6 +167,16 @@ QString describe(const AccuracyStudy& study, const AccuracyPoint& point) {
                           text(figure(100 * point.crowd->freeTime.median, 2)));
     if (!point.reason.empty()) words += QLatin1Char('\n') + text(point.reason);
     return words;
+}
+
+void markChosen(const AccuracyStudy& study, const AccuracyPoint& point, ChartSpec& chart) {
+    ChartSeries chosen =
+        marksOnly(AccuracyChartTexts::tr("chosen"), SeriesMark::Halo, QColor(0x10, 0x80, 0xE0));
+    append(study, point, chosen);
+    chosen.low.clear();
+    chosen.high.clear();
+    chosen.notes.clear(); // the point below has them
+    chart.series.push_back(std::move(chosen));
 }
 
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {

@@ -26,6 +26,9 @@ AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title);
 AccuracyChart comparedAccuracy(const AccuracyStudy& first, const QString& firstName,
                                const AccuracyStudy& second, const QString& secondName);
 
+/// A ring around a point that somebody chose, as one more series.
+void markChosen(const AccuracyStudy& study, const AccuracyPoint& point, ChartSpec& chart);
+
 /// A point in words: its setting, error, time, and what is wrong with it.
 QString describe(const AccuracyStudy& study, const AccuracyPoint& point);
 

@@ -208,8 +208,15 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         ground.setAlpha(190);
         label->setBrush(ground);
         label->setPadding(QMargins(3, 0, 3, 0));
-        const bool below = shareOfAxis(*plot.yAxis, level.y) > top;
+        const double share = shareOfAxis(*plot.yAxis, level.y);
+        const bool below = share > top;
         label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
+        if (level.alwaysShown && (share > 1 || share < 0)) { // far away: an arrow shows where
+            label->setText((share > 1 ? QStringLiteral("\u2191 ") : QStringLiteral("\u2193 ")) + level.label);
+            label->position->setType(QCPItemPosition::ptAxisRectRatio);
+            label->position->setCoords(0.01, share > 1 ? 0.01 : 0.99);
+            continue;
+        }
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         label->position->setTypeY(QCPItemPosition::ptPlotCoords);
         label->position->setCoords(0.01, level.y);
@@ -234,13 +241,20 @@ int legendColumns(const QCustomPlot& plot, const ChartSpec& spec) {
     return std::clamp(plot.width() / (longest + mark), 1, most);
 }
 
+/// Whether an axis that reaches to the value as well still has most of its length for what it showed before.
+bool isNear(const QCPAxis& axis, double value) {
+    constexpr double extra = 0.25; // of its length
+    const double share = shareOfAxis(axis, value);
+    return share >= -extra && share <= 1 + extra;
+}
+
 void fit(QCustomPlot& plot, const ChartSpec& spec) {
     plot.rescaleAxes();
     const bool stacked = std::any_of(spec.series.begin(), spec.series.end(), [](const ChartSeries& series) {
         return series.style == SeriesStyle::Stacked;
     });
     for (const ChartLevel& level : spec.levels)
-        if (level.alwaysShown && shows(spec.y, level.y)) {
+        if (level.alwaysShown && shows(spec.y, level.y) && isNear(*plot.yAxis, level.y)) {
             QCPRange range = plot.yAxis->range();
             range.expand(level.y);
             plot.yAxis->setRange(range);
@@ -258,14 +272,13 @@ void fit(QCustomPlot& plot, const ChartSpec& spec) {
     if (spec.x.logarithmic) widen(*plot.xAxis);
 }
 
-/// The sentence in lines that fit the plot's width.
-QString broken(const QCustomPlot& plot, const QString& sentence) {
+/// The sentence in lines that fit the width [px].
+QString broken(const QCustomPlot& plot, const QString& sentence, int width) {
     constexpr double part = 0.9; // of the width
     const QFontMetrics metrics(plot.font());
     QString lines, line;
     for (const QString& word : sentence.split(QLatin1Char(' '))) {
-        if (!line.isEmpty() &&
-            metrics.horizontalAdvance(line + QLatin1Char(' ') + word) > part * plot.width()) {
+        if (!line.isEmpty() && metrics.horizontalAdvance(line + QLatin1Char(' ') + word) > part * width) {
             lines += line + QLatin1Char('\n');
             line.clear();
         }
@@ -283,6 +296,42 @@ void addHeading(QCustomPlot& plot, const QString& text, const QFont& font, const
     plot.plotLayout()->addElement(0, 0, heading);
 }
 
+/// Of a column with all names [px].
+int widthOfNames(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr int mark = 60; // with its margins
+    const QFontMetrics metrics(plot.legend->font());
+    int longest = 0;
+    for (const ChartSeries& series : spec.series)
+        if (series.inLegend) longest = std::max(longest, metrics.horizontalAdvance(series.name));
+    return longest + mark;
+}
+
+/// For the names in a column beside the axes.
+bool hasRoomBeside(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr double most = 0.4; // of the width
+    const auto rows = static_cast<int>(
+        std::ranges::count_if(spec.series, [](const ChartSeries& series) { return series.inLegend; }));
+    return widthOfNames(plot, spec) < most * plot.width() &&
+           rows * QFontMetrics(plot.legend->font()).lineSpacing() < plot.height();
+}
+
+/// Beside or below the axes instead of over the curves; one that is not shown would keep its place there.
+void placeLegend(QCustomPlot& plot, bool named, bool beside) {
+    QCPLayoutGrid& grid = *plot.plotLayout();
+    if (plot.legend->layout() == &grid)
+        grid.take(plot.legend);
+    else
+        plot.axisRect()->insetLayout()->take(plot.legend);
+    grid.simplify();
+    if (!named) {
+        plot.axisRect()->insetLayout()->addElement(plot.legend, Qt::AlignTop);
+        return;
+    }
+    int row = 0; // of the axes, below the headings
+    while (row < grid.rowCount() && grid.element(row, 0) != plot.axisRect()) ++row;
+    grid.addElement(beside ? row : grid.rowCount(), beside ? 1 : 0, plot.legend);
+}
+
 void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
     plot.clearItems();
     plot.clearPlottables();
@@ -297,24 +346,24 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     addSeries(plot, spec, colours);
     QFont bold = plot.font();
     bold.setBold(true);
-    if (!spec.note.isEmpty()) addHeading(plot, broken(plot, spec.note), plot.font(), colours);
-    if (!spec.title.isEmpty()) addHeading(plot, spec.title, bold, colours);
     const bool named = spec.legend && spec.series.size() > 1;
-    if (named && plot.legend->layout() != &grid) { // below the axes instead of over the curves
-        plot.axisRect()->insetLayout()->take(plot.legend);
-        grid.addElement(grid.rowCount(), 0, plot.legend);
-    } else if (!named && plot.legend->layout() == &grid) { // a hidden one would keep its place there
-        grid.take(plot.legend);
-        grid.simplify();
-        plot.axisRect()->insetLayout()->addElement(plot.legend, Qt::AlignTop);
-    }
+    const bool beside = named && spec.legendBeside && hasRoomBeside(plot, spec);
+    const int names = beside ? widthOfNames(plot, spec) : 0;
+    if (!spec.note.isEmpty())
+        addHeading(plot, broken(plot, spec.note, plot.width() - names), plot.font(), colours);
+    if (!spec.title.isEmpty()) addHeading(plot, spec.title, bold, colours);
+    placeLegend(plot, named, beside);
     plot.legend->setBrush(Qt::NoBrush);
     plot.legend->setBorderPen(Qt::NoPen);
     plot.legend->setTextColor(colours.text);
-    plot.legend->setWrap(legendColumns(plot, spec));
+    plot.legend->setWrap(beside ? 1 : legendColumns(plot, spec));
     plot.legend->setFillOrder(QCPLegend::foColumnsFirst); // places the entries anew
     plot.legend->setRowSpacing(0);
-    if (named) grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
+    plot.legend->setMinimumSize(names, 0);
+    if (beside)
+        grid.setColumnStretchFactor(1, 0.001);
+    else if (named)
+        grid.setRowStretchFactor(grid.rowCount() - 1, 0.001);
     plot.legend->setVisible(named);
     fit(plot, spec);
     addLevels(plot, spec, colours);

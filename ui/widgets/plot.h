@@ -56,7 +56,8 @@ struct ChartSeries {
 struct ChartLevel {
     double y = 0;
     QString label;
-    bool alwaysShown = false; ///< the axis reaches so far
+    /// The axis reaches so far, if that is not far from the series; else an arrow at its end says where to.
+    bool alwaysShown = false;
 };
 
 struct ChartSpec {
@@ -65,7 +66,8 @@ struct ChartSpec {
     ChartAxis x, y;
     std::vector<ChartSeries> series;
     std::vector<ChartLevel> levels;
-    bool legend = true; ///< of more than one series
+    bool legend = true;        ///< of more than one series
+    bool legendBeside = false; ///< on the right, where the chart is wide enough; else below
 };
 
 /// Writes the chart as .png, .svg or .pdf by the ending of the path; the file is replaced only when the new

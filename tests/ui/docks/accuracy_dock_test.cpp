@@ -5,8 +5,10 @@
 #include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/study/accuracy_csv.h"
+#include "core/study/measures.h"
 #include "ui/docks/accuracy_dock.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
@@ -15,6 +17,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -78,7 +81,7 @@ class AccuracyDockTest : public QObject {
         finish();
         QVERIFY(!progress->isVisible());
         QVERIFY(m_dock->result()->complete);
-        QVERIFY(child<QLabel>("accuracyState")->text().contains(QStringLiteral("per simulated second")));
+        QVERIFY(child<QLabel>("accuracyVerdict")->text().contains(QStringLiteral("per simulated second")));
         QCOMPARE(reported.size(), 1);
         QVERIFY(reported[0][0].toString().startsWith(QStringLiteral("accuracy of swing studied in")));
         QVERIFY(m_plot->chart().series.size() > 8); // a line a family, the front, the scene's own
@@ -109,6 +112,10 @@ class AccuracyDockTest : public QObject {
         const QString told = child<QLabel>("accuracyPoint")->text();
         QVERIFY2(told.contains(QStringLiteral("ms per simulated second")), qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("impacts")), qPrintable(told));
+        const ChartSeries mark = m_plot->chart().series.back(); // a ring around it
+        QCOMPARE(mark.mark, SeriesMark::Halo);
+        QCOMPARE(mark.x.front(), m_plot->chart().series.front().x.front());
+        QCOMPARE(mark.y.front(), m_plot->chart().series.front().y.front());
         m_run->click();
         m_use->click();
         const auto pipeline = runs[0][0].value<std::shared_ptr<const Pipeline>>();
@@ -122,6 +129,30 @@ class AccuracyDockTest : public QObject {
         QVERIFY(m_run->isEnabled() && !m_use->isEnabled());
         Q_EMIT m_plot->pointClicked(999, 0); // a mark that is no point of a setting
         QVERIFY(m_run->isEnabled());
+    }
+
+    void theMeasureCanBeChosenBeforeAndAfterAStudy() {
+        m_dock->setScene(built(bouncing), QStringLiteral("ball"));
+        tryOnly(aFew);
+        QComboBox* measure = child<QComboBox>("accuracyMeasure");
+        QCOMPARE(measure->count(), 1 + static_cast<int>(measures().size()));
+        measure->setCurrentIndex(measure->findText(QStringLiteral("energy")));
+        study();
+        QCOMPARE(m_dock->result()->measure->name, std::string_view("energy"));
+        QVERIFY(m_plot->chart().x.label.contains(QStringLiteral("energy")));
+        measure->setCurrentIndex(0);
+        QCOMPARE(m_dock->result()->measure->name, std::string_view("trajectory"));
+        QVERIFY(m_plot->chart().x.label.contains(QStringLiteral("distance by scene size")));
+        QVERIFY(child<QLabel>("accuracyVerdict")->text().startsWith(QStringLiteral("Error ")));
+    }
+
+    void theBudgetIsThatOfTheStudy() {
+        m_dock->setScene(built(bouncing), QStringLiteral("ball"));
+        tryOnly(aFew);
+        child<QSpinBox>("accuracyBudget")->setValue(7);
+        study();
+        QCOMPARE(m_dock->result()->plan.budget, 7.0);
+        QVERIFY(m_dock->result()->complete);
     }
 
     void aStudyThatIsStoppedGoesOnWhereItWas() {

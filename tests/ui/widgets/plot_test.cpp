@@ -67,6 +67,39 @@ class PlotTest : public QObject {
         }
     }
 
+    void aLevelFarFromTheSeriesIsAnArrowAtTheEdge() {
+        ChartSpec spec = example(SeriesStyle::LineAndMarks);
+        spec.x.logarithmic = spec.y.logarithmic = true;
+        const QString path = m_folder.filePath(QStringLiteral("levels.svg"));
+        for (const auto& [level, arrow] :
+             {std::pair{1e6, QStringLiteral("\u2191 ")}, std::pair{1e-6, QStringLiteral("\u2193 ")},
+              std::pair{20.0, QString()}, std::pair{10.0, QString()}}) {
+            spec.levels = {{level, QStringLiteral("real time"), true}};
+            QCOMPARE(writeChart(spec, path), QString());
+            const QString text = textOfXml(path);
+            QVERIFY2(text.contains(arrow + QStringLiteral("real time")), qPrintable(text));
+            QCOMPARE(text.contains(QChar(0x2191)) || text.contains(QChar(0x2193)), !arrow.isEmpty());
+        }
+    }
+
+    void namesStandBesideTheAxesWhereThereIsRoom() {
+        ChartSpec spec = example(SeriesStyle::Line);
+        spec.legendBeside = true;
+        const auto lowest = [&] { // row of the first series' colour, 0 above to 1 below
+            const QString path = m_folder.filePath(QStringLiteral("names.png"));
+            if (!writeChart(spec, path).isEmpty()) return -1.0;
+            const QImage image(path);
+            for (int y = image.height() - 1; y > 0; --y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (image.pixel(x, y) == seriesColour(0).rgb()) return double(y) / image.height();
+            return 0.0;
+        };
+        const double axes = 0.93; // labels and numbers below them
+        QVERIFY(lowest() < axes);
+        spec.series[1].name = QString(200, QLatin1Char('m')); // too long to stand beside
+        QVERIFY(lowest() > axes);
+    }
+
     void stackedAreasAreAsLargeAsTheirFigures() {
         ChartSpec spec = example(SeriesStyle::Stacked);
         spec.series[0].y = {3, 3, 3, 3};
