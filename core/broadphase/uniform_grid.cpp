@@ -61,14 +61,12 @@ void UniformGrid::update(const BroadphaseInput& input) {
 
     m_counters.boxes = input.boxes.size();
     m_counters.pairs = m_pairs.size();
-    m_counters.memoryBytes = m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) +
-                             m_levelOf.capacity() +
-                             (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
-                             m_placed.capacity() * sizeof(Placed) + m_boxes.bytes() +
-                             m_ranges.capacity() * sizeof(BoxRange) +
-                             m_hits.capacity() * sizeof(std::uint32_t) +
-                             m_found.capacity() * sizeof(PairKey) +
-                             m_order.bytes() + m_pairs.capacity() * sizeof(BodyPair);
+    m_counters.memoryBytes =
+        m_levels.capacity() * sizeof(Level) + m_byExponent.capacity() * sizeof(Level) + m_levelOf.capacity() +
+        (m_slots.capacity() + m_starts.capacity()) * sizeof(std::uint32_t) +
+        m_placed.capacity() * sizeof(Placed) + m_boxes.bytes() + m_ranges.capacity() * sizeof(BoxRange) +
+        m_hits.capacity() * sizeof(std::uint32_t) + m_found.capacity() * sizeof(PairKey) + m_order.bytes() +
+        m_pairs.capacity() * sizeof(BodyPair);
 }
 
 // From the widest down: a class of widths (one binary exponent) joins the level above if, by the density of
