@@ -6,12 +6,13 @@ namespace carom {
 void AllPairs::update(const BroadphaseInput& input) {
     const std::size_t count = input.boxes.size();
     m_columns.resize(count);
-    m_hits.resize(count);
+    m_hits.resize(count + wideLanes);
     for (std::size_t i = 0; i < count; ++i) m_columns.set(i, input.boxes[i]);
 
     m_pairs.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t found = overlapping(m_columns, input.boxes[i], i + 1, count, m_hits.data());
+        const BoxRange later{static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(count)};
+        const std::size_t found = overlapping(m_columns, input.boxes[i], {&later, 1}, m_hits.data());
         for (std::size_t k = 0; k < found; ++k) {
             const std::uint32_t j = m_hits[k];
             if (input.mobile[i] | input.mobile[j]) m_pairs.push_back({input.bodies[i], input.bodies[j]});

@@ -12,6 +12,37 @@ using Lanes = std::int64_t __attribute__((vector_size(32)));
     return *reinterpret_cast<const Loose*>(from);
 }
 
+/// One box against four of the columns at once.
+struct Comparison {
+    std::array<const double*, 3> lowers, uppers; // of the columns
+    std::array<Wide, 3> lower, upper;            // of the box
+
+    Comparison(const BoxColumns& columns, const Aabb& box) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lowers[axis] = columns.lower[axis].data();
+            uppers[axis] = columns.upper[axis].data();
+            lower[axis] = wideOf(box.lower[static_cast<Eigen::Index>(axis)]);
+            upper[axis] = wideOf(box.upper[static_cast<Eigen::Index>(axis)]);
+        }
+    }
+
+    /// All bits of a lane where entries at .. at+3 overlap the box.
+    [[gnu::always_inline]] Lanes hits(std::int64_t at) const {
+        return (loadLoose(lowers[0] + at) <= upper[0]) & (lower[0] <= loadLoose(uppers[0] + at)) &
+               (loadLoose(lowers[1] + at) <= upper[1]) & (lower[1] <= loadLoose(uppers[1] + at)) &
+               (loadLoose(lowers[2] + at) <= upper[2]) & (lower[2] <= loadLoose(uppers[2] + at));
+    }
+};
+
+/// Writes those of entries at .. at+3 that hit, without a branch.
+[[gnu::always_inline]] inline std::uint32_t* write(Lanes hit, std::int64_t at, std::uint32_t* to) {
+    for (int lane = 0; lane < wideLanes; ++lane) {
+        *to = static_cast<std::uint32_t>(at + lane);
+        to -= hit[lane];
+    }
+    return to;
+}
+
 } // namespace
 
 void BoxColumns::resize(std::size_t count) {
@@ -38,67 +69,28 @@ std::size_t BoxColumns::bytes() const {
     return doubles * sizeof(double);
 }
 
-// Most boxes overlap nothing, so a block is first asked whether it holds any hit at all: that loop has no
-// branch and no store, and becomes wide compares. Only a block that does is walked entry by entry.
-CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box, std::size_t begin,
-                                   std::size_t end, std::uint32_t* hits) {
-    constexpr std::size_t blockSize = 32;
-    const double* const lowerX = columns.lower[0].data();
-    const double* const lowerY = columns.lower[1].data();
-    const double* const lowerZ = columns.lower[2].data();
-    const double* const upperX = columns.upper[0].data();
-    const double* const upperY = columns.upper[1].data();
-    const double* const upperZ = columns.upper[2].data();
-    const double lx = box.lower.x(), ly = box.lower.y(), lz = box.lower.z();
-    const double ux = box.upper.x(), uy = box.upper.y(), uz = box.upper.z();
-    const auto hit = [&](std::size_t j) -> std::int64_t {
-        return std::int64_t(lowerX[j] <= ux) & std::int64_t(lx <= upperX[j]) & //
-               std::int64_t(lowerY[j] <= uy) & std::int64_t(ly <= upperY[j]) & //
-               std::int64_t(lowerZ[j] <= uz) & std::int64_t(lz <= upperZ[j]);
-    };
-    std::size_t found = 0;
-    std::size_t j = begin;
-    for (; j + blockSize <= end; j += blockSize) {
-        std::int64_t inBlock = 0;
-        for (std::size_t k = 0; k < blockSize; ++k) inBlock += hit(j + k);
-        if (inBlock == 0) continue;
-        for (std::size_t k = 0; k < blockSize; ++k) {
-            hits[found] = static_cast<std::uint32_t>(j + k);
-            found += static_cast<std::size_t>(hit(j + k));
-        }
-    }
-    for (; j < end; ++j) {
-        hits[found] = static_cast<std::uint32_t>(j);
-        found += static_cast<std::size_t>(hit(j));
-    }
-    return found;
-}
-
-// Ranges of a few boxes: four at a time, those beyond the end masked out.
+// Most boxes overlap nothing, so a block of a long range is first asked whether it holds any hit at all. The
+// rest of a range goes four at a time, those beyond the end masked out.
 CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
                                    std::span<const BoxRange> ranges, std::uint32_t* hits) {
-    const double* const lowerX = columns.lower[0].data();
-    const double* const lowerY = columns.lower[1].data();
-    const double* const lowerZ = columns.lower[2].data();
-    const double* const upperX = columns.upper[0].data();
-    const double* const upperY = columns.upper[1].data();
-    const double* const upperZ = columns.upper[2].data();
-    const Wide lx = wideOf(box.lower.x()), ly = wideOf(box.lower.y()), lz = wideOf(box.lower.z());
-    const Wide ux = wideOf(box.upper.x()), uy = wideOf(box.upper.y()), uz = wideOf(box.upper.z());
-    std::size_t found = 0;
-    for (const BoxRange& range : ranges)
-        for (std::int64_t j = range.begin; j < range.end; j += wideLanes) {
-            const Lanes entries = Lanes{0, 1, 2, 3} + j;
-            const Lanes hit = (loadLoose(lowerX + j) <= ux) & (lx <= loadLoose(upperX + j)) &
-                              (loadLoose(lowerY + j) <= uy) & (ly <= loadLoose(upperY + j)) &
-                              (loadLoose(lowerZ + j) <= uz) & (lz <= loadLoose(upperZ + j)) &
-                              (entries < std::int64_t(range.end));
-            for (int lane = 0; lane < wideLanes; ++lane) {
-                hits[found] = static_cast<std::uint32_t>(j + lane);
-                found += static_cast<std::size_t>(-hit[lane]);
-            }
+    constexpr std::int64_t blockSize = 32;
+    const Comparison comparison(columns, box);
+    std::uint32_t* next = hits;
+    for (const BoxRange& range : ranges) {
+        std::int64_t j = range.begin;
+        for (; j + blockSize <= range.end; j += blockSize) {
+            Lanes any{};
+            for (std::int64_t k = 0; k < blockSize; k += wideLanes) any |= comparison.hits(j + k);
+            if ((any[0] | any[1] | any[2] | any[3]) == 0) continue;
+            for (std::int64_t k = 0; k < blockSize; k += wideLanes)
+                next = write(comparison.hits(j + k), j + k, next);
         }
-    return found;
+        for (; j < range.end; j += wideLanes) {
+            const Lanes inside = Lanes{0, 1, 2, 3} + j < std::int64_t(range.end);
+            next = write(comparison.hits(j) & inside, j, next);
+        }
+    }
+    return static_cast<std::size_t>(next - hits);
 }
 
 } // namespace carom

@@ -17,24 +17,18 @@ struct BoxColumns {
     std::array<std::vector<double>, 3> lower, upper; ///< [m], by axis, then by entry; wideLanes more
 
     void resize(std::size_t count);
-    std::size_t size() const { return lower[0].size() - wideLanes; }
     void set(std::size_t entry, const Aabb& box);
     Aabb box(std::size_t entry) const;
     std::size_t bytes() const;
 };
-
-/// Writes the entries in begin .. end-1 whose boxes overlap `box` to `hits`, ascending, and returns how many
-/// there are. `hits` must have room for end - begin.
-std::size_t overlapping(const BoxColumns& columns, const Aabb& box, std::size_t begin, std::size_t end,
-                        std::uint32_t* hits);
 
 /// Entries begin .. end-1.
 struct BoxRange {
     std::uint32_t begin = 0, end = 0;
 };
 
-/// The same for several short ranges, one after the other. `hits` must have room for all of their entries and
-/// wideLanes more.
+/// Writes the entries in `ranges` whose boxes overlap `box` to `hits`, in the order of the ranges, and
+/// returns how many there are. `hits` must have room for all entries in the ranges and wideLanes more.
 std::size_t overlapping(const BoxColumns& columns, const Aabb& box, std::span<const BoxRange> ranges,
                         std::uint32_t* hits);
 

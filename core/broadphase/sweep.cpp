@@ -52,7 +52,7 @@ std::uint64_t Sweep::collect(std::span<const Aabb> boxes, std::size_t axis, std:
     const std::size_t count = boxes.size();
     sortStarts(boxes, axis);
     m_columns.resize(count);
-    m_hits.resize(count);
+    m_hits.resize(count + wideLanes);
     for (std::size_t p = 0; p < count; ++p) m_columns.set(p, boxes[m_starts[p].entry]);
 
     std::uint64_t tested = 0;
@@ -61,11 +61,12 @@ std::uint64_t Sweep::collect(std::span<const Aabb> boxes, std::size_t axis, std:
         const std::vector<Start>::const_iterator past =
             std::upper_bound(m_starts.cbegin() + static_cast<std::ptrdiff_t>(p) + 1, m_starts.cend(),
                              upper[p], [](double end, const Start& start) { return end < start.at; });
-        const std::size_t end = static_cast<std::size_t>(past - m_starts.cbegin());
+        const BoxRange later{static_cast<std::uint32_t>(p + 1),
+                             static_cast<std::uint32_t>(past - m_starts.cbegin())};
         const std::uint32_t entry = m_starts[p].entry;
-        const std::size_t found = overlapping(m_columns, boxes[entry], p + 1, end, m_hits.data());
+        const std::size_t found = overlapping(m_columns, boxes[entry], {&later, 1}, m_hits.data());
         for (std::size_t k = 0; k < found; ++k) pairs.push_back(pairKey(entry, m_starts[m_hits[k]].entry));
-        tested += end - (p + 1);
+        tested += later.end - later.begin;
     }
     return tested;
 }

@@ -49,8 +49,8 @@ Neighbours::Neighbours(const Bodies& bodies)
     for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
     m_outrun.reserve(2 * bodies.count());
     m_found.reserve(usualAround * fewOutrun);
-    m_balls.resize(bodies.bounded.size());
-    m_hits.resize(bodies.bounded.size());
+    m_columns.resize(bodies.bounded.size());
+    m_hits.resize(bodies.bounded.size() + wideLanes);
 }
 
 void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
@@ -164,7 +164,8 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         renewSkin(bodies, state, i);
         m_isOutrun[i] = 1;
     }
-    placeBalls(bodies, state);
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
+        m_columns.set(k, boxWithSkin(bodies, state, bodies.bounded[k]));
     m_found.clear();
     for (const BodyIndex i : m_outrun)
         if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, state, i);
@@ -180,48 +181,37 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     listAround(bodies.count());
 }
 
-void Neighbours::placeBalls(const Bodies& bodies, const State& state) {
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
-        const BodyIndex i = bodies.bounded[k];
-        m_balls.set(k, state.pose[i].position, bodies.boundingRadius[i] + skinOf(bodies, i));
-    }
-}
-
 // Each pair once, of two that have outrun the list when the first of them is looked at.
 void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
-    const double radius = bodies.boundingRadius[body] + m_skin[body];
-    const Vec3& centre = state.pose[body].position;
-    const std::size_t count = overlapping(m_balls, centre, radius, m_hits.data());
+    const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
+    const std::size_t count =
+        overlapping(m_columns, boxWithSkin(bodies, state, body), {&all, 1}, m_hits.data());
     makeRoomFor(m_found.size() + count + bodies.walls.size(), m_found);
     for (std::size_t k = 0; k < count; ++k) {
         const BodyIndex other = bodies.bounded[m_hits[k]];
-        if (other != body && m_isOutrun[other] != 2)
-            m_found.push_back({std::min(body, other), std::max(body, other)});
+        const BodyPair pair{std::min(body, other), std::max(body, other)};
+        if (other != body && m_isOutrun[other] != 2 && doSkinsTouch(bodies, state, pair))
+            m_found.push_back(pair);
     }
-    for (const BodyIndex w : bodies.walls)
-        if (distanceTo(std::get<Wall>(bodies.shape[w]), centre) <= radius)
-            m_found.push_back({std::min(w, body), std::max(w, body)});
+    for (const BodyIndex w : bodies.walls) {
+        const BodyPair pair{std::min(w, body), std::max(w, body)};
+        if (boundingGap(bodies, state, pair) <= m_skin[body]) m_found.push_back(pair);
+    }
 }
 
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     m_outrun.clear();
     for (const BodyIndex i : bodies.mobileBodies) renewSkin(bodies, state, i);
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
-        const BodyIndex i = bodies.bounded[k];
-        m_boxes[k] = grown(bodies.boxAt(i, state.pose[i]), skinOf(bodies, i));
-    }
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
+        m_boxes[k] = boxWithSkin(bodies, state, bodies.bounded[k]);
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
     findWallPairs(bodies, state);
     m_pairs.clear();
     const std::span<const BodyPair> pairs = broadphase.pairs();
-    const auto near = [&](BodyPair pair) {
-        const double skins = skinOf(bodies, pair.a) + skinOf(bodies, pair.b);
-        return boundingGap(bodies, state, pair) <= skins;
-    };
     auto wall = m_wallPairs.begin();
     for (const BodyPair pair : pairs) {
-        if (!near(pair)) continue;
+        if (!doSkinsTouch(bodies, state, pair)) continue;
         while (wall != m_wallPairs.end() && *wall < pair) m_pairs.push_back(*wall++);
         m_pairs.push_back(pair);
     }
@@ -234,14 +224,20 @@ double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
     return bodies.mobile[body] != 0 ? m_skin[body] : leastMargin * bodies.boundingRadius[body];
 }
 
+Aabb Neighbours::boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const {
+    return grown(bodies.boxAt(body, state.pose[body]), skinOf(bodies, body));
+}
+
+bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const {
+    return boundingGap(bodies, state, pair) <= skinOf(bodies, pair.a) + skinOf(bodies, pair.b);
+}
+
 void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
     m_wallPairs.clear();
     for (const BodyIndex w : bodies.walls) {
-        const Wall& wall = std::get<Wall>(bodies.shape[w]);
         for (const BodyIndex i : bodies.mobileBodies) {
-            const double near = bodies.boundingRadius[i] + m_skin[i];
-            if (distanceTo(wall, state.pose[i].position) <= near)
-                m_wallPairs.push_back({std::min(w, i), std::max(w, i)});
+            const BodyPair pair{std::min(w, i), std::max(w, i)};
+            if (boundingGap(bodies, state, pair) <= m_skin[i]) m_wallPairs.push_back(pair);
         }
     }
     std::sort(m_wallPairs.begin(), m_wallPairs.end());

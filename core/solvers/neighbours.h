@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/broadphase/box_columns.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
-#include "core/solvers/ball_columns.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -114,11 +114,12 @@ class Neighbours {
 
   private:
     double skinOf(const Bodies& bodies, BodyIndex body) const;
+    Aabb boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const;
+    bool doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     bool areFewOutrun() const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    void placeBalls(const Bodies& bodies, const State& state);
     void findAround(const Bodies& bodies, const State& state, BodyIndex body);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies, const State& state);
@@ -137,8 +138,8 @@ class Neighbours {
     std::uint64_t m_searches = 0;
     std::vector<BodyIndex> m_outrun;         // since the last search; some may be named twice
     std::vector<std::uint8_t> m_isOutrun;    // by body, of m_outrun
-    BallColumns m_balls;                     // of bodies.bounded, each with its skin
-    std::vector<std::uint32_t> m_hits;       // of m_balls
+    BoxColumns m_columns;                    // of bodies.bounded, each with its skin
+    std::vector<std::uint32_t> m_hits;       // of m_columns
     std::vector<BodyPair> m_found, m_merged; // of m_outrun
     std::vector<BodyPair> m_wallPairs, m_pairs;
     std::vector<std::uint32_t> m_first; // by body, into m_others, one more at the end
