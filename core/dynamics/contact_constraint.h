@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/base/index.h"
 #include "core/math/types.h"
 
@@ -63,6 +64,7 @@ struct ContactSet {
     }
     /// Makes room for so many pairs and points, and some more.
     void makeRoom(std::size_t pairCount, std::size_t pointCount);
+    std::size_t bytes() const { return heldBytes(pairs, points); }
     /// Appends a pair of another set with its points.
     void append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints);
 };

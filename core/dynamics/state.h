@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/base/index.h"
 #include "core/dynamics/bodies.h"
 #include "core/math/pose.h"
 #include "core/scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,11 @@ struct State {
 
     std::int64_t frame = 0;
     double time = 0; ///< [s] = frame · step
+
+    /// Memory of the arrays.
+    std::size_t bytes() const {
+        return heldBytes(pose, velocity, angularVelocity, positionRest, angularMomentum);
+    }
 };
 
 /// Gives body k of one state what body i of another has.

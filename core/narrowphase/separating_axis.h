@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/base/index.h"
 #include "core/narrowphase/narrowphase.h"
 
@@ -41,7 +42,7 @@ class SeparatingAxes {
     bool collide(BodyPair pair, const PlacedShape& a, const PlacedShape& b, double margin,
                  Manifold& manifold);
     const Counters& counters() const { return m_counters; }
-    std::size_t bytes() const { return (m_last.size() + m_current.size()) * sizeof(Entry); }
+    std::size_t bytes() const { return heldBytes(m_last, m_current); }
 
   private:
     struct Entry {

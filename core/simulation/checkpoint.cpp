@@ -4,8 +4,7 @@
 namespace carom {
 
 std::size_t Checkpoint::bytes() const {
-    return sizeof(Checkpoint) + state.pose.size() * (sizeof(Pose) + 2 * sizeof(Vec3)) +
-           (memory ? memory->bytes() : 0);
+    return sizeof(Checkpoint) + state.bytes() + (memory ? memory->bytes() : 0);
 }
 
 } // namespace carom

@@ -20,6 +20,7 @@ struct Checkpoint {
     std::unique_ptr<const SolverMemory> memory;
 
     std::int64_t frame() const { return state.frame; }
+    /// Memory that it takes.
     std::size_t bytes() const;
 };
 

@@ -51,9 +51,9 @@ void Recording::keep(const World& world) {
 }
 
 void Recording::thinOut() {
-    std::vector<Checkpoint> kept;
-    for (std::size_t i = 0; i < m_checkpoints.size(); i += 2) kept.push_back(std::move(m_checkpoints[i]));
-    m_checkpoints.swap(kept);
+    for (std::size_t i = 1; 2 * i < m_checkpoints.size(); ++i)
+        m_checkpoints[i] = std::move(m_checkpoints[2 * i]);
+    m_checkpoints.resize((m_checkpoints.size() + 1) / 2);
     m_apart *= 2;
     m_bytes = std::accumulate(m_checkpoints.begin(), m_checkpoints.end(), std::size_t{0},
                               [](std::size_t sum, const Checkpoint& one) { return sum + one.bytes(); });

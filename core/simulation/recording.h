@@ -6,8 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <vector>
 
 // The way back through a run. Keeping every frame would need gigabytes, so only checkpoints are kept, and a
 // frame between two of them is simulated again, bit for bit as it was:
@@ -56,9 +56,10 @@ class Recording {
     std::size_t m_budget;
     std::size_t m_bytes = 0;
     std::int64_t m_furthest = 0;
-    std::int64_t m_apart = 1;              ///< doubled whenever memory ran out
-    double m_costSince = 0;                ///< of the frames since the last checkpoint [ms]
-    std::vector<Checkpoint> m_checkpoints; ///< ascending
+    std::int64_t m_apart = 1;             ///< doubled whenever memory ran out
+    double m_costSince = 0;               ///< of the frames since the last checkpoint [ms]
+    std::deque<Checkpoint> m_checkpoints; ///< ascending; each in a piece of its own, so that there is no room
+                                          ///< for more of them than there are
 };
 
 } // namespace carom

@@ -85,6 +85,8 @@ class Contacts final : public Solver {
         int stayed = 0, patience = 0;
         Refinement::Memory refinement;
         std::vector<double> calm;
+
+        std::size_t bytes() const { return heldBytes(contacts, resting, manifolds, base, refinement, calm); }
     };
     void findMembers(const SolverInput& input);
     bool renewBase(const SolverInput& input);
@@ -212,11 +214,8 @@ SolverReport Contacts::advance(const SolverInput& input) {
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
     Persistent persistent{m_contacts, m_resting,  m_found.manifolds(),   m_base,
                           m_stayed,   m_patience, m_refinement.memory(), m_calm.times()};
-    std::size_t bytes = m_resting.bodies().size() * sizeof(BodyIndex) + m_found.manifolds().bytes() +
-                        m_base.bytes() + persistent.calm.size() * (sizeof(double) + 1);
-    for (const ContactSet* set : {&m_contacts, &m_resting.contacts()})
-        bytes += set->pairs.size() * sizeof(ContactPair) + set->points.size() * sizeof(ContactConstraint);
-    return std::make_unique<Remembered<Persistent>>(std::move(persistent), bytes);
+    persistent.base.dropWhatLeft();
+    return std::make_unique<Remembered<Persistent>>(std::move(persistent));
 }
 
 void Contacts::recall(const SolverMemory& memory) {

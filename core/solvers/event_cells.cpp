@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/event_cells.h"
 
+#include "core/base/held_bytes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -178,9 +180,8 @@ void EventCells::cross(Agendas agendas, std::uint32_t i, int axis, int direction
     link(level, spotOf(level, place), i);
 }
 
-std::size_t EventCells::memoryBytes() const {
-    return (m_first.capacity() + m_next.capacity()) * sizeof(std::uint32_t) + m_bits.capacity() +
-           m_walls.capacity();
+std::size_t EventCells::bytes() const {
+    return heldBytes(m_levels, m_first, m_next, m_bits, m_walls, m_count);
 }
 
 } // namespace carom

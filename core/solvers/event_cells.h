@@ -95,7 +95,7 @@ class EventCells {
         return m_origin[axis] + m_levels[agenda.level].side * agenda.place[index(axis)];
     }
     double sideOf(const Agenda& agenda) const { return m_levels[agenda.level].side; }
-    std::size_t memoryBytes() const;
+    std::size_t bytes() const;
 
     /// Fetches what looking around ball i will read.
     void prefetch(const Agenda& agenda) const {

@@ -403,13 +403,10 @@ void EventGas::write(State& state) const {
     }
 }
 
-std::size_t EventGas::memoryBytes() const {
-    return m_stamps.capacity() * sizeof(Stamp) + m_placeRests.capacity() * sizeof(Vec3) +
-           m_agendas.capacity() * sizeof(Agenda) + m_bodies.capacity() * sizeof(BodyIndex) +
-           m_materials.capacity() * sizeof(Material) + m_rests.capacity() * sizeof(Rest) +
-           (m_lastLosses.capacity() + m_order.capacity() + m_nextBorders.capacity()) * sizeof(double) +
-           m_borders.capacity() * sizeof(m_borders.front()) + m_passing.capacity() * sizeof(std::uint32_t) +
-           m_cells.memoryBytes() + m_queue.memoryBytes();
+std::size_t EventGas::bytes() const {
+    return heldBytes(m_stamps, m_placeRests, m_agendas, m_bodies, m_materials, m_rests, m_unusedRests,
+                     m_released, m_lastLosses, m_walls, m_cluster, m_touches, m_group, m_order, m_borders,
+                     m_nextBorders, m_passing, m_cells, m_queue);
 }
 
 } // namespace carom

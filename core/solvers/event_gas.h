@@ -88,7 +88,7 @@ class EventGas {
     /// it but for the coordinate that faces the wall. At first everywhere.
     void watch(const Aabb& region) { m_watched = region; }
     const ImpulseTally& tally() const { return m_tally; }
-    std::size_t memoryBytes() const;
+    std::size_t bytes() const;
 
   private:
     static constexpr std::uint32_t nobody = Agenda::nobody;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/solvers/event_agenda.h"
 
 #include <array>
@@ -97,7 +98,7 @@ class EventQueue {
         return m_second <= limit || limit * m_daysPerSecond >= static_cast<double>(m_today + 1);
     }
 
-    std::size_t memoryBytes() const { return m_days.capacity() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return heldBytes(m_days); }
 
   private:
     static constexpr std::array<std::int64_t, 2> ahead = {4, 2};

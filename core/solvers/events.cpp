@@ -19,6 +19,8 @@ namespace {
 struct Progress {
     std::optional<EventGas> gas; // made at the first substep, when gravity is known
     std::int64_t substeps = 0;
+
+    std::size_t bytes() const { return gas ? gas->bytes() : 0; }
 };
 
 class Events final : public Solver {
@@ -32,8 +34,7 @@ class Events final : public Solver {
 };
 
 std::unique_ptr<const SolverMemory> Events::memory() const {
-    const std::size_t bytes = m_progress.gas ? m_progress.gas->memoryBytes() : 0;
-    return std::make_unique<Remembered<Progress>>(m_progress, bytes);
+    return std::make_unique<Remembered<Progress>>(m_progress);
 }
 
 void Events::recall(const SolverMemory& memory) {

@@ -80,7 +80,7 @@ class Microcollisions final : public Solver {
     explicit Microcollisions(const Bodies& bodies);
     SolverReport advance(const SolverInput& input) override;
     std::unique_ptr<const SolverMemory> memory() const override {
-        return std::make_unique<Remembered<SeparatingAxes>>(m_axes, m_axes.bytes());
+        return std::make_unique<Remembered<SeparatingAxes>>(m_axes);
     }
     void recall(const SolverMemory& memory) override {
         m_axes = dynamic_cast<const Remembered<SeparatingAxes>&>(memory).value();

@@ -2,6 +2,8 @@
 #include "core/solvers/resting.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -39,7 +41,8 @@ void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
     // Room for all in each, so that it is there when the first or the last come to rest.
     const std::size_t pairs = m_contacts.pairs.size() + moving.pairs.size();
     const std::size_t points = m_contacts.points.size() + moving.points.size();
-    for (ContactSet* set : {&m_contacts, &m_rests, &m_moves}) set->makeRoom(pairs, points);
+    for (ContactSet* set : std::initializer_list<ContactSet*>{&m_contacts, &m_rests, &m_moves})
+        set->makeRoom(pairs, points);
     if (!m_changed) return;
     m_changed = false;
     m_bodies.insert(m_bodies.end(), m_laid.begin(), m_laid.end());
@@ -56,8 +59,8 @@ void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
         for (const ContactConstraint& point : set.pointsOf(pair))
             m_deepest = std::max(m_deepest, -point.separation);
     });
-    std::swap(m_contacts, m_rests);
-    std::swap(moving, m_moves);
+    std::swap<ContactSet>(m_contacts, m_rests);
+    std::swap<ContactSet>(moving, m_moves);
 }
 
 void Resting::book(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const {

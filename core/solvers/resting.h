@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/scratch.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/ledger.h"
@@ -36,6 +37,8 @@ class Resting {
     /// Among those that rest and with what is immobile.
     const ContactSet& contacts() const { return m_contacts; }
     double deepest() const { return m_deepest; } ///< overlap of these contacts [m]
+    /// Of what a copy holds.
+    std::size_t bytes() const { return heldBytes(m_next, m_bodies, m_laid, m_contacts); }
 
     /// Lays an island to rest. exchange() must follow before the next substep.
     void lay(std::span<const BodyIndex> island);
@@ -51,7 +54,8 @@ class Resting {
   private:
     std::vector<BodyIndex> m_next; // by body: the next one of its island, in a ring; noBody: it does not rest
     std::vector<BodyIndex> m_bodies, m_laid; // m_laid: since the last exchange
-    ContactSet m_contacts, m_rests, m_moves;
+    ContactSet m_contacts;
+    Scratch<ContactSet> m_rests, m_moves; // of an exchange
     double m_deepest = 0;
     bool m_changed = false;
 };

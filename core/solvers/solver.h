@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
@@ -94,21 +95,21 @@ class SolverMemory {
     SolverMemory(const SolverMemory&) = delete;
     SolverMemory& operator=(const SolverMemory&) = delete;
 
+    /// That it takes.
     virtual std::size_t bytes() const = 0;
 };
 
-/// A memory that is one value; most are.
+/// A memory that is one value, which says what it holds elsewhere; most are.
 template<class Value>
 class Remembered final : public SolverMemory {
   public:
-    Remembered(Value value, std::size_t bytes) : m_value(std::move(value)), m_bytes(bytes) {}
+    explicit Remembered(Value value) : m_value(std::move(value)) {}
 
-    std::size_t bytes() const override { return m_bytes; }
+    std::size_t bytes() const override { return sizeof(*this) + pieceOverhead + heldBytes(m_value); }
     const Value& value() const { return m_value; }
 
   private:
     Value m_value;
-    std::size_t m_bytes;
 };
 
 class Solver {

@@ -93,7 +93,7 @@ void measure(std::int64_t count, std::uint64_t collisions, double spread) {
     };
     printOut(std::to_string(count) + " balls: " + figure(made / seconds, 4) + " collisions/s, " +
              figure(1000 * seconds / ((time - startTime) * 60), 3) + " ms a frame, " +
-             figure(static_cast<double>(gas.memoryBytes()) / static_cast<double>(count), 3) +
+             figure(static_cast<double>(gas.bytes()) / static_cast<double>(count), 3) +
              " bytes a ball, energy " + figure(drift, 2) +
              "; a collision: " + per(end.bounces, start.bounces) + " bounces, " +
              per(end.crossings, start.crossings) + " crossings, " + per(end.stale, start.stale) + " stale, " +

@@ -16,9 +16,7 @@ namespace carom::test {
 struct ManifoldPlaces {
     explicit ManifoldPlaces(Manifolds manifolds) {
         constexpr std::size_t most = 1'000'000;
-        const std::size_t count =
-            (manifolds.bytes() - manifolds.entries().size() * sizeof(Manifolds::Entry)) /
-            sizeof(PersistentManifold);
+        const std::size_t count = manifolds.places();
         isLive.assign(count, true);
         for (std::size_t i = 0; i < most; ++i) {
             const std::uint32_t place = manifolds.add(BodyPair{0, 1});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
+#include "core/base/scratch.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/lane_packer.h"
 #include "core/solvers/contacts/velocity_solve.h"
@@ -84,7 +86,7 @@ class BallRows {
     /// any.
     bool findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
                     std::span<const Displacement> moved, double duration, const Vec3& gravity);
-    std::size_t bytes() const { return m_groups.size() * (sizeof(BallGroup) + sizeof(Fixed)); }
+    std::size_t bytes() const { return heldBytes(m_groups, m_fixed); }
     double deepest() const { return m_deepest; } ///< overlap at the last refresh [m]
 
     // As in velocity_solve.h, of what is active.
@@ -128,9 +130,9 @@ class BallRows {
     static void refreshGroup(const Refresh& with, std::size_t group, bool struck);
 
     std::vector<BallGroup> m_groups;
-    std::vector<Fixed> m_fixed; // by group
-    LanePacker m_packer;
-    std::size_t m_active = 0; // groups
+    std::vector<Fixed> m_fixed;   // by group
+    Scratch<LanePacker> m_packer; // of the pairs that are added together
+    std::size_t m_active = 0;     // groups
     double m_deepest = 0;
 };
 

@@ -323,9 +323,14 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
     return report;
 }
 
+void BasePath::dropWhatLeft() {
+    for (SteppedMotion& block : m_blocks)
+        if (block.isEmpty()) block = SteppedMotion();
+}
+
 std::size_t BasePath::bytes() const {
-    std::size_t sum = m_reach.size() * (sizeof(double) + sizeof(Pose) + 1 + sizeof(std::uint32_t));
-    for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.bytes();
+    std::size_t sum = heldBytes(m_reach, m_origin, m_block, m_renewed, m_renewal);
+    for (const SteppedMotion& block : m_blocks) sum += block.bytes();
     return sum;
 }
 

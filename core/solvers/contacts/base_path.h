@@ -79,6 +79,8 @@ class BasePath {
         return std::any_of(m_blocks.begin(), m_blocks.end(),
                            [&](SteppedMotion& block) { return !block.isEmpty() && block.anyIsland(isCalm); });
     }
+    /// What has left is left out of copies that are to be kept.
+    void dropWhatLeft();
     std::size_t bytes() const;
     /// All leave. Appends the manifolds that are carried on.
     void leave(const SteppedInput& input, Manifolds& manifolds, std::vector<Manifolds::Entry>& carried);
@@ -126,13 +128,13 @@ class BasePath {
     std::vector<Pose> m_origin;        // by body: where it was when it entered
     std::vector<std::uint8_t> m_block; // by body
     std::array<SteppedMotion, divisions> m_blocks;
-    std::vector<Entry> m_entering, m_upward, m_downward, m_leaving;
-    std::vector<BodyPair> m_pairs;      // of m_entering
-    std::vector<std::uint8_t> m_isNear; // of m_entering
-    Islands m_islands;
+    Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
+    Scratch<std::vector<BodyPair>> m_pairs;      // of m_entering
+    Scratch<std::vector<std::uint8_t>> m_isNear; // of m_entering
+    Scratch<Islands> m_islands;
     std::vector<Renewed> m_renewed;
-    std::vector<std::uint32_t> m_renewal; // by body: its number in m_renewed and 1, or 0
-    std::vector<BodyPair> m_present;      // pairs of renewed bodies that are here
+    std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
+    Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here
 };
 
 } // namespace carom

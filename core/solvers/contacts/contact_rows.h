@@ -103,9 +103,6 @@ class ContactRows {
     std::span<const RowPoint> points() const { return m_points; }
     /// The impulse of a point of lane `lane` [N s], on B, world.
     Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
-    std::size_t bytes() const {
-        return m_groups.capacity() * sizeof(RowGroup) + m_points.capacity() * sizeof(RowPoint);
-    }
 
   private:
     static constexpr std::size_t sizes = 3; // 1, 2 and 4 points

@@ -25,6 +25,7 @@ class LanePacker {
     void begin(std::size_t bodies) {
         m_used = 0;
         m_oldest = 0;
+        m_open.resize(openGroups);
         m_masks.assign(bodies, 0);
     }
     /// Bodies without motion do not exclude each other: `shared` is one.
@@ -68,7 +69,7 @@ class LanePacker {
         m_used &= others;
     }
 
-    std::array<Open, openGroups> m_open;
+    std::vector<Open> m_open;           // openGroups of them, once there is something to pack
     std::uint64_t m_used = 0;           // bit k: m_open[k] is one
     std::vector<std::uint64_t> m_masks; // by body: the open groups it is in
     std::size_t m_oldest = 0;           // closed next where no other has room

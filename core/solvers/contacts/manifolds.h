@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/held_bytes.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
@@ -123,9 +124,9 @@ class Manifolds {
     void remove(std::uint32_t place) { m_free.push_back(place); }
     /// The manifolds that live from now on, ascending.
     void exchange(std::vector<Entry>& entries) { std::swap(m_entries, entries); }
-    std::size_t bytes() const {
-        return m_entries.size() * sizeof(Entry) + m_manifolds.size() * sizeof(PersistentManifold);
-    }
+    /// Also those that are free.
+    std::size_t places() const { return m_manifolds.size(); }
+    std::size_t bytes() const { return heldBytes(m_entries, m_manifolds, m_free); }
 
   private:
     std::vector<Entry> m_entries;

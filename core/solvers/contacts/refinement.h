@@ -108,6 +108,8 @@ class Refinement {
     struct Memory {
         double saved = 0;
         std::vector<std::uint8_t> wait, failures, stepped;
+
+        std::size_t bytes() const { return heldBytes(wait, failures, stepped); }
     };
     Memory memory() const { return {m_saved, m_wait, m_failures, m_stepped}; }
     void recall(const Memory& memory) {

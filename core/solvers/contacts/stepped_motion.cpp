@@ -452,9 +452,8 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 }
 
 std::size_t SteppedMotion::bytes() const {
-    return m_list.size() *
-               (sizeof(BodyIndex) + sizeof(SolverBody) + sizeof(Displacement) + sizeof(BodyPlace)) +
-           m_entries.size() * (sizeof(Entry) + 1) + m_balls.bytes() + m_rows.bytes();
+    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_orientations, m_island, m_free, m_struck,
+                     m_links, m_entries, m_isFlipped, m_general, m_balls);
 }
 
 void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/scratch.h"
 #include "core/dynamics/forced_steps.h"
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/work_counters.h"
@@ -120,6 +121,7 @@ class SteppedMotion {
     }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
+    /// Of what a copy holds.
     std::size_t bytes() const;
     /// The pairs, ascending, with their manifolds as they are now; of balls only where there is a force.
     /// Nobody is here then.
@@ -168,25 +170,27 @@ class SteppedMotion {
     std::vector<BodyPlace> m_places;
     std::vector<Quat> m_orientations;
     std::vector<std::uint32_t> m_island;
-    std::vector<std::array<double, 3>> m_free; // velocities that only gravity and force terms have changed
-    std::vector<std::uint8_t> m_struck;        // by anything since the last look
-    std::vector<SolverBody> m_before;          // the rebound of an impact
-    std::vector<std::uint8_t> m_stirred;       // by it
+    std::vector<std::array<double, 3>> m_free;    // velocities that only gravity and force terms have changed
+    std::vector<std::uint8_t> m_struck;           // by anything since the last look
+    Scratch<std::vector<SolverBody>> m_before;    // the rebound of an impact
+    Scratch<std::vector<std::uint8_t>> m_stirred; // by it
 
-    std::size_t m_islands = 0, m_joined = 0; // numbers given, and those that stand for none any more
-    std::vector<std::uint8_t> m_isCalm;      // by island
-    std::vector<std::uint32_t> m_links;      // springs
-    std::vector<SpringRow> m_springs;
+    std::size_t m_islands = 0, m_joined = 0;     // numbers given, and those that stand for none any more
+    Scratch<std::vector<std::uint8_t>> m_isCalm; // by island
+    std::vector<std::uint32_t> m_links;          // springs
+    Scratch<std::vector<SpringRow>> m_springs;
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
     BallRows m_balls;
-    ContactRows m_rows;
-    std::vector<Watched> m_watched;
-    EnergyLimit m_energy;
-    PairSort<Entry> m_sort;
-    ForcedSteps m_forced;         // of the bodies that force terms act on; owners are their numbers
-    std::vector<Vec3> m_halfWays; // by number: how far the velocity at the end is too far, if there are terms
+    // Of a look or a step.
+    Scratch<ContactRows> m_rows;
+    Scratch<std::vector<Watched>> m_watched;
+    Scratch<EnergyLimit> m_energy;
+    Scratch<PairSort<Entry>> m_sort;
+    Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
+    Scratch<std::vector<Vec3>>
+        m_halfWays; // by number: how far the velocity at the end is too far, with terms
 };
 
 } // namespace carom

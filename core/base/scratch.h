@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace carom {
+
+/// A member that is filled anew whenever it is used, and kept only for the memory it has got: copies of the
+/// whole leave it out, so that a checkpoint does not carry it.
+template<class Value>
+class Scratch : public Value {
+  public:
+    Scratch() = default;
+    Scratch(const Scratch&) : Value() {}
+    Scratch(Scratch&&) noexcept = default;
+    using Value::operator=;
+    Scratch& operator=(const Scratch&) { return *this; }
+    Scratch& operator=(Scratch&&) noexcept = default;
+    ~Scratch() = default;
+};
+
+} // namespace carom
