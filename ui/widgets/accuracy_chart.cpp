@@ -55,13 +55,16 @@ ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour
             .inOrder = true};
 }
 
-/// The same colour for an integrator in every chart; exact events and the other presets have their
-/// own.
+/// The same colour for an integrator in every chart; exact events have their own.
 QColor colourOf(const AccuracySetting& setting) {
-    if (setting.integrator == nullptr) return seriesColour(6);
-    if (setting.preset != nullptr && setting.preset->name == "accurate") return seriesColour(5);
-    if (setting.preset != nullptr && setting.preset->name == "fast") return seriesColour(7);
+    if (setting.integrator == nullptr) return seriesColour(integrators().size());
     return seriesColour(static_cast<std::size_t>(setting.integrator - integrators().data()));
+}
+
+/// Presets differ by the shape of their points.
+SeriesMark markOf(const AccuracySetting& setting) {
+    if (setting.preset == nullptr || setting.preset->name == "default") return SeriesMark::Disc;
+    return setting.preset->name == "fast" ? SeriesMark::Triangle : SeriesMark::Square;
 }
 
 /// A line a family, dashed for the method that counts collisions, or as told; `points` gets the place of each
@@ -78,7 +81,7 @@ void addFamilies(const AccuracyStudy& study, const QString& prefix, std::optiona
                            .y = {},
                            .style = SeriesStyle::LineAndMarks,
                            .colour = colourOf(family.points.front()->setting),
-                           .mark = SeriesMark::Disc,
+                           .mark = markOf(family.points.front()->setting),
                            .dashed = dashed.value_or(counting),
                            .inOrder = true};
         std::vector<std::size_t> places;

@@ -105,6 +105,10 @@ QCPScatterStyle scatterOf(const ChartSeries& series, std::size_t i, const QColor
     switch (series.mark) {
     case SeriesMark::Disc:
         return {QCPScatterStyle::ssDisc, colour, colour, 7};
+    case SeriesMark::Square:
+        return {QCPScatterStyle::ssSquare, colour, colour, 7};
+    case SeriesMark::Triangle:
+        return {QCPScatterStyle::ssTriangle, colour, colour, 8};
     case SeriesMark::Ring:
         return {QCPScatterStyle::ssCircle, thick, colours.ground, 7};
     case SeriesMark::Cross:

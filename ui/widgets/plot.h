@@ -33,6 +33,8 @@ enum class SeriesStyle {
 enum class SeriesMark {
     ByColour, ///< filled, another shape for every colour
     Disc,
+    Square,
+    Triangle,
     Ring,  ///< filled with the chart's ground: over a disc it looks hollow
     Cross, ///< of what failed
     Halo,  ///< a large ring around another mark

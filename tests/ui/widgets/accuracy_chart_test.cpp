@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
+#include "core/integrators/integrator.h"
+#include "core/simulation/build.h"
+#include "core/study/measures.h"
+#include "ui/widgets/accuracy_chart.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+// The work–precision diagram as a plain value.
+
+namespace carom {
+namespace {
+
+/// Every family of a scene in which everything can act, each with the same figures.
+AccuracyStudy everyFamily() {
+    const Build scene = build("gravity { accel 0, -9.81, 0 }\n"
+                              "wall { normal 0, 1, 0 toOrig 0 }\n"
+                              "sphere ball { radius 0.1 mass 1 centre 0, 1, 0 }\n"
+                              "sphere bob { radius 0.1 mass 1 centre 3, 0.8, 0 }\n"
+                              "spring { from world to bob fromAt 3, 2, 0 stiffness 100 length 1 }\n");
+    AccuracyStudy study;
+    study.plan = planFor(scene.pipeline->scene());
+    study.measure = findMeasure("trajectory");
+    study.settings = scene.pipeline->settings();
+    for (const AccuracySetting& setting : study.plan.settings) {
+        AccuracyPoint point{.setting = setting};
+        point.status = PointStatus::Measured;
+        point.errors.position = 0.5 / setting.substeps;
+        point.times = {double(setting.substeps)};
+        study.points.push_back(point);
+    }
+    return study;
+}
+
+} // namespace
+
+class AccuracyChartTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // `euler` and `preset fast` had one colour: the eighth of a palette of seven is the first.
+    void noTwoFamiliesLookAlike() {
+        const AccuracyStudy study = everyFamily();
+        const AccuracyChart chart = accuracyChart(study, QStringLiteral("all"));
+        std::vector<const ChartSeries*> lines;
+        for (const ChartSeries& series : chart.spec.series)
+            if (series.style == SeriesStyle::LineAndMarks) lines.push_back(&series);
+        QVERIFY(lines.size() >= integrators().size() + presets().size() + 3);
+        for (std::size_t a = 0; a < lines.size(); ++a)
+            for (std::size_t b = a + 1; b < lines.size(); ++b) {
+                const bool alike = lines[a]->colour == lines[b]->colour && lines[a]->mark == lines[b]->mark &&
+                                   lines[a]->dashed == lines[b]->dashed;
+                QVERIFY2(!alike, qPrintable(lines[a]->name + QStringLiteral(" and ") + lines[b]->name));
+            }
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(accuracy_chart_test, carom::AccuracyChartTest)
+#include "accuracy_chart_test.moc"
