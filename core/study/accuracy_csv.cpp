@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::string_view columns =
     "method,integrator,substeps,tolerance,preset,default,status,reason,measure,error,position,"
-    "position_rms,attitude,energy_drift,energy_swing,energy_worst,energy_gain,momentum,penetration,"
+    "position_rms,attitude,energy_drift,energy_swing,energy_worst,energy_gain,energy_off,momentum,"
+    "penetration,"
     "residual_m_s,residual,cone_violation,end_height,end_centre,end_rest_time,end_work,"
     "impacts_true,impacts,impacts_matched,impact_time_s,copies,speeds_lower,speeds,speeds_upper,"
     "pressure_lower,pressure,pressure_upper,free_time_lower,free_time,free_time_upper,cost_ms,"
@@ -94,6 +95,7 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
     point.errors = {cells.number("position"), cells.number("position_rms"), cells.number("attitude")};
     point.energy = {cells.number("energy_drift"), cells.number("energy_swing"), cells.number("energy_worst"),
                     cells.number("energy_gain")};
+    if (!cells.text("energy_off").empty()) point.energyOff = cells.number("energy_off");
     point.momentumChange = cells.number("momentum");
     point.penetration = cells.number("penetration");
     point.residual = cells.number("residual_m_s");
@@ -131,14 +133,14 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
                   p.isDefault ? "yes" : "no", nameOf(p.status), p.reason, study.measure->name,
                   finiteOr(study.errorOf(p), none), p.errors.position, p.errors.positionRms,
                   p.errors.attitude, p.energy.drift, p.energy.oscillation, p.energy.worst, p.energy.gain,
-                  p.momentumChange, p.penetration, p.residual, p.relativeResidual, p.coneViolation, x.end[0],
-                  x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3],
-                  x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower,
-                  x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper,
-                  p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
-                  nameOf(study.reference->kind), study.reference->error, study.reference->horizon,
-                  study.duration, study.plan.duration, sceneHash, origin.command, origin.version,
-                  origin.machine);
+                  p.energyOff.value_or(none), p.momentumChange, p.penetration, p.residual, p.relativeResidual,
+                  p.coneViolation, x.end[0], x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1],
+                  x.impacts[2], x.impacts[3], x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper,
+                  x.pressure.lower, x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median,
+                  x.freeTime.upper, p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs,
+                  onFront ? "yes" : "no", nameOf(study.reference->kind), study.reference->error,
+                  study.reference->horizon, study.duration, study.plan.duration, sceneHash, origin.command,
+                  origin.version, origin.machine);
     }
     return table.take();
 }

@@ -18,7 +18,7 @@ namespace carom {
 ///     method, integrator, substeps, tolerance, preset, default, status, reason
 ///     measure, error                        of the diagram
 ///     position, position_rms, attitude      errors; the last in rad
-///     energy_drift, energy_swing, energy_worst, energy_gain, momentum
+///     energy_drift, energy_swing, energy_worst, energy_gain, energy_off, momentum
 ///     penetration                           by half the thinnest mobile body
 ///     residual_m_s, residual, cone_violation
 ///     end_height, end_centre, end_rest_time, end_work   what is left at the end, deviations

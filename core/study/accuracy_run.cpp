@@ -16,7 +16,8 @@ namespace {
 constexpr double brokenInvariant = 0.01;
 /// A timed run is repeated until it has lasted so long [ms]: clocks are read twice.
 constexpr double leastTimed = 5;
-/// Frames between two readings of the clock, where they are short.
+/// Frames between two readings of the clock: as many as last so long [ms], at most.
+constexpr double longTogether = 0.05;
 constexpr std::int64_t mostTogether = 16;
 
 /// Between the substeps of a frame the state is that of one time for all bodies only where no contacts are
@@ -52,6 +53,9 @@ bool isOver(const World& world, double limit, double elapsed, AccuracyPoint& poi
 void fillIn(const AccuracyRun& run, const RunCourse& course, const World& world, AccuracyPoint& point) {
     const ReferenceSolution& reference = *run.study.reference;
     point.energy = course.energy();
+    if (!reference.energy.empty())
+        point.energyOff = std::max(0.0, distanceOf(course.frames(), reference.energy, reference.energyScale) -
+                                            reference.energyScatter);
     point.momentumChange = course.momentumChange(world);
     point.penetration = course.overlap();
     point.residual = course.residual();
@@ -90,7 +94,10 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
     double spent = 0; // [ms] behind the first frame, the first touch of everything
     for (std::int64_t step = 0;; ++step) {
         if (step > 0) course.add(world);
-        if (step > 0 && step % perFrame == 0) impacts.look(world.state());
+        if (step > 0 && step % perFrame == 0) {
+            impacts.look(world.state());
+            course.endFrame();
+        }
         const std::int64_t parts = step * reference.looksPerFrame;
         const auto look = static_cast<std::size_t>(parts / perFrame);
         if (parts % perFrame == 0 && look < run.trajectory.samples.size())
@@ -137,11 +144,10 @@ bool timeOnce(const AccuracyRun& run, AccuracyPoint& point) {
     const std::int64_t frames = std::max<std::int64_t>(2, run.frames());
     const double begin = run.clock.wall();
     std::int64_t together = 1; // frames between two readings of the clock
-    double spent = 0, simulated = 0;
+    double spent = 0, simulated = 0, read = begin;
     while (spent < leastTimed) {
         world.reset();
         world.step(); // the first touch of everything
-        if (run.clock.wall() - begin < leastTimed) together = mostTogether;
         for (std::int64_t frame = 1; frame < frames;) {
             const std::int64_t end = std::min(frames, frame + together);
             const double start = run.clock.processor();
@@ -151,7 +157,14 @@ bool timeOnce(const AccuracyRun& run, AccuracyPoint& point) {
             }
             spent += run.clock.processor() - start;
             if (!run.goOn()) return false;
-            if (run.clock.wall() - begin > 1000 * run.limit) return true;
+            const double now = run.clock.wall();
+            if (now - begin > 1000 * run.limit) {
+                if (point.times.empty()) point.times.push_back(spent / simulated);
+                return true;
+            }
+            // Frames may become long later, when bodies meet.
+            together = now - read < longTogether ? std::min(2 * together, mostTogether) : 1;
+            read = now;
         }
     }
     point.times.push_back(spent / simulated);

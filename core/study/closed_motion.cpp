@@ -17,17 +17,19 @@ Vec3 placeOfWorldEnd(const SpringForce& spring) {
 }
 
 // The parabola, and free rotation, which rotateFreely goes through to 1e-13 rad from the start to any time;
-// where moments differ it is no elementary function.
+// where moments differ it is no elementary function, and the way from the last time that was asked for is
+// shorter than that from the start.
 ClosedMotion freeMotion(const Pipeline& pipeline) {
     const State start = pipeline.initialState();
     const Vec3 gravity = pipeline.gravity(), inertia = pipeline.bodies().inertia[0];
-    return {"free motion", [start, gravity, inertia](double time) {
+    const Vec3 momentum = angularMomentumFrom(inertia, start.pose[0].orientation, start.angularVelocity[0]);
+    return {"free motion", [=, last = 0.0, turned = start.pose[0].orientation](double time) mutable {
                 std::vector<Pose> pose = start.pose;
                 pose[0].position =
                     reference::freeFall(start.pose[0].position, start.velocity[0], gravity, time).place;
-                const Vec3 momentum =
-                    angularMomentumFrom(inertia, start.pose[0].orientation, start.angularVelocity[0]);
-                rotateFreely(inertia, momentum, time, pose[0].orientation);
+                rotateFreely(inertia, momentum, time - last, turned);
+                last = time;
+                pose[0].orientation = turned;
                 return pose;
             }};
 }

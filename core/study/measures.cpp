@@ -13,6 +13,8 @@ namespace {
 
 /// What differs by less is the same: rounding of some thousand steps.
 constexpr double rounding = 1e-12;
+/// Values no further apart than this part of the largest do not tell settings from each other.
+constexpr double same = 1e-2;
 /// Half of the bodies must be followed for this part of the time, or trajectories say little of the scene.
 constexpr double leastFollowed = 0.1;
 
@@ -44,8 +46,7 @@ std::optional<double> impactError(const AccuracyPoint& point, const AccuracyStud
     return std::max(missed, seen.time / study.duration);
 }
 std::string impactObjection(const AccuracyStudy& study) {
-    if (!study.reference) return {};
-    if (study.reference->kind == ReferenceKind::None) return study.reference->description;
+    if (std::string reason = trajectoryObjection(study); !study.reference || !reason.empty()) return reason;
     if (study.reference->impacts.empty()) return "impacts cannot be told from smooth motion in it";
     const bool any = std::ranges::any_of(study.points, [](const AccuracyPoint& point) {
         return point.impacts && point.impacts->expected > 0;
@@ -53,8 +54,10 @@ std::string impactObjection(const AccuracyStudy& study) {
     return any ? "" : "nothing hits anything while it can be followed";
 }
 
+/// Off what it must be, up or down: what it was at the start where nothing is lost, else its course in the
+/// reference solution. It must not grow in any case.
 std::optional<double> energyError(const AccuracyPoint& point, const AccuracyStudy& study) {
-    return study.conservative ? point.energy.worst : point.energy.gain;
+    return study.conservative ? point.energy.worst : std::max(point.energy.gain, point.energyOff.value_or(0));
 }
 
 std::optional<double> overlapError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
@@ -90,8 +93,9 @@ std::span<const MeasureRow> measures() {
                    "The part of the impacts that is missed, or how much too early or late the others come, "
                    "relative to the duration.",
                    impactError, noResolution, impactObjection},
-        MeasureRow{"energy", "Energy from nowhere", "energy from nowhere, relative",
-                   "The energy that appeared, or in a scene that loses none that changed, relative to the "
+        MeasureRow{"energy", "Error of energy", "error of energy, relative to what is exchanged",
+                   "How far the energy is off, up or down: from its start in a scene that loses none, else "
+                   "from its course in the reference solution as far as that is certain; relative to the "
                    "largest exchanged in the run, at least to a thousandth of weight times size.",
                    energyError, noResolution, noObjection},
         MeasureRow{"overlap", "Largest overlap", "largest overlap by half thickness",
@@ -115,15 +119,20 @@ const MeasureRow* findMeasure(std::string_view name) { return findByName(measure
 std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study) {
     if (std::string reason = measure.objection(study); !reason.empty()) return reason;
     const double none = std::max(rounding, measure.resolution(study));
-    bool any = false;
+    double least = HUGE_VAL, most = 0;
+    std::size_t measured = 0;
     for (const AccuracyPoint& point : study.points) {
         if (!point.finished()) continue;
         const std::optional<double> value = measure.value(point, study);
-        any = any || value;
-        if (value && *value > none) return {};
+        if (!value) continue;
+        ++measured;
+        least = std::min(least, *value);
+        most = std::max(most, *value);
     }
-    if (!any) return "no setting has been measured by it";
-    return "no setting differs from none by more than can be told, " + figure(none, 2);
+    if (measured == 0) return "no setting has been measured by it";
+    if (!(most > none)) return "no setting differs from none by more than can be told, " + figure(none, 2);
+    if (measured > 1 && most - least <= same * most) return "it is " + figure(most, 2) + " for every setting";
+    return {};
 }
 
 const MeasureRow& chooseMeasure(const AccuracyStudy& study) {

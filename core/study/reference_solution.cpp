@@ -32,15 +32,29 @@ constexpr double furtherOn = 1.1, muchBetter = 0.7;
 /// Of the time for converging runs, the part that the first one may take: its copy takes as long, and a finer
 /// run twice.
 constexpr double partOfFirst = 0.25;
+/// Of what is left of it, the part for copies that show what is chance, and how many they are.
+constexpr double partOfChance = 0.15;
+constexpr int copiesOfChance = 8;
+/// What is not so far when so much of its time is over will not come to its end: steps get dearer as bodies
+/// meet.
+constexpr double hopelessBy = 0.25, hopelessAt = 0.125;
 
-SimulationSettings optionsFor(const char* method, const char* integrator, double step) {
+/// How well the contacts of a run are solved.
+struct Grade {
+    const char* preset = "accurate";
+    std::optional<double> tolerance = 1e-12; ///< or the preset's own
+};
+constexpr Grade finestGrade{}, affordableGrade{"default", std::nullopt};
+
+SimulationSettings optionsFor(const char* method, const char* integrator, double step,
+                              const Grade& grade = finestGrade) {
     SimulationSettings options;
     options.method = method;
     options.integrator = integrator;
     options.step = step;
     options.substeps = 1;
-    options.preset = "accurate";
-    options.tolerance = 1e-12;
+    options.preset = grade.preset;
+    options.tolerance = grade.tolerance;
     return options;
 }
 
@@ -49,6 +63,8 @@ struct Recorded {
     Trajectory trajectory{};
     ImpactRecord impacts{};
     std::optional<Outcome> outcome{}; ///< of a run that came to its end
+    std::vector<double> energy{};     ///< [J] at the ends of frames, the start first
+    double energyScale = 1;           ///< [J]
     double seconds = 0;               ///< [s] of wall time
 
     double duration() const {
@@ -61,8 +77,9 @@ struct Course {
     const Scene& scene;
     SimulationSettings options;
     int looksPerFrame = 1;
-    int perLook = 1;    ///< steps of the options
-    double seconds = 0; ///< [s] of wall time that it may take
+    int perLook = 1;      ///< steps of the options
+    double seconds = 0;   ///< [s] of wall time that it may take
+    bool isTrial = false; ///< of no use unless it comes to its end
 };
 
 /// What of a request is still to be done, with the frames that fit.
@@ -83,6 +100,10 @@ class Search {
     std::optional<Recorded> record(const Course& course);
     /// Later runs are no longer than this one.
     void shortenTo(const Recorded& run);
+    bool isHopeless(std::int64_t frame, double partOfTime) const {
+        return partOfTime > hopelessBy &&
+               static_cast<double>(frame) < hopelessAt * static_cast<double>(m_frames);
+    }
 
   private:
     bool goOn() {
@@ -112,10 +133,12 @@ std::optional<Recorded> Search::record(const Course& course) {
                 if (!goOn() || !world.health().finite) return std::nullopt;
                 energies.add(world);
                 hasTime = spent() <= course.seconds;
+                if (course.isTrial && isHopeless(frame, spent() / course.seconds)) return run;
             }
             run.trajectory.samples.push_back(world.state().pose);
         }
         impacts.look(world.state());
+        energies.endFrame();
     }
     run.seconds = spent();
     const std::size_t whole =
@@ -127,6 +150,9 @@ std::optional<Recorded> Search::record(const Course& course) {
     run.trajectory.samples.resize(frames * static_cast<std::size_t>(course.looksPerFrame) + 1);
     if (ImpactWatch::sees(pipeline.bodies())) run.impacts = impacts.record();
     if (isWhole) run.outcome = energies.outcome(world);
+    run.energy = energies.frames();
+    run.energy.resize(frames + 1);
+    run.energyScale = energies.energyScale();
     return run;
 }
 
@@ -159,6 +185,24 @@ void measureChaos(const Trajectory& run, const Trajectory& copy, const Bodies& b
         reference.growth = std::log(partedBy) / reference.firstHorizon;
 }
 
+/// How far runs of the scene that should be alike differ in what does not follow single bodies.
+struct Scatter {
+    double outcome = 0; ///< as OutcomeErrors::worst
+    double energy = 0;  ///< relative to the energy exchanged
+
+    /// `size` of the scene [m].
+    void include(const Recorded& run, const Recorded& other, double size) {
+        if (run.outcome && other.outcome)
+            outcome =
+                std::max(outcome, differenceOf(*other.outcome, *run.outcome, size, run.duration()).worst());
+        energy = std::max(energy, distanceOf(other.energy, run.energy, run.energyScale));
+    }
+    void writeTo(ReferenceSolution& reference) const {
+        reference.outcomeScatter = outcome;
+        reference.energyScatter = energy;
+    }
+};
+
 /// What all kinds have in common, of the run that they end with.
 void conclude(const Bodies& bodies, Recorded&& run, ReferenceSolution& reference) {
     reference.duration = run.duration();
@@ -168,6 +212,8 @@ void conclude(const Bodies& bodies, Recorded&& run, ReferenceSolution& reference
     reference.trajectory = std::move(run.trajectory);
     reference.impacts = std::move(run.impacts);
     reference.outcome = run.outcome;
+    reference.energy = std::move(run.energy);
+    reference.energyScale = run.energyScale;
 }
 
 ReferenceSolution closedReference(const ReferenceRequest& request, const ClosedMotion& motion,
@@ -191,10 +237,12 @@ std::optional<ReferenceSolution> exactReference(Search& search, const Bodies& bo
         return Course{.scene = scene,
                       .options = optionsFor("events", "euler", request.settings.step / looksBetween),
                       .looksPerFrame = looksBetween,
-                      .seconds = partOfFirst * search.left()};
+                      .seconds = partOfFirst * search.left(),
+                      .isTrial = !request.settings.method->isExact};
     };
     std::optional<Recorded> run = search.record(course(request.scene));
     if (!run || run->trajectory.samples.size() < 2) return std::nullopt;
+    if (!run->outcome && !request.settings.method->isExact) return std::nullopt;
     search.shortenTo(*run);
     ReferenceSolution reference{.kind = ReferenceKind::ExactEvents,
                                 .description = "exact events",
@@ -206,9 +254,9 @@ std::optional<ReferenceSolution> exactReference(Search& search, const Bodies& bo
         search.record(course(nudged(request.scene, exactApart * reference.size)));
     if (!copy) return std::nullopt;
     measureChaos(run->trajectory, copy->trajectory, bodies, reference);
-    if (run->outcome && copy->outcome)
-        reference.outcomeScatter =
-            differenceOf(*copy->outcome, *run->outcome, reference.size, run->duration()).worst();
+    Scatter scatter;
+    scatter.include(*run, *copy, reference.size);
+    scatter.writeTo(reference);
     conclude(bodies, std::move(*run), reference);
     if (!reference.chaotic) return reference;
     // Within the horizon rounding has grown as the distance of the copies has.
@@ -235,11 +283,12 @@ class Convergence {
 
     std::optional<ReferenceSolution> find() {
         if (!begin()) return std::nullopt;
+        if (m_reference.chaotic) watchChance();
         while (m_substeps < most() && m_stalls < mostStalls && m_reference.error > convergedEnough)
             if (!refine()) break;
         if (m_search.stopped()) return std::nullopt;
-        m_reference.description =
-            std::string("contacts, ") + m_integrator + ", " + std::to_string(m_substeps) + " substeps";
+        m_reference.description = std::string("contacts, ") + m_integrator + ", preset " + m_grade.preset +
+                                  ", " + std::to_string(m_substeps) + " substeps";
         conclude(m_bodies, std::move(*m_run), m_reference);
         return std::move(m_reference);
     }
@@ -248,23 +297,33 @@ class Convergence {
     /// Substeps of the last run.
     int most() const { return std::max(finerThanFinest * m_search.request().finest, 8 * firstSubsteps); }
 
-    std::optional<Recorded> record(const Scene& scene, int substeps, double seconds) {
-        return m_search.record(
-            {.scene = scene,
-             .options = optionsFor("contacts", m_integrator, m_search.request().settings.step / substeps),
-             .looksPerFrame = m_looks,
-             .perLook = substeps / m_looks,
-             .seconds = seconds});
+    std::optional<Recorded> record(const Scene& scene, int substeps, double seconds, bool isTrial = false) {
+        return m_search.record({.scene = scene,
+                                .options = optionsFor("contacts", m_integrator,
+                                                      m_search.request().settings.step / substeps, m_grade),
+                                .looksPerFrame = m_looks,
+                                .perLook = substeps / m_looks,
+                                .seconds = seconds,
+                                .isTrial = isTrial});
+    }
+    /// A run of this grade, with few substeps; a state that is lost at one step may be kept at half of it.
+    void runFirst(const Grade& grade, int substeps, double seconds, bool isTrial) {
+        m_grade = grade;
+        m_run.reset();
+        for (m_substeps = substeps; !m_run && !m_search.stopped() && m_substeps < most();) {
+            m_run = record(m_search.request().scene, m_substeps, seconds, isTrial);
+            if (!m_run) m_substeps *= 2;
+        }
     }
 
     /// The first run, and how a copy of it parts.
     bool begin() {
         const ReferenceRequest& request = m_search.request();
-        const double share = partOfFirst * m_search.left();
-        // A state that is lost at one step may be kept at half of it.
-        for (m_substeps = firstSubsteps; !m_run && !m_search.stopped() && m_substeps < most();) {
-            m_run = record(request.scene, m_substeps, share);
-            if (!m_run) m_substeps *= 2;
+        double share = partOfFirst * m_search.left();
+        runFirst(finestGrade, firstSubsteps, share, m_looks == 1);
+        if (m_looks == 1 && (!m_run || !m_run->outcome) && !m_search.stopped()) {
+            share = partOfFirst * m_search.left();
+            runFirst(affordableGrade, std::min(firstSubsteps, request.settings.substeps), share, false);
         }
         if (!m_run || m_run->trajectory.samples.size() < 2) return false;
         m_search.shortenTo(*m_run);
@@ -277,11 +336,30 @@ class Convergence {
         if (!copy) return false;
         measureChaos(m_run->trajectory, copy->trajectory, m_bodies, m_reference);
         m_beforeChaos = m_reference.horizons;
-        if (m_run->outcome && copy->outcome)
-            m_scatterOfCopy =
-                differenceOf(*copy->outcome, *m_run->outcome, m_reference.size, m_run->duration()).worst();
-        m_reference.outcomeScatter = m_scatterOfCopy;
+        m_ofCopy.include(*m_run, *copy, m_reference.size);
+        m_ofCopy.writeTo(m_reference);
         return true;
+    }
+
+    /// Where ways are chance, what is left at the end is so, too, in part: copies that cost little say how
+    /// much.
+    void watchChance() {
+        const double until = (1 - partOfChance) * m_search.left();
+        const int substeps = m_looks * std::max(1, m_search.request().settings.substeps / m_looks);
+        std::optional<Recorded> first;
+        std::swap(m_grade, m_gradeOfChance);
+        for (int copy = 0; copy < copiesOfChance && m_search.left() > until; ++copy) {
+            const Scene scene = nudged(m_search.request().scene, runsApart * m_reference.size,
+                                       static_cast<std::uint64_t>(copy));
+            std::optional<Recorded> run = record(scene, substeps, m_search.left() - until);
+            if (!run || !run->outcome) break;
+            if (first)
+                m_ofCopy.include(*first, *run, m_reference.size);
+            else
+                first = std::move(run);
+        }
+        std::swap(m_grade, m_gradeOfChance);
+        m_ofCopy.writeTo(m_reference);
     }
 
     /// A run with twice the substeps, if there is time for it.
@@ -298,10 +376,9 @@ class Convergence {
         m_reference.error =
             distanceOf(m_run->trajectory, finer->trajectory, m_bodies, m_reference.size, m_reference.horizons)
                 .worst();
-        if (m_run->outcome)
-            m_reference.outcomeScatter = std::max(
-                m_scatterOfCopy,
-                differenceOf(*m_run->outcome, *finer->outcome, m_reference.size, finer->duration()).worst());
+        Scatter scatter = m_ofCopy; // runs coarser than the last two do not count
+        scatter.include(*finer, *m_run, m_reference.size);
+        scatter.writeTo(m_reference);
         const bool stalls = std::isfinite(error) && m_reference.error > muchBetter * error &&
                             sum(m_reference.horizons) < furtherOn * followed;
         m_stalls = stalls ? m_stalls + 1 : 0;
@@ -323,7 +400,8 @@ class Convergence {
     ReferenceSolution m_reference;
     std::optional<Recorded> m_run; // the finest so far
     Horizons m_beforeChaos;
-    double m_scatterOfCopy = 0;
+    Scatter m_ofCopy;
+    Grade m_grade, m_gradeOfChance = affordableGrade;
     int m_substeps = firstSubsteps;
     int m_stalls = 0;
 };

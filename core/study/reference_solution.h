@@ -23,8 +23,12 @@
 //                has become one of 1e-3 by then
 //     branching  the last two of the converging runs have parted by `agreement` there: contacts have led the
 //                body one way in the one and another way in the other
-// What is left at the end (Outcome) is compared beyond all horizons; how far it scatters among the runs of
-// the reference solution says what is chance.
+// What is left at the end (Outcome), and the course of the energy, are compared beyond all horizons; how far
+// they scatter among the runs of the reference solution says what is chance.
+//
+// Where the most accurate setting does not come to the end of the scene in its share of the time, coarser
+// ones that do take its place: what is compared is then less exact, but all of the scene, and horizons are
+// where runs part, not where the time ran out.
 
 namespace carom {
 
@@ -51,6 +55,9 @@ struct ReferenceSolution {
     ImpactRecord impacts{};    ///< empty where they cannot be seen, or in a closed form, which has none
     std::optional<Outcome> outcome{};  ///< of a closed form nothing
     double outcomeScatter = 0;         ///< of it, among the runs that led here, as OutcomeErrors::worst
+    std::vector<double> energy{};      ///< [J] at the ends of frames, the start first; of a closed form none
+    double energyScale = 1;            ///< [J] what differences of it are relative to (run_course.h)
+    double energyScatter = 0;          ///< the largest such difference among the runs that led here
     std::optional<ExactCrowd> crowd{}; ///< of a scene of many balls that is followed far beyond the horizon
     double size = 1;                   ///< [m], what position errors are relative to
     double duration = 0;               ///< [s] that it covers: less than asked for where that was too long

@@ -32,6 +32,13 @@ OutcomeErrors differenceOf(const Outcome& run, const Outcome& reference, double 
             .work = std::abs(run.work - reference.work) / reference.energyScale};
 }
 
+double distanceOf(const std::vector<double>& run, const std::vector<double>& reference, double scale) {
+    double largest = 0;
+    for (std::size_t k = 0; k < std::min(run.size(), reference.size()); ++k)
+        largest = std::max(largest, std::abs(run[k] - reference[k]));
+    return largest / scale;
+}
+
 RunCourse::RunCourse(const World& world, double size)
     : m_momentum(world.statistics().momentum), m_highest(world.statistics().potential),
       m_lowest(world.statistics().potential) {
@@ -44,6 +51,7 @@ RunCourse::RunCourse(const World& world, double size)
     if (std::isfinite(thinnest)) m_thickness = thinnest;
     m_weightTimesSize = noExchange * m_mass * world.pipeline().gravity().norm() * size;
     add(world);
+    endFrame();
 }
 
 void RunCourse::add(const World& world) {

@@ -35,6 +35,10 @@ struct OutcomeErrors {
 };
 OutcomeErrors differenceOf(const Outcome& run, const Outcome& reference, double size, double duration);
 
+/// The largest difference of two courses of the energy [J] at the ends of frames, as far as both go, relative
+/// to `scale` [J].
+double distanceOf(const std::vector<double>& run, const std::vector<double>& reference, double scale);
+
 /// Follows a run, step by step.
 class RunCourse {
   public:
@@ -42,8 +46,11 @@ class RunCourse {
     RunCourse(const World& world, double size);
 
     void add(const World& world);
+    /// What was added last is the end of a frame.
+    void endFrame() { m_frames.push_back(m_energy.back()); }
 
-    Steadiness energy() const; ///< relative to E
+    const std::vector<double>& frames() const { return m_frames; } ///< [J], the energy at the start first
+    Steadiness energy() const;                                     ///< relative to E
     double energyScale() const;
     /// Relative change of momentum, of scenes without gravity, walls and ends in the world; else 0.
     double momentumChange(const World& world) const;
@@ -59,7 +66,7 @@ class RunCourse {
     double m_mass = 0;            ///< [kg] of the mobile bodies
     double m_thickness = 1;       ///< [m], half of the thinnest mobile body
     Vec3 m_momentum;
-    std::vector<double> m_time, m_energy, m_kinetic;
+    std::vector<double> m_time, m_energy, m_kinetic, m_frames;
     double m_fastest = 0, m_highest, m_lowest; ///< [J]
     double m_overlap = 0, m_residual = 0, m_coneViolation = 0;
 };

@@ -108,7 +108,7 @@ class StudyAccuracyTest : public QObject {
         const Ended ended = study({"--measure", "energy"});
         QCOMPARE(ended.exitCode, 0);
         QVERIFY(ended.out.contains("Measured by `energy`, as asked for."));
-        QVERIFY(ended.out.contains("Energy from nowhere below"));
+        QVERIFY(ended.out.contains("Error of energy below"));
         const Ended wrong = study({"--measure", "trajectori"});
         QCOMPARE(wrong.exitCode, 2);
         QVERIFY2(wrong.err.contains("`trajectory`"), qPrintable(wrong.err));

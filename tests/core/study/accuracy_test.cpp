@@ -8,6 +8,7 @@
 #include "core/simulation/build.h"
 #include "core/study/accuracy_csv.h"
 #include "core/study/accuracy_report.h"
+#include "core/study/accuracy_run.h"
 #include "core/study/benchmark.h"
 #include "core/study/closed_motion.h"
 #include "core/study/measures.h"
@@ -419,6 +420,81 @@ class AccuracyTest : public QObject {
         study = studied(scene, plan);
         QCOMPARE(study.measure->name, std::string_view("overlap"));
         QCOMPARE(reasonOf(study), std::string("Measured by `overlap`, as asked for."));
+    }
+
+    // It counted as saying something, and was chosen, because it was above rounding.
+    void aMeasureThatIsTheSameForAllSettingsSaysNothing() {
+        const Scene scene = bouncing();
+        AccuracyStudy study = studied(scene, quickPlan(scene, {1, 4}, 0.5));
+        QVERIFY(study.points.size() > 2);
+        const MeasureRow& overlap = *findMeasure("overlap");
+        for (AccuracyPoint& point : study.points) point.penetration = 0.25;
+        QCOMPARE(objectionTo(overlap, study), std::string("it is 0.25 for every setting"));
+        study.points.back().penetration = 0.5;
+        QCOMPARE(objectionTo(overlap, study), std::string());
+    }
+
+    // Only what appeared counted: a setting that lost twice what friction takes was as good as the right one.
+    void energyCountsInBothDirections() {
+        const Scene scene =
+            parsed("gravity { accel 0, -9.81, 0 }\n"
+                   "sphere bob { radius 0.1 mass 1 centre 0, 0.8, 0 }\n"
+                   "spring { from world to bob fromAt 0, 2, 0 stiffness 100 length 1 damping 2 }");
+        const AccuracyPlan plan = quickPlan(scene, {1, 8, 64}, 1);
+        const AccuracyStudy study = studied(scene, plan);
+        QVERIFY(!study.conservative);
+        QCOMPARE(study.reference->kind, ReferenceKind::ConvergedRun);
+        const MeasureRow& energy = *findMeasure("energy");
+        double largest = 0;
+        for (const AccuracyFamily& family : familiesOf(study)) {
+            double coarser = HUGE_VAL;
+            for (const AccuracyPoint* point : family.points) {
+                const double error = energy.value(*point, study).value_or(-1);
+                QVERIFY2(error >= 0 && error < coarser, qPrintable(q(point->setting.name())));
+                coarser = error;
+                if (point->setting.substeps == 1 && point->setting.integrator->name == "symplectic")
+                    largest = error;
+            }
+        }
+        QVERIFY2(largest > 1e-3, qPrintable(QString::number(largest)));
+    }
+
+    // A run at the most accurate setting that took too long made the study as short as it had come: .18 s of
+    // 2 s of the pile.
+    void howLongAFineRunTakesDoesNotShortenTheStudy() {
+        constexpr double duration = 1;
+        const Scene scene = resting();
+        AccuracyPlan plan = quickPlan(scene, {1, 2}, duration);
+        plan.budget = 4; // of 2,500 steps; a run of the most accurate setting takes 480, its copy and a
+                         // finer one 1,440
+        const AccuracyStudy study = studiedByCount(scene, plan);
+        QVERIFY(study.complete);
+        QCOMPARE(study.duration, duration);
+        QVERIFY2(study.reference->description.find("preset default") != std::string::npos,
+                 study.reference->description.c_str());
+        QVERIFY(study.reference->outcome && !study.reference->energy.empty());
+        QVERIFY(study.seconds <= plan.budget);
+    }
+
+    // The clock was read every 16 frames where the first ones were short, however long the later ones were:
+    // a budget of 60 s ended after 64.8 s.
+    void theClockIsReadAfterEveryFrameThatIsLong() {
+        const Scene scene = oscillating();
+        const AccuracyStudy study = studied(scene, quickPlan(scene, {1}, 0.25));
+        double wall = 0, processor = 0;
+        int asked = 0;
+        const auto goOn = [&] {
+            ++asked;
+            wall += 10; // [ms] since it was read last
+            return true;
+        };
+        const StudyClock clock{[&] { return wall; }, [&] { return processor += 0.01; }};
+        AccuracyPoint point = study.points.front();
+        point.times.clear();
+        const Trajectory none;
+        QVERIFY(timeOnce({scene, study, none, clock, 1, goOn}, point)); // [s]: a hundred such frames
+        QVERIFY2(asked >= 90 && asked <= 110, qPrintable(QString::number(asked)));
+        QCOMPARE(point.times.size(), std::size_t(1));
     }
 
     void everyMeasureIsExplainedInTheManual() {
