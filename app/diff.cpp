@@ -52,7 +52,7 @@ int runDiff(const Arguments& arguments) {
         throw UsageError(*objection);
     Race race(builtA.pipeline, builtB.pipeline);
     const Scene& scene = builtA.pipeline->scene();
-    const std::int64_t frames = wanted.value_or(defaultFrames(builtA.pipeline->settings()));
+    const std::int64_t frames = wanted.value_or(framesOf(builtA.pipeline->settings()));
 
     printOut(describe(bothNames[0], sideA, builtA.pipeline->settings()) +
              describe(bothNames[1], sideB, builtB.pipeline->settings()));

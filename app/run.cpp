@@ -73,7 +73,7 @@ int runScene(const Arguments& arguments) {
     World world(built.pipeline);
     world.keepLedger(true);
     RunSummary summary(displayName(path), built, world);
-    const std::int64_t frames = wanted.value_or(defaultFrames(built.pipeline->settings()));
+    const std::int64_t frames = wanted.value_or(framesOf(built.pipeline->settings()));
     const auto writeWhatThereIs = [&] {
         const std::string text = arguments.has("json") ? summary.asJson() : summary.asText();
         if (recording.onStandardOutput())

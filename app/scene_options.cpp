@@ -5,17 +5,12 @@
 #include "app/files.h"
 #include "core/scene/schema.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace carom {
 namespace {
 
 constexpr std::int64_t mostSubsteps = 1'000'000;
 constexpr std::int64_t mostIterations = 1'000'000;
 constexpr std::int64_t mostThreads = 1024;
-constexpr std::int64_t framesWithoutDuration = 600;
-constexpr double mostFrames = 1e15; ///< where frames still count exactly in a double
 
 std::optional<int> asInt(std::optional<std::int64_t> number) {
     return number ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
@@ -68,13 +63,6 @@ Build loadScene(const std::string& path, const SimulationSettings& options) {
     for (const Diagnostic& diagnostic : built.diagnostics)
         printError(formatDiagnostic(built.analysis, diagnostic, displayName(path)) + "\n");
     return built;
-}
-
-std::int64_t defaultFrames(const RunSettings& settings) {
-    if (!settings.duration) return framesWithoutDuration;
-    // A duration written as so many frames must not gain one by rounding.
-    const double frames = std::ceil(*settings.duration / settings.step * (1 - 1e-12));
-    return static_cast<std::int64_t>(std::clamp(frames, 1.0, mostFrames));
 }
 
 std::string describeLoss(std::string_view who, const World& world) {

@@ -5,7 +5,6 @@
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,10 +20,6 @@ SimulationSettings simulationSettings(const Arguments& arguments);
 
 /// Reads and builds the scene, its diagnostics go to standard error. Throws FileError.
 Build loadScene(const std::string& path, const SimulationSettings& options = {});
-
-/// Frames to simulate where the command line does not say: the scene's duration, else ten seconds at the
-/// default step, 600.
-std::int64_t defaultFrames(const RunSettings& settings);
 
 /// "carom run: the velocity of `cue` (body 3) is not finite in frame 12; the run stops there".
 std::string describeLoss(std::string_view who, const World& world);

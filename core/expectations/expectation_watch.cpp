@@ -33,14 +33,6 @@ double shareOfBound(double quantity, double bound, bool isMost) {
     return most > 0 ? q / most : most / q;
 }
 
-double between(double from, double to, double part) { return from + part * (to - from); }
-
-/// The cubic through places and velocities at both ends of a frame of `h` [s].
-Vec3 placeBetween(const Vec3& x0, const Vec3& v0, const Vec3& x1, const Vec3& v1, double h, double part) {
-    const double rest = 1 - part;
-    return x0 + part * part * (3 - 2 * part) * (x1 - x0) + h * part * rest * (rest * v0 - part * v1);
-}
-
 } // namespace
 
 std::string_view nameOf(Criterion criterion) {
@@ -51,36 +43,6 @@ std::string_view nameOf(Criterion criterion) {
 bool isWorse(const Judgement& a, const Judgement& b) {
     return !b.measured || a.share > b.share || (a.share == b.share && a.off > b.off);
 }
-
-/// The state between two frames.
-struct ExpectationWatch::Between {
-    Between(const ExpectationWatch& watch, const World& world, double at)
-        : statistics(world.statistics()), part((at - watch.m_time) / (world.state().time - watch.m_time)) {
-        const State& now = world.state();
-        const double h = now.time - watch.m_time;
-        pose = now.pose;
-        velocity = now.velocity;
-        angularVelocity = now.angularVelocity;
-        for (const BodyIndex i : world.pipeline().bodies().mobileBodies) {
-            pose[i].position = placeBetween(watch.m_pose[i].position, watch.m_velocity[i],
-                                            now.pose[i].position, now.velocity[i], h, part);
-            pose[i].orientation = watch.m_pose[i].orientation.slerp(part, now.pose[i].orientation);
-            velocity[i] = watch.m_velocity[i] + part * (now.velocity[i] - watch.m_velocity[i]);
-            angularVelocity[i] =
-                watch.m_angularVelocity[i] + part * (now.angularVelocity[i] - watch.m_angularVelocity[i]);
-        }
-        const FrameStatistics& before = watch.m_statistics;
-        for (double FrameStatistics::*figure : {&FrameStatistics::kinetic, &FrameStatistics::potential,
-                                                &FrameStatistics::maxPenetration, &FrameStatistics::residual})
-            statistics.*figure = between(before.*figure, statistics.*figure, part);
-        statistics.momentum = before.momentum + part * (statistics.momentum - before.momentum);
-    }
-
-    std::vector<Pose> pose;
-    std::vector<Vec3> velocity, angularVelocity;
-    FrameStatistics statistics;
-    double part; ///< of the frame that has passed
-};
 
 ExpectationWatch::ExpectationWatch(std::shared_ptr<const Pipeline> pipeline)
     : m_pipeline(std::move(pipeline)) {
@@ -132,12 +94,7 @@ bool ExpectationWatch::isOpenEnded() const {
 }
 
 void ExpectationWatch::remember(const World& world) {
-    const State& state = world.state();
-    m_pose = state.pose;
-    m_velocity = state.velocity;
-    m_angularVelocity = state.angularVelocity;
-    m_statistics = world.statistics();
-    m_time = state.time;
+    m_before.take(world);
     m_allImpactsBefore = m_allImpacts;
 }
 
@@ -172,9 +129,7 @@ void ExpectationWatch::look(const World& world) {
     if (empty()) return;
     if (!world.health().finite) return finish();
     const State& state = world.state();
-    Moment moment = momentOf(*m_pipeline, state, world.statistics());
-    moment.velocityBefore = m_velocity;
-    moment.elapsed = state.time - m_time;
+    const Moment moment = m_before.momentOf(world);
     if (m_impacts) {
         const auto hit = static_cast<double>(m_impacts->look(state));
         // What goes from event to event counts them itself; others see a body once a frame.
@@ -182,20 +137,14 @@ void ExpectationWatch::look(const World& world) {
         m_allImpacts += exact ? static_cast<double>(world.statistics().contacts) : hit;
     }
     const double near = sameMoment * m_pipeline->settings().step;
-    std::optional<Between> inside;
+    std::optional<StateBetween> inside;
     for (std::size_t i = 0; i < m_followed.size(); ++i) {
         Followed& followed = m_followed[i];
         const Expectation& asked = *m_judgements[i].expectation;
         if (!followed.started && (asked.at || !asked.from)) start(i, moment, state.time);
-        if (asked.at && *asked.at > m_time + near && *asked.at < state.time - near) {
-            inside.emplace(*this, world, *asked.at);
-            const Moment middle{.pipeline = *m_pipeline,
-                                .pose = inside->pose,
-                                .velocity = inside->velocity,
-                                .angularVelocity = inside->angularVelocity,
-                                .statistics = inside->statistics,
-                                .velocityBefore = m_velocity,
-                                .elapsed = *asked.at - m_time};
+        if (asked.at && *asked.at > m_before.time + near && *asked.at < state.time - near) {
+            inside.emplace(m_before, world, *asked.at);
+            const Moment middle = inside->momentOf(world, m_before);
             judge(i, middle, inside->part, state.frame, *asked.at);
         }
         const bool here = asked.at ? std::abs(*asked.at - state.time) <= near
@@ -217,7 +166,7 @@ void ExpectationWatch::finish() {
     for (Judgement& judgement : m_judgements) {
         const Expectation& asked = *judgement.expectation;
         const double end = asked.at ? *asked.at : asked.until.value_or(0);
-        if (judgement.state == ExpectationState::Waiting || end > m_time + near)
+        if (judgement.state == ExpectationState::Waiting || end > m_before.time + near)
             judgement.state = ExpectationState::Fails;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "core/simulation/impact_watch.h"
 #include "core/simulation/quantities.h"
+#include "core/simulation/state_between.h"
 #include "core/simulation/world.h"
 
 #include <cstdint>
@@ -84,7 +85,6 @@ class ExpectationWatch {
         std::vector<BodyIndex> resting; ///< those that rest is asked of
         std::vector<Pose> startPose;    ///< theirs
     };
-    struct Between;
 
     double measure(const Followed& followed, const Expectation& asked, const Moment& moment, std::size_t k,
                    double part, double time) const;
@@ -102,10 +102,7 @@ class ExpectationWatch {
     std::optional<ImpactWatch> m_impacts;
     double m_allImpacts = 0; ///< of the whole scene
     double m_allImpactsBefore = 0;
-    std::vector<Pose> m_pose; ///< in the frame before
-    std::vector<Vec3> m_velocity, m_angularVelocity;
-    FrameStatistics m_statistics;
-    double m_time = 0; ///< [s]
+    FrameBefore m_before;
 };
 
 } // namespace carom

@@ -4,19 +4,12 @@
 #include "core/base/clock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace carom {
 namespace {
 
 constexpr double openEnd = 10; ///< how long what follows is looked at where nothing says [s]
-
-/// A time written as so many frames must not gain one by rounding.
-std::int64_t framesUntil(double time, double step) {
-    constexpr double mostFrames = 1e15; // where frames still count exactly in a double
-    return static_cast<std::int64_t>(std::clamp(std::ceil(time / step * (1 - 1e-12)), 0.0, mostFrames));
-}
 
 } // namespace
 

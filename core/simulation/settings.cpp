@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace carom {
 namespace {
@@ -164,6 +165,17 @@ void settleBroadphase(const Scene& scene, const SimulationSettings& options, con
     settings.broadphase = rowFor(name, broadphases(), choice.row,
                                  {scene, "broadphase", options.broadphase.has_value()}, warnings);
     if (!name || findBroadphase(*name) == nullptr) settings.broadphaseReason = choice.reason;
+}
+
+std::int64_t framesUntil(double time, double step) {
+    constexpr double mostFrames = 1e15; // where frames still count exactly in a double
+    return static_cast<std::int64_t>(std::clamp(std::ceil(time / step * (1 - 1e-12)), 0.0, mostFrames));
+}
+
+std::int64_t framesOf(const RunSettings& settings) {
+    constexpr std::int64_t withoutDuration = 600;
+    if (!settings.duration) return withoutDuration;
+    return std::max<std::int64_t>(1, framesUntil(*settings.duration, settings.step));
 }
 
 } // namespace carom

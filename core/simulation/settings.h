@@ -7,6 +7,7 @@
 #include "core/scene/scene.h"
 #include "core/solvers/solver.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,12 @@ struct RunSettings {
         return {tolerance, iterations, simultaneousImpacts, resting, effort, reserve};
     }
 };
+
+/// Frames of `step` [s] that end at a time or behind it. A time written as so many frames gains none by
+/// rounding.
+std::int64_t framesUntil(double time, double step);
+/// Frames of a run where nothing else says: of the duration, else ten seconds at the default step, 600.
+std::int64_t framesOf(const RunSettings& settings);
 
 /// A word of `preset`; what it sets is said by the method (SolverRow::presets).
 struct PresetRow {
