@@ -52,7 +52,7 @@ class Reader {
         if (takesNothing && value)
             throw UsageError("option " + quoted(word.substr(0, equals)) + " takes no value");
         if (!takesNothing && !value) value = nextWord(word, *row);
-        m_result.values[std::string(name)] = value.value_or("");
+        take(name, value.value_or(""));
     }
 
     void readLetters(std::string_view word) {
@@ -60,19 +60,23 @@ class Reader {
             const char letter = word[i];
             const auto row = std::ranges::find(m_rows, letter, &OptionRow::letter);
             if (letter == 'h' && row == m_rows.end()) {
-                m_result.values["help"] = "";
+                take("help", "");
                 continue;
             }
             if (row == m_rows.end()) throw UsageError("unknown option " + quoted(std::string("-") + letter));
             if (row->argument.empty()) {
-                m_result.values[row->name] = "";
+                take(row->name, "");
                 continue;
             }
             const std::string_view rest = word.substr(i + 1);
-            m_result.values[row->name] =
-                rest.empty() ? nextWord(std::string("-") + letter, *row) : std::string(rest);
+            take(row->name, rest.empty() ? nextWord(std::string("-") + letter, *row) : std::string(rest));
             return;
         }
+    }
+
+    void take(std::string_view option, const std::string& value) {
+        m_result.values[std::string(option)] = value;
+        m_result.inOrder.emplace_back(option, value);
     }
 
     std::string nextWord(std::string_view option, const OptionRow& row) {
@@ -101,6 +105,13 @@ std::optional<std::string> Arguments::text(std::string_view option) const {
     const auto found = values.find(option);
     if (found == values.end()) return std::nullopt;
     return found->second;
+}
+
+std::vector<std::string> Arguments::texts(std::string_view option) const {
+    std::vector<std::string> given;
+    for (const auto& [name, value] : inOrder)
+        if (name == option) given.push_back(value);
+    return given;
 }
 
 std::optional<std::int64_t> Arguments::wholeNumber(std::string_view option, std::int64_t least,
@@ -134,6 +145,19 @@ std::optional<std::string> Arguments::word(std::string_view option,
     const std::optional<std::string_view> near = nearestName(*given, words);
     throw UsageError(quoted(std::string("--").append(option)) + " is " + quoted(*given) +
                      (near ? "; did you mean " + quoted(*near) + "?" : "; it must be " + listOf(words)));
+}
+
+OptionRow shardOption() {
+    return {"shard", 0, "I/N", "only the I-th of N parts of equal work (the first is 1)"};
+}
+
+Shard shardFrom(const Arguments& arguments) {
+    const std::optional<std::string> text = arguments.text("shard");
+    const std::optional<Shard> shard = text ? shardIn(*text) : Shard();
+    if (!shard)
+        throw UsageError("`--shard` is `" + *text +
+                         "`; it must be a part and a number of parts such as `3/8`");
+    return *shard;
 }
 
 Arguments readArguments(std::span<const std::string> words, std::span<const OptionRow> rows) {

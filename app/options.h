@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/shard.h"
+
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Options by the GNU conventions: --name=value, --name value, -n value, -nvalue, options and operands in any
@@ -26,10 +29,13 @@ struct OptionRow {
 class Arguments {
   public:
     std::vector<std::string> operands;
-    std::map<std::string, std::string, std::less<>> values; ///< by option; the last of equal options
+    std::map<std::string, std::string, std::less<>> values;   ///< by option; the last of equal options
+    std::vector<std::pair<std::string, std::string>> inOrder; ///< every option as it was given
 
     bool has(std::string_view option) const { return values.contains(option); }
     std::optional<std::string> text(std::string_view option) const;
+    /// Of an option that may be given again and again: all its values.
+    std::vector<std::string> texts(std::string_view option) const;
     /// Both throw UsageError with what was seen and what would be right.
     std::optional<std::int64_t> wholeNumber(std::string_view option, std::int64_t least,
                                             std::int64_t most) const;
@@ -37,6 +43,10 @@ class Arguments {
     /// One of `words`, or UsageError with the nearest.
     std::optional<std::string> word(std::string_view option, std::span<const std::string_view> words) const;
 };
+
+/// `--shard I/N` of the studies that can be made in parts; without it the whole.
+OptionRow shardOption();
+Shard shardFrom(const Arguments& arguments);
 
 /// Throws UsageError ("unknown option `--fames`; did you mean `--frames`?").
 Arguments readArguments(std::span<const std::string> words, std::span<const OptionRow> rows);

@@ -53,6 +53,7 @@ const std::vector<Writer>& writers() {
          "accuracy.csv",
          false},
         {"gas", {"study", "gas", "{gas}", "-o", "{out}"}, "gas.csv", false},
+        {"sweep", {"sweep", "{}", "--measure=max speed", "--frames=3", "-o", "{out}"}, "sweep.csv", false},
 #ifdef CAROM_CHARTS
         {"chart",
          {"study", "accuracy", "{}", "--duration=.2", "--substeps=1", "--runs=1", "--chart", "{out}/c.svg"},

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sweep_folder.h"
+
+#include "app/errors.h"
+#include "app/files.h"
+#include "app/version.h"
+#include "core/base/file_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* recordFile = "sweep.txt";
+constexpr const char* sceneFile = "scene.sdl";
+constexpr const char* tableFile = "sweep.csv";
+constexpr std::size_t mostChartPoints = 100'000;
+constexpr std::size_t mostGapsNamed = 20;
+
+FileError notWritten(const std::string& path, int cause) {
+    return FileError("cannot write `" + path + "`: " + whyNotWritten(path, cause), cause);
+}
+
+/// A table written line by line that replaces the old one when all is there.
+class TableWriter {
+  public:
+    explicit TableWriter(std::string path) : m_path(std::move(path)), m_file(m_path) {}
+
+    void write(std::string_view text) {
+        constexpr std::size_t most = 1U << 16U; // [bytes] that wait
+        m_waiting += text;
+        if (m_waiting.size() >= most) send();
+    }
+    void commit() {
+        send();
+        if (!m_file.commit()) throw notWritten(m_path, m_file.error());
+    }
+
+  private:
+    void send() {
+        if (!m_file.write(m_waiting)) throw notWritten(m_path, m_file.error());
+        m_waiting.clear();
+    }
+
+    std::string m_path, m_waiting;
+    FileWriter m_file;
+};
+
+/// Runs that are missing, as people list them.
+class Gaps {
+  public:
+    void add(std::size_t first, std::size_t end) {
+        if (first >= end) return;
+        m_missing += end - first;
+        if (++m_count > mostGapsNamed) return;
+        m_text += (m_text.empty() ? "" : ", ") + std::to_string(first);
+        if (end > first + 1) m_text += " to " + std::to_string(end - 1);
+    }
+    std::string text() const {
+        if (m_count <= mostGapsNamed) return m_text;
+        return m_text + " and others, " + std::to_string(m_missing) + " in all";
+    }
+
+  private:
+    std::size_t m_count = 0, m_missing = 0;
+    std::string m_text;
+};
+
+} // namespace
+
+SweepFolder::SweepFolder(std::string path, const Sweep& sweep) : m_path(std::move(path)), m_sweep(sweep) {
+    const std::string record = sweepRecord(sweep, version());
+    const std::string place = pathOf(recordFile);
+    if (fs::exists(place)) {
+        if (readText(place) != record)
+            throw UsageError("`" + m_path + "` has the runs of another sweep (see `" + place +
+                             "`); another folder would be right");
+        return;
+    }
+    makeFolder(m_path);
+    if (sweep.definition().generate.empty()) writeFile(m_path, sceneFile, sweep.baseText());
+    writeFile(m_path, recordFile, record);
+}
+
+std::shared_ptr<const Sweep> SweepFolder::read(const std::string& path) {
+    const std::string place = (fs::path(path) / recordFile).string();
+    const std::optional<SweepDefinition> definition =
+        fs::exists(place) ? definitionInRecord(readText(place)) : std::nullopt;
+    if (!definition) throw UsageError("`" + path + "` is no folder of a sweep: it has no `sweep.txt` of one");
+    std::string text;
+    if (definition->generate.empty()) text = readText((fs::path(path) / sceneFile).string());
+    ReadSweep read = readSweep(*definition, std::move(text));
+    if (!read.sweep) throw UsageError("`" + place + "`: " + read.objection);
+    return read.sweep;
+}
+
+std::string SweepFolder::pathOf(std::string_view name) const { return (fs::path(m_path) / name).string(); }
+
+void SweepFolder::forRows(const std::string& name,
+                          const std::function<void(std::size_t run, std::string_view line)>& take) const {
+    std::ifstream file(pathOf(name), std::ios::binary);
+    std::string line;
+    std::getline(file, line); // the columns
+    while (std::getline(file, line) && !file.eof()) {
+        const std::optional<std::size_t> run = runOfRow(line, m_sweep.runs());
+        if (!run) return; // what a machine that stopped has left
+        take(*run, line += '\n');
+    }
+}
+
+std::vector<std::string> SweepFolder::shardTables() const {
+    std::vector<std::pair<std::size_t, std::string>> tables;
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_path)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with("shard-") || !name.ends_with(".csv")) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        std::string line;
+        std::getline(file, line);
+        if (line + "\n" != sweepColumns(m_sweep))
+            throw FileError("`" + entry.path().string() +
+                            "` is no table of this sweep: it has other columns");
+        if (!std::getline(file, line)) continue; // a shard without runs
+        if (const std::optional<std::size_t> run = runOfRow(line, m_sweep.runs()))
+            tables.emplace_back(*run, name);
+    }
+    std::ranges::sort(tables);
+    std::vector<std::string> names;
+    for (auto& [run, name] : tables) names.push_back(std::move(name));
+    return names;
+}
+
+SweepJournal::SweepJournal(const SweepFolder& folder, const Sweep& sweep, std::string name,
+                           const ItemRange& part, bool resume)
+    : m_folder(folder), m_sweep(sweep), m_name(std::move(name)), m_part(part), m_known(part.count()) {
+    const std::string columns = sweepColumns(sweep);
+    std::size_t kept = columns.size();
+    const auto know = [&](std::size_t run, std::string_view line) {
+        kept += line.size();
+        if (!m_part.contains(run) || has(run)) return;
+        m_known[run - m_part.first] = true;
+        ++m_count;
+    };
+    if (resume && fs::exists(folder.pathOf(m_name))) {
+        folder.forRows(m_name, know);
+        if (isComplete()) return;
+        // A table of another stretch, which this one will replace.
+        kept = columns.size();
+        m_count = 0;
+        m_known.assign(part.count(), false);
+    }
+    if (resume) folder.forRows(m_name + ".part", know);
+    open(m_count > 0 ? kept : 0);
+    if (m_count == 0) append(columns);
+}
+
+SweepJournal::~SweepJournal() {
+    if (m_descriptor >= 0) ::close(m_descriptor);
+}
+
+/// What is behind the whole lines was being written when the program ended.
+void SweepJournal::open(std::size_t keptBytes) {
+    const std::string path = m_folder.pathOf(m_name + ".part");
+    m_descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    const auto kept = static_cast<off_t>(keptBytes);
+    if (m_descriptor < 0 || ::ftruncate(m_descriptor, kept) != 0 || ::lseek(m_descriptor, kept, SEEK_SET) < 0)
+        throw notWritten(path, errno);
+}
+
+void SweepJournal::append(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(m_descriptor, text.data(), text.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw notWritten(m_folder.pathOf(m_name + ".part"), errno);
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+void SweepJournal::add(const SweepResult& result) {
+    append(sweepRow(m_sweep, result));
+    m_known[result.run - m_part.first] = true;
+    ++m_count;
+}
+
+void SweepJournal::close() {
+    if (m_descriptor < 0) return; // the table was there
+    TableWriter table(m_folder.pathOf(m_name));
+    table.write(sweepColumns(m_sweep));
+    RowSorter sorter(m_part.first, [&](std::size_t, std::string_view line) { table.write(line); });
+    m_folder.forRows(m_name + ".part", [&](std::size_t run, std::string_view line) {
+        if (m_part.contains(run)) sorter.add(run, line);
+    });
+    sorter.finish();
+    table.commit();
+    ::close(std::exchange(m_descriptor, -1));
+    fs::remove(m_folder.pathOf(m_name + ".part"));
+}
+
+SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {
+    SweepReport report;
+    TableWriter table(folder.pathOf("summary.csv"));
+    table.write(summaryColumns(sweep));
+    SweepSummary summary(sweep, [&](const SweepPoint& point) {
+        table.write(summaryRows(sweep, point));
+        if (report.points.size() < mostChartPoints) report.points.push_back(point);
+    });
+    folder.forRows(tableFile, [&](std::size_t, std::string_view line) {
+        if (const std::optional<SweepResult> result = resultOfRow(sweep, line)) summary.add(*result);
+    });
+    summary.finish();
+    table.commit();
+    report.totals = summary.totals();
+    report.text = summaryOf(report.totals, sweep.runs());
+    replaceFile(folder.pathOf("summary.txt"), report.text);
+    return report;
+}
+
+std::string mergeShards(const SweepFolder& folder, const Sweep& sweep) {
+    const std::vector<std::string> tables = folder.shardTables();
+    if (tables.empty()) throw FileError("`" + folder.pathOf("") + "` has no tables of shards to merge");
+    Gaps gaps;
+    TableWriter table(folder.pathOf(tableFile));
+    table.write(sweepColumns(sweep));
+    std::size_t next = 0;
+    for (const std::string& name : tables)
+        folder.forRows(name, [&](std::size_t run, std::string_view line) {
+            if (run < next) return; // of shards that overlap
+            gaps.add(next, run);
+            table.write(line);
+            next = run + 1;
+        });
+    gaps.add(next, sweep.runs());
+    table.commit();
+    return gaps.text();
+}
+
+} // namespace carom

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/sweep_summary.h"
+#include "core/study/sweep_table.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The folder of a sweep:
+//
+//     sweep.txt       the definition, the program's version and a hash: what the folder belongs to
+//     scene.sdl       the scene's text, where it is not generated
+//     sweep.csv.part  rows in the order in which the runs ended; gone once all have
+//     sweep.csv       a row a run, in order            of a shard: shard-2.csv.part, shard-2.csv
+//     summary.csv     a row a point and measure        with all runs only
+//     summary.txt     what was printed
+
+namespace carom {
+
+class SweepFolder {
+  public:
+    /// Makes the folder and records what it is of. Throws UsageError where it belongs to another sweep.
+    SweepFolder(std::string path, const Sweep& sweep);
+    /// The sweep of a folder that is there. Throws UsageError where it is none.
+    static std::shared_ptr<const Sweep> read(const std::string& path);
+
+    std::string pathOf(std::string_view name) const;
+
+    /// Hands the rows of a file to `take` in the order of the file, as far as they are whole. Nothing happens
+    /// where there is no such file.
+    void forRows(const std::string& name,
+                 const std::function<void(std::size_t run, std::string_view line)>& take) const;
+    /// The shards' tables that are there, by their first runs.
+    std::vector<std::string> shardTables() const;
+
+  private:
+    std::string m_path;
+    const Sweep& m_sweep;
+};
+
+/// A table being written in the order in which runs end.
+class SweepJournal {
+  public:
+    /// `name` is the table it will become, "sweep.csv". `resume`: goes on with the rows that are there.
+    SweepJournal(const SweepFolder& folder, const Sweep& sweep, std::string name, const ItemRange& part,
+                 bool resume);
+    ~SweepJournal();
+    SweepJournal(const SweepJournal&) = delete;
+    SweepJournal& operator=(const SweepJournal&) = delete;
+
+    bool has(std::size_t run) const { return m_known[run - m_part.first]; }
+    std::size_t count() const { return m_count; } ///< rows so far
+    bool isComplete() const { return m_count == m_part.count(); }
+    /// The row is the system's at once: it outlives this program, however that ends.
+    void add(const SweepResult& result);
+    /// All rows are there: they become the table, in the order of the runs, and the journal is gone.
+    void close();
+
+  private:
+    void open(std::size_t keptBytes);
+    void append(std::string_view text);
+
+    const SweepFolder& m_folder;
+    const Sweep& m_sweep;
+    std::string m_name;
+    ItemRange m_part;
+    std::vector<bool> m_known; ///< by run of the part
+    std::size_t m_count = 0;
+    int m_descriptor = -1;
+};
+
+/// What the whole table says.
+struct SweepReport {
+    std::vector<SweepPoint> points; ///< as many as a chart can show
+    SweepTotals totals;
+    std::string text; ///< what is printed
+};
+
+/// Makes summary.csv and summary.txt of sweep.csv.
+SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep);
+
+/// Makes sweep.csv of the shards' tables, and names the runs that are missing: "200 to 399, 512".
+std::string mergeShards(const SweepFolder& folder, const Sweep& sweep);
+
+} // namespace carom

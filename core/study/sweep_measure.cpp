@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/sweep_measure.h"
+
+#include "core/base/catalogue.h"
+#include "core/base/text.h"
+#include "core/narrowphase/narrowphase.h"
+#include "core/scene/schema.h"
+#include "core/solvers/solver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+/// Moments nearer than this share of a frame are one.
+constexpr double sameMoment = 1e-9;
+constexpr std::string_view impact = "impact", impacts = "impacts";
+
+struct KindRow {
+    std::string_view name;
+    MeasureKind kind;
+};
+constexpr std::array kinds = {KindRow{"final", MeasureKind::Final}, KindRow{"max", MeasureKind::Max},
+                              KindRow{"min", MeasureKind::Min}, KindRow{"mean", MeasureKind::Mean},
+                              KindRow{"first", MeasureKind::First}};
+
+std::vector<std::string> wordsIn(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = text.find_first_not_of(" \t\r\n"); begin != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
+        words.emplace_back(text.substr(begin, end - begin));
+        begin = text.find_first_not_of(" \t\r\n", end);
+    }
+    return words;
+}
+
+std::string joined(std::span<const std::string> words, std::string_view separator) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : separator).append(word);
+    return text;
+}
+
+/// Reads a measure word by word, from both ends.
+class MeasureReader {
+  public:
+    explicit MeasureReader(std::string_view text) : m_words(wordsIn(text)) {}
+
+    ReadMeasure read() {
+        m_measure.text = joined(m_words, " ");
+        readKind();
+        if (m_objection.empty()) readEnd();
+        if (m_objection.empty()) readOwners();
+        if (m_objection.empty()) readQuantity();
+        if (!m_objection.empty()) return {std::nullopt, "`" + m_measure.text + "`: " + m_objection};
+        return {std::move(m_measure), {}};
+    }
+
+  private:
+    void readKind() {
+        m_measure.kind = MeasureKind::At; // unless a word says another
+        if (m_words.empty()) return;
+        const KindRow* row = findByName(std::span<const KindRow>(kinds), m_words.front());
+        if (row == nullptr) return;
+        m_measure.kind = row->kind;
+        m_words.erase(m_words.begin());
+    }
+
+    /// "... at 1.5", "... above 3".
+    void readEnd() {
+        const bool isFirst = m_measure.kind == MeasureKind::First;
+        if (m_words.size() >= 2) {
+            const std::string word = m_words[m_words.size() - 2];
+            const std::optional<double> number = numberIn(m_words.back());
+            const bool bounds = word == "above" || word == "below";
+            if (number && ((isFirst && bounds) || (m_measure.kind == MeasureKind::At && word == "at"))) {
+                m_hasEnd = true;
+                m_measure.isAbove = word == "above";
+                (isFirst ? m_measure.limit : m_measure.at) = *number;
+                m_words.resize(m_words.size() - 2);
+            }
+        }
+        if (m_measure.kind == MeasureKind::At && !m_hasEnd)
+            m_objection = "a measure begins with `final`, `max`, `min`, `mean` or `first`, or ends in a time "
+                          "such as `at 1.5`";
+        else if (m_measure.at < 0)
+            m_objection = "the time is " + shortest(m_measure.at) + "; it must be 0 or later";
+    }
+
+    void readOwners() {
+        const auto of = std::ranges::find(m_words, "of");
+        if (of == m_words.end()) return;
+        const auto parting = std::find(of, m_words.end(), "and");
+        m_measure.of = joined({of + 1, parting}, " ");
+        if (parting != m_words.end()) m_measure.to = joined({parting + 1, m_words.end()}, " ");
+        if (m_measure.of.empty() || (parting != m_words.end() && m_measure.to.empty()))
+            m_objection = "behind `of` and `and` there must be a body";
+        m_words.erase(of, m_words.end());
+    }
+
+    void readQuantity() {
+        m_measure.quantity = joined(m_words, "_");
+        const bool isFirst = m_measure.kind == MeasureKind::First;
+        if (isFirst && m_measure.quantity == impact) {
+            if (m_hasEnd) m_objection = "an impact has no bound";
+            if (m_measure.of.empty()) m_objection = "it must say which body, `first impact of a and b`";
+            return;
+        }
+        std::vector<std::string_view> known(quantityWords().begin(), quantityWords().end());
+        if (isFirst) known.push_back(impact);
+        if (std::ranges::count(known, m_measure.quantity) == 0) {
+            const std::optional<std::string_view> near = nearestName(m_measure.quantity, known);
+            m_objection = "there is no quantity `" + m_measure.quantity + "`; " +
+                          (near ? "did you mean `" + std::string(*near) + "`?"
+                                : std::string("the language reference lists those of `expect`"));
+            return;
+        }
+        const bool ofTwo = isOfTwoBodies(m_measure.quantity);
+        if (isFirst && !m_hasEnd)
+            m_objection = "it must say when, `first " + m_measure.quantity + " above 1`";
+        else if (ofTwo && m_measure.to.empty())
+            m_objection = "it is of two bodies, `of a and b`";
+        else if (!ofTwo && !m_measure.to.empty())
+            m_objection = "`" + m_measure.quantity + "` is of one body, not of two";
+        else if (isOfWholeOnly(m_measure.quantity) && !m_measure.of.empty())
+            m_objection = "`" + m_measure.quantity + "` is of the whole scene, not of a body";
+    }
+
+    std::vector<std::string> m_words;
+    SweepMeasure m_measure;
+    bool m_hasEnd = false;
+    std::string m_objection;
+};
+
+double extreme(const std::vector<double>& figures, bool largest) {
+    double result = nothing;
+    for (const double figure : figures)
+        if (std::isnan(result) || (largest ? figure > result : figure < result)) result = figure;
+    return result;
+}
+
+double meanOf(const std::vector<double>& figures) {
+    double sum = 0;
+    for (const double figure : figures) sum += figure;
+    return figures.empty() ? nothing : sum / static_cast<double>(figures.size());
+}
+
+} // namespace
+
+ReadMeasure readMeasure(std::string_view text) { return MeasureReader(text).read(); }
+
+std::vector<BodyIndex> bodiesNamed(const Scene& scene, const std::string& owner) {
+    if (const BodyIndex body = scene.labelled(owner); body != noBody) return {body};
+    if (owner.starts_with("body ")) {
+        const std::optional<unsigned long long> number = unsignedNumberIn(owner.substr(5));
+        if (!number || *number >= scene.bodies.size()) return {};
+        return {static_cast<BodyIndex>(*number)};
+    }
+    if (scene.generated && scene.generated->bodies && scene.generated->bodies.name == owner)
+        return *scene.generated->bodies.bodies;
+    std::vector<BodyIndex> members;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (!owner.empty() && familyOf(scene.bodies[i].label) == owner)
+            members.push_back(static_cast<BodyIndex>(i));
+    return members;
+}
+
+std::optional<std::string> objectionToMeasure(const SweepMeasure& measure, const Pipeline& pipeline) {
+    const Scene& scene = pipeline.scene();
+    const bool ofTwo = !measure.to.empty();
+    for (const std::string* owner : {&measure.of, &measure.to}) {
+        if (owner->empty()) continue;
+        const std::size_t count = bodiesNamed(scene, *owner).size();
+        if (count == 0) return "`" + measure.text + "`: the scene has no body `" + *owner + "`";
+        if (count > 1 && (ofTwo || measure.quantity == impact))
+            return "`" + measure.text + "`: `" + *owner + "` are " + std::to_string(count) +
+                   " bodies, and it must be one";
+    }
+    if (measure.quantity == impacts && !ImpactWatch::sees(pipeline.bodies()))
+        return "`" + measure.text + "`: impacts are not seen where there are springs";
+    return std::nullopt;
+}
+
+MeasureWatch::MeasureWatch(std::span<const SweepMeasure> measures, std::shared_ptr<const Pipeline> pipeline)
+    : m_pipeline(std::move(pipeline)) {
+    const Scene& scene = m_pipeline->scene();
+    for (const SweepMeasure& measure : measures) {
+        Followed followed;
+        followed.measure = &measure;
+        followed.bodies = bodiesNamed(scene, measure.of);
+        const bool special =
+            measure.quantity == impact || measure.quantity == impacts || isOfTwoBodies(measure.quantity);
+        if (!special) {
+            const bool ofWhole = measure.of.empty() && quantityNamed(measure.quantity, false) != nullptr;
+            followed.row = quantityNamed(measure.quantity, !ofWhole);
+            if (ofWhole) followed.bodies = {noBody};
+        }
+        if (measure.of.empty() && measure.quantity == impacts) followed.bodies = {noBody};
+        if (measure.of.empty() && followed.bodies.empty())
+            followed.bodies = m_pipeline->bodies().mobileBodies;
+        if (!measure.to.empty()) followed.other = bodiesNamed(scene, measure.to).front();
+        if (measure.quantity == impact)
+            followed.meeting =
+                BreakWatch({{.kind = BreakKind::Contact, .a = followed.bodies.front(), .b = followed.other}});
+        m_followed.push_back(std::move(followed));
+    }
+}
+
+bool MeasureWatch::needsLedger() const {
+    return std::ranges::any_of(m_followed, [](const Followed& followed) {
+        return followed.row != nullptr && followed.row->audited;
+    });
+}
+
+void MeasureWatch::begin(const World& world) {
+    m_impacts.reset();
+    m_allImpacts = 0;
+    for (Followed& followed : m_followed) {
+        followed.sums.assign(followed.bodies.size(), 0);
+        followed.before.clear();
+        followed.figure = nothing;
+        followed.frames = 0;
+        followed.meeting.begin(world);
+        if (followed.measure->quantity == impacts && !m_impacts)
+            m_impacts.emplace(m_pipeline->bodies(), m_pipeline->gravity(), m_pipeline->settings().step,
+                              world.state());
+    }
+    m_before = {};
+    const Moment start = momentOf(*m_pipeline, world.state(), world.statistics());
+    for (Followed& followed : m_followed) {
+        // Of forces nothing is known before the first frame, and a mean is of what follows it.
+        const bool isForce = followed.row != nullptr && followed.row->word.starts_with("contact_force");
+        if (!isForce && followed.measure->kind != MeasureKind::Mean) take(followed, world, start);
+    }
+    m_before.take(world);
+}
+
+void MeasureWatch::look(const World& world) {
+    if (!world.health().finite) return;
+    const Moment moment = m_before.momentOf(world);
+    if (m_impacts) {
+        const auto hit = static_cast<double>(m_impacts->look(world.state()));
+        // What goes from event to event counts them itself; others see a body once a frame.
+        const bool exact = m_pipeline->settings().method->isExact;
+        m_allImpacts += exact ? static_cast<double>(world.statistics().contacts) : hit;
+    }
+    for (Followed& followed : m_followed) take(followed, world, moment);
+    m_before.take(world);
+}
+
+/// One more frame, which `moment` is the end of.
+void MeasureWatch::take(Followed& followed, const World& world, const Moment& moment) {
+    const SweepMeasure& measure = *followed.measure;
+    const double time = world.state().time;
+    if (measure.quantity == impact) {
+        if (std::isnan(followed.figure) && world.state().frame > 0 && followed.meeting.check(world))
+            followed.figure = time;
+        return;
+    }
+    const double near = sameMoment * m_pipeline->settings().step;
+    if (measure.kind == MeasureKind::At && std::isnan(followed.figure)) {
+        const bool isBehind = world.state().frame > 0 && measure.at > m_before.time + near;
+        if (std::abs(measure.at - time) <= near) {
+            followed.figure = meanOf(measured(followed, moment, 1, time));
+        } else if (isBehind && measure.at < time) {
+            const StateBetween between(m_before, world, measure.at);
+            followed.figure =
+                meanOf(measured(followed, between.momentOf(world, m_before), between.part, measure.at));
+        }
+    }
+    if (measure.kind != MeasureKind::At) {
+        const std::vector<double> now = measured(followed, moment, 1, time);
+        switch (measure.kind) {
+        case MeasureKind::Final:
+            followed.figure = meanOf(now);
+            break;
+        case MeasureKind::Max:
+        case MeasureKind::Min:
+            followed.figure = extreme({followed.figure, extreme(now, measure.kind == MeasureKind::Max)},
+                                      measure.kind == MeasureKind::Max);
+            break;
+        case MeasureKind::Mean:
+            followed.figure = (followed.frames > 0 ? followed.figure : 0) + meanOf(now);
+            ++followed.frames;
+            break;
+        case MeasureKind::First:
+            takeFirst(followed, world, now);
+            break;
+        case MeasureKind::At:
+            break;
+        }
+    }
+    if (followed.row == nullptr || !followed.row->audited || world.state().frame == 0) return;
+    for (std::size_t k = 0; k < followed.bodies.size(); ++k)
+        followed.sums[k] += followed.row->measure(moment, followed.bodies[k]);
+}
+
+void MeasureWatch::takeFirst(Followed& followed, const World& world, const std::vector<double>& now) {
+    const SweepMeasure& measure = *followed.measure;
+    const auto isBeyond = [&](double figure) {
+        return measure.isAbove ? figure > measure.limit : figure < measure.limit;
+    };
+    const double time = world.state().time;
+    for (std::size_t k = 0; k < now.size() && followed.frames == 0; ++k) {
+        if (!isBeyond(now[k])) continue;
+        double moment = time;
+        if (!followed.before.empty() && now[k] != followed.before[k])
+            moment -= (time - m_before.time) * (now[k] - measure.limit) / (now[k] - followed.before[k]);
+        if (std::isnan(followed.figure) || moment < followed.figure) followed.figure = moment;
+    }
+    if (!std::isnan(followed.figure)) followed.frames = 1; // it has happened
+    followed.before = now;
+}
+
+/// One figure a body; `part` of the frame has passed at `time` [s].
+std::vector<double> MeasureWatch::measured(const Followed& followed, const Moment& moment, double part,
+                                           double time) const {
+    std::vector<double> figures;
+    const SweepMeasure& measure = *followed.measure;
+    if (isOfTwoBodies(measure.quantity)) {
+        const std::vector<Shape>& shape = m_pipeline->bodies().shape;
+        const BodyIndex a = followed.bodies.front(), b = followed.other;
+        return {proximityOf({&shape[a], &moment.pose[a]}, {&shape[b], &moment.pose[b]}).distance};
+    }
+    for (std::size_t k = 0; k < followed.bodies.size(); ++k) {
+        if (followed.row == nullptr) {
+            figures.push_back(impactsOf(followed.bodies[k], time));
+            continue;
+        }
+        const double figure = followed.row->measure(moment, followed.bodies[k]);
+        figures.push_back(followed.row->audited ? followed.sums[k] + part * figure : figure);
+    }
+    return figures;
+}
+
+double MeasureWatch::impactsOf(BodyIndex body, double time) const {
+    if (!m_impacts) return 0;
+    if (body == noBody) return m_allImpacts;
+    return static_cast<double>(std::ranges::count_if(
+        m_impacts->record()[body], [time](const Impact& seen) { return seen.time <= time; }));
+}
+
+std::vector<double> MeasureWatch::figures() const {
+    std::vector<double> figures;
+    for (const Followed& followed : m_followed) {
+        const bool isMean = followed.measure->kind == MeasureKind::Mean;
+        figures.push_back(isMean && followed.frames > 0
+                              ? followed.figure / static_cast<double>(followed.frames)
+                              : followed.figure);
+    }
+    return figures;
+}
+
+} // namespace carom

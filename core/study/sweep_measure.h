@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/breakpoint.h"
+#include "core/simulation/impact_watch.h"
+#include "core/simulation/state_between.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What a sweep takes from each run: one figure, from the quantities of plots and expectations.
+//
+//     final y of ball                    at the end of the run
+//     max penetration                    over all frames; also min, and mean (of all but the first frame)
+//     speed of ball at 1.5               at one moment; between two frames the path through both is read
+//     first impact of a and b            the time at the end of the frame in which they meet [s]
+//     first y of ball below 0.5          when it first is, on the straight line between two frames [s]
+//     min distance of a and b
+//
+// A body is a label, `body 7`, or a family (`log` for log1, log2, ...). Where a quantity that only bodies
+// have names none, it is asked of each that can move. Of several bodies `max` and `min` take the largest and
+// the smallest, `first` the earliest, all others the mean.
+
+namespace carom {
+
+enum class MeasureKind : std::uint8_t { Final, Max, Min, Mean, At, First };
+
+/// A measure as it is written; nothing in it has been looked up in a scene yet.
+struct SweepMeasure {
+    std::string text; ///< with single blanks; the name of its column
+    MeasureKind kind = MeasureKind::Final;
+    std::string quantity; ///< a word of quantityWords(), or "impact"
+    std::string of, to;   ///< owners; empty where there are none
+    double at = 0;        ///< of At [s]
+    bool isAbove = true;  ///< of First, but not of an impact: above or below ...
+    double limit = 0;     ///< ... this, in the quantity's unit
+};
+
+struct ReadMeasure {
+    std::optional<SweepMeasure> measure;
+    std::string objection; ///< where there is none: what was seen, and what would be right
+};
+ReadMeasure readMeasure(std::string_view text);
+
+/// The bodies that an owner names: one by its label or number, or a family; empty where there are none.
+std::vector<BodyIndex> bodiesNamed(const Scene& scene, const std::string& owner);
+
+/// Why this scene has no such figure, or nothing.
+std::optional<std::string> objectionToMeasure(const SweepMeasure& measure, const Pipeline& pipeline);
+
+/// Takes the figures of one run, frame by frame.
+class MeasureWatch {
+  public:
+    /// Measures that objectionToMeasure has nothing against.
+    MeasureWatch(std::span<const SweepMeasure> measures, std::shared_ptr<const Pipeline> pipeline);
+
+    /// Whether the world must keep a ledger.
+    bool needsLedger() const;
+    /// The world stands where its run begins.
+    void begin(const World& world);
+    /// After each step, in order.
+    void look(const World& world);
+    /// One a measure; NaN where there was nothing to measure.
+    std::vector<double> figures() const;
+
+  private:
+    struct Followed {
+        const SweepMeasure* measure = nullptr;
+        const QuantityRow* row = nullptr; ///< null: impacts or a distance
+        std::vector<BodyIndex> bodies;    ///< noBody: the whole
+        BodyIndex other = noBody;         ///< of a distance or an impact
+        std::vector<double> sums;         ///< of what is recorded frame by frame, by body
+        BreakWatch meeting;               ///< of a first impact
+        std::vector<double> before;       ///< of another first: in the frame before, by body
+        double figure = 0;                ///< so far; NaN: nothing
+        std::int64_t frames = 0;          ///< of a mean
+    };
+
+    void take(Followed& followed, const World& world, const Moment& moment);
+    void takeFirst(Followed& followed, const World& world, const std::vector<double>& now);
+    std::vector<double> measured(const Followed& followed, const Moment& moment, double part,
+                                 double time) const;
+    double impactsOf(BodyIndex body, double time) const;
+
+    std::shared_ptr<const Pipeline> m_pipeline;
+    std::vector<Followed> m_followed;
+    std::optional<ImpactWatch> m_impacts;
+    double m_allImpacts = 0; ///< of the whole scene
+    FrameBefore m_before;
+};
+
+} // namespace carom

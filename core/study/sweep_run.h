@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/shard.h"
+#include "core/study/sweep.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+// The runs of a sweep, on as many threads as there are; each run has one thread, so that its bits do not
+// depend on how many others there are.
+
+namespace carom {
+
+enum class SweepOutcome : std::uint8_t {
+    Done,
+    Lost,   ///< the state was not finite any more; figures are those up to then
+    Faulty, ///< its values make a text with errors; nothing was run
+};
+std::string_view nameOf(SweepOutcome outcome); ///< "done", "lost", "faulty"
+std::optional<SweepOutcome> outcomeNamed(std::string_view name);
+
+/// What one run gave.
+struct SweepResult {
+    std::size_t run = 0;
+    SweepOutcome outcome = SweepOutcome::Done;
+    std::vector<double> figures; ///< one a measure; NaN where there was nothing to measure
+    std::uint64_t stateHash = 0; ///< at the end of what is done
+    std::int64_t frames = 0;
+    /// What was done, counted: bodies × substeps, pairs compared, rows swept, events, and operations of
+    /// refinement, over all frames.
+    double work = 0;
+    double seconds = 0; ///< processor time of reading, building and running
+};
+
+/// Told between frames, from the threads that run; false ends the run.
+using SweepGoOn = std::function<bool()>;
+
+/// One run; nothing where it was ended.
+std::optional<SweepResult> runOf(const Sweep& sweep, std::size_t run, const SweepGoOn& goOn);
+
+/// Who takes what comes of the runs. Both are called from the threads that run; `ended` by one at a time, as
+/// they end, in whatever order that is.
+struct SweepListener {
+    SweepGoOn goOn;
+    std::function<void(const SweepResult& result)> ended;
+};
+
+/// So far ahead of the first run that has not ended another may begin: whoever puts the rows in order holds
+/// no more of them.
+inline constexpr std::size_t mostRunsAhead = 4096;
+
+/// Makes the runs of a stretch but those that `isKnown` names. False where it was ended before all were made.
+/// What a listener throws ends it, and is thrown from here.
+bool runSweep(const Sweep& sweep, const ItemRange& part, int threads,
+              const std::function<bool(std::size_t run)>& isKnown, const SweepListener& listener);
+
+} // namespace carom

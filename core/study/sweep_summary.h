@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math/statistics.h"
+#include "core/study/sweep_run.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace carom {
+
+/// How one measure is spread over the runs of a point. All NaN where no run gave a figure.
+struct FigureSpread {
+    std::size_t runs = 0;           ///< that gave a figure
+    double mean = 0, deviation = 0; ///< of a sample; the deviation of one run is NaN
+    Interval meanAt95;              ///< Student's, of the mean; NaN of one run
+    /// Nearest ranks, as in statistics.h.
+    double least = 0, q05 = 0, q25 = 0, median = 0, q75 = 0, q95 = 0, most = 0;
+};
+FigureSpread spreadOf(std::vector<double> figures);
+
+/// A point of a sweep: runs with the same values of what is listed, over draws and seeds.
+struct SweepPoint {
+    std::size_t firstRun = 0;
+    std::size_t runs = 0, lost = 0, faulty = 0;
+    std::vector<FigureSpread> spreads; ///< one a measure
+};
+
+/// What is said of all runs together.
+struct SweepTotals {
+    std::size_t runs = 0, lost = 0, faulty = 0;
+    double seconds = 0; ///< processor time
+    double longest = 0; ///< run [s]
+};
+
+/// Takes results in the order of the runs and hands on point after point. It holds the runs of one point.
+class SweepSummary {
+  public:
+    using Sink = std::function<void(const SweepPoint& point)>;
+    SweepSummary(const Sweep& sweep, Sink sink);
+
+    void add(const SweepResult& result);
+    /// No run follows.
+    void finish();
+    const SweepTotals& totals() const { return m_totals; }
+
+  private:
+    std::size_t m_runsOfPoint;
+    Sink m_sink;
+    SweepPoint m_point;
+    std::vector<std::vector<double>> m_figures; ///< by measure
+    SweepTotals m_totals;
+};
+
+/// The names of the parameters that tell points apart, by their numbers.
+std::vector<std::size_t> pointParameters(const Sweep& sweep);
+
+/// The table of points, a row a point and measure: the parameters, then
+/// `measure,runs,lost,faulty,mean,deviation,mean_low,mean_high,least,q05,q25,median,q75,q95,most`.
+std::string summaryColumns(const Sweep& sweep);
+std::string summaryRows(const Sweep& sweep, const SweepPoint& point);
+
+/// What a sweep costs, in a few lines: "400 runs ...", runs an hour against cores.
+std::string summaryOf(const SweepTotals& totals, std::size_t allRuns);
+
+} // namespace carom

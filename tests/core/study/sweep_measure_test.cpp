@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/build.h"
+#include "core/study/sweep_measure.h"
+
+#include "tests/support/test_class.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// The figures that a sweep takes from a run, against what the motion must give.
+
+namespace carom {
+namespace {
+
+/// A ball falls from 5 m without air: y = 5.1 − g t²/2, on the floor at y = 0.1 after √(2·5/g) s.
+const std::string droppedBall = "gravity { accel 0, -10, 0 }\n"
+                                "wall floor { normal 0, 1, 0 toOrig 0 }\n"
+                                "sphere ball { radius 0.1 mass 2 centre 0, 5.1, 0 }\n"
+                                "sphere high1 { radius 0.1 mass 1 centre 9, 70, 0 }\n"
+                                "sphere high2 { radius 0.1 mass 1 centre 9, 90, 0 }\n"
+                                "simulation { method events }\n";
+
+std::vector<double> figuresOf(const std::string& text, const std::vector<const char*>& asked,
+                              std::int64_t frames) {
+    std::vector<SweepMeasure> measures;
+    for (const char* measure : asked) measures.push_back(readMeasure(measure).measure.value());
+    const std::shared_ptr<const Pipeline> pipeline = build(text).pipeline;
+    for (const SweepMeasure& measure : measures)
+        if (const auto objection = objectionToMeasure(measure, *pipeline)) qFatal("%s", objection->c_str());
+    World world(pipeline);
+    MeasureWatch watch(measures, pipeline);
+    world.keepLedger(watch.needsLedger());
+    watch.begin(world);
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        world.step();
+        watch.look(world);
+    }
+    return watch.figures();
+}
+
+bool near(double a, double b, double tolerance = 1e-12) { return std::abs(a - b) <= tolerance; }
+
+} // namespace
+
+class SweepMeasureTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // After 0.5 s at 5.1 − 10·0.5²/2 = 3.85 m with 5 m/s, and so on; a mean is over frames 1 to 30.
+    void everyKindGivesWhatTheFallDoes() {
+        const std::vector<double> figures =
+            figuresOf(droppedBall,
+                      {"final y of ball", "max speed of ball", "min y of ball", "mean speed of ball",
+                       "y of ball at 0.123", "first speed of ball above 2", "first y of ball below 5",
+                       "min distance of ball and floor", "max y of high", "min y of high", "final y of high",
+                       "first y of ball above 9"},
+                      30);
+        QVERIFY(near(figures[0], 3.85));
+        QVERIFY(near(figures[1], 5));
+        QVERIFY(near(figures[2], 3.85));
+        QVERIFY(near(figures[3], 5.0 * 31 / 60)); // the mean of k/30 · 5, k from 1 to 30
+        QVERIFY(near(figures[4], 5.1 - 5 * 0.123 * 0.123));
+        QVERIFY(near(figures[5], 0.2));
+        QVERIFY(near(figures[6], std::sqrt(0.02), 1e-3)); // on the straight line between two frames
+        QVERIFY(near(figures[7], 3.75));
+        QVERIFY(near(figures[8], 90));
+        QVERIFY(near(figures[9], 68.75));
+        QVERIFY(near(figures[10], 78.75));
+        QVERIFY(std::isnan(figures[11]));
+    }
+
+    // The ball meets the floor after exactly 1 s, at the end of frame 60.
+    void impactsAreSeenAndCounted() {
+        const std::vector<double> figures =
+            figuresOf(droppedBall,
+                      {"first impact of ball and floor", "first impact of ball", "final impacts of ball",
+                       "final impacts", "first impact of high1"},
+                      100);
+        for (const double time : {figures[0], figures[1]}) QVERIFY(time >= 1 - 1e-9 && time < 1 + 2.5 / 60);
+        QCOMPARE(figures[2], 1.0);
+        QCOMPARE(figures[3], 1.0);
+        QVERIFY(std::isnan(figures[4]));
+    }
+
+    // The ball meets the floor with 10 m/s and leaves with 5: 2 kg lose 75 J. Both frames that are asked for
+    // lie behind the impact, one of them between two frames.
+    void whatIsBookedFrameByFrameIsAddedUp() {
+        std::string text = droppedBall;
+        text.replace(text.find("mass 2"), 6, "mass 2 elastic 0.5");
+        const std::vector<double> figures =
+            figuresOf(text, {"final energy_by_restitution", "energy_by_restitution at 1.21"}, 90);
+        QVERIFY(near(figures[0], -75, 1e-6));
+        QVERIFY(near(figures[1], -75, 1e-6));
+    }
+
+    void whatIsNoMeasureIsSaid_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("objection");
+        const auto row = [](const char* text, const char* objection) {
+            QTest::newRow(text) << QString(text) << QString(objection);
+        };
+        row("y of ball", "a measure begins with `final`, `max`, `min`, `mean` or `first`");
+        row("final yy of ball", "there is no quantity `yy`");
+        row("final enrgy", "did you mean `energy`?");
+        row("first speed of ball", "it must say when, `first speed above 1`");
+        row("first impact", "it must say which body");
+        row("min distance of ball", "it is of two bodies");
+        row("final y of ball and floor", "`y` is of one body, not of two");
+        row("final contacts of ball", "`contacts` is of the whole scene, not of a body");
+        row("final y of", "behind `of` and `and` there must be a body");
+        row("y of ball at -1", "the time is -1; it must be 0 or later");
+        row("", "a measure begins with");
+    }
+    void whatIsNoMeasureIsSaid() {
+        QFETCH(QString, text);
+        QFETCH(QString, objection);
+        const ReadMeasure read = readMeasure(text.toStdString());
+        QVERIFY(!read.measure);
+        QVERIFY2(QString::fromStdString(read.objection).contains(objection), read.objection.c_str());
+    }
+
+    void bodiesThatAreNotThereAreSaid() {
+        const std::shared_ptr<const Pipeline> pipeline = build(droppedBall).pipeline;
+        const auto objection = [&](const char* text) {
+            return objectionToMeasure(readMeasure(text).measure.value(), *pipeline).value_or("");
+        };
+        QCOMPARE(objection("final y of body 1"), std::string());
+        QCOMPARE(objection("final y of bal"), std::string("`final y of bal`: the scene has no body `bal`"));
+        QCOMPARE(objection("first impact of high and ball"),
+                 std::string("`first impact of high and ball`: `high` are 2 bodies, and it must be one"));
+        QVERIFY(!objection("final y of body 17").empty());
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(sweep_measure_test, carom::SweepMeasureTest)
+#include "sweep_measure_test.moc"
