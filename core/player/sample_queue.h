@@ -3,6 +3,7 @@
 
 #include "core/simulation/statistics.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <span>
@@ -34,7 +35,11 @@ class SampleQueue {
 
     /// As many as are worth waiting for whoever takes them: a simulation as fast as possible makes half a
     /// million a second, which panels cannot always follow.
-    static constexpr std::size_t mostWaiting = 20'000;
+    static constexpr std::size_t mostWaiting = 10'000;
+    /// What they take at most on their way, from the simulation until a panel has them: as many wait here as
+    /// are with the pictures that show them, and lists that grow have room for twice as many [bytes].
+    static constexpr std::size_t mostBytes =
+        2 * mostWaiting * (sizeof(FrameStatistics) + sizeof(FrameSample));
     bool isFull() const {
         const std::lock_guard lock(m_mutex);
         return m_batch.frames.size() >= mostWaiting;

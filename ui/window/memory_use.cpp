@@ -49,10 +49,12 @@ std::size_t MemoryUse::panels() const {
 
 std::size_t MemoryUse::inUse() const { return m_simulation.recorded() + panels(); }
 
+std::size_t MemoryUse::left() const {
+    return std::max(leastRecording, m_budget - std::min(m_budget, panels() + SampleQueue::mostBytes));
+}
+
 void MemoryUse::refresh() {
-    const std::size_t taken = panels();
-    const std::size_t left = std::max(leastRecording, m_budget - std::min(m_budget, taken));
-    const std::size_t whole = left / mebibyte * mebibyte; // told when it has changed by as much
+    const std::size_t whole = left() / mebibyte * mebibyte; // told when it has changed by as much
     if (whole != m_given) m_simulation.setMemoryBudget(whole);
     m_given = whole;
     m_window.showMemory(

@@ -14,7 +14,8 @@ class Simulation;
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
 
 /// One budget for all that is kept of a run: the checkpoints to go back to, the frame times, the curves and
-/// the timeline. What the panels take is taken from the checkpoints; the status bar shows what is in use.
+/// the timeline. What the panels take, and what is on its way to them, is taken from the checkpoints; the
+/// status bar shows what is in use.
 class MemoryUse : public QObject {
     Q_OBJECT
   public:
@@ -23,9 +24,12 @@ class MemoryUse : public QObject {
     void setBudget(std::size_t bytes);
     /// Of checkpoints and panels together [bytes].
     std::size_t inUse() const;
+    /// To the checkpoints [bytes].
+    std::size_t given() const { return m_given; }
 
   private:
     std::size_t panels() const;
+    std::size_t left() const;
     void refresh();
 
     MainWindow& m_window;
