@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/scene_editor.h"
 
+#include "ui/editor/brace_typing.h"
 #include "ui/editor/rectangle_drag.h"
 #include "ui/editor/scene_lexer.h"
 #include "ui/base/theme.h"
@@ -77,6 +78,7 @@ void SceneEditor::configureEditing() {
     send(SCI_SETMULTIPASTE, SC_MULTIPASTE_EACH);
     send(SCI_SETVIRTUALSPACEOPTIONS, SCVS_RECTANGULARSELECTION);
     new RectangleDrag(*this);
+    new BraceTyping(*this);
     send(SCI_SETMOUSEDWELLTIME, hoverDelay);
     send(SCI_SETENDATLASTLINE, 0);
     // After a jump far down a long text, what lies between is coloured piece by piece, between events: all of

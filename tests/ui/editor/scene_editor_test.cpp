@@ -231,7 +231,7 @@ class SceneEditorTest : public QObject {
         QTest::keyClicks(&editor, QStringLiteral(" { ra"));
         QVERIFY(editor.isListActive());
         QTest::keyClick(&editor, Qt::Key_Tab);
-        QCOMPARE(editor.bytes(), QByteArray("sphere { radius"));
+        QCOMPARE(editor.bytes(), QByteArray("sphere { radius}"));
         QTest::keyClicks(&editor, QStringLiteral(" 1 "));
         QVERIFY(!editor.isListActive());
         completer.complete();
@@ -401,6 +401,62 @@ class SceneEditorTest : public QObject {
         const long height = editor.send(Sci::SCI_TEXTHEIGHT, 0);
         editor.zoomIn(4);
         QVERIFY(editor.send(Sci::SCI_TEXTHEIGHT, 0) > height);
+    }
+
+    void aBraceIsClosedAsItIsTypedAsOneUndoStep() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("sphere {"));
+        QCOMPARE(editor.bytes(), QByteArray("sphere {}"));
+        QCOMPARE(editor.caret(), 8U);
+        QTest::keyClicks(&editor, QStringLiteral(" mass 1 }")); // the brace that is there is stepped over
+        QCOMPARE(editor.bytes(), QByteArray("sphere { mass 1 }"));
+        QCOMPARE(editor.caret(), 17U);
+        QTest::keyClicks(&editor, QStringLiteral("}")); // this one is not there
+        QCOMPARE(editor.bytes(), QByteArray("sphere { mass 1 }}"));
+
+        editor.setBytes("wall \nsphere { mass 1 }");
+        editor.send(Sci::SCI_GOTOPOS, 5);
+        QTest::keyClicks(&editor, QStringLiteral("{"));
+        QCOMPARE(editor.bytes(), QByteArray("wall {}\nsphere { mass 1 }"));
+        editor.undo();
+        QCOMPARE(editor.bytes(), QByteArray("wall \nsphere { mass 1 }"));
+    }
+
+    void backspaceTakesBothBracesAndEnterPutsThemOnLinesOfTheirOwn() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("wall {"));
+        QTest::keyClick(&editor, Qt::Key_Backspace);
+        QCOMPARE(editor.bytes(), QByteArray("wall "));
+        QTest::keyClicks(&editor, QStringLiteral("{"));
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QCOMPARE(editor.bytes(), QByteArray("wall {\n    \n}"));
+        QCOMPARE(editor.caret(), 11U);
+        editor.setBytes("wall {}"); // a brace that somebody else wrote stays
+        editor.send(Sci::SCI_GOTOPOS, 6);
+        QTest::keyClick(&editor, Qt::Key_Backspace);
+        QCOMPARE(editor.bytes(), QByteArray("wall }"));
+        editor.setBytes("wall \r\n");
+        editor.send(Sci::SCI_GOTOPOS, 5);
+        QTest::keyClicks(&editor, QStringLiteral("{"));
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QCOMPARE(editor.bytes(), QByteArray("wall {\r\n    \r\n}\r\n"));
+    }
+
+    void aBraceInACommentBeforeAWordOrAtSeveralCaretsStaysAlone() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        QTest::keyClicks(&editor, QStringLiteral("// a {"));
+        QCOMPARE(editor.bytes(), QByteArray("// a {"));
+        editor.setBytes("radius 1");
+        QTest::keyClicks(&editor, QStringLiteral("{"));
+        QCOMPARE(editor.bytes(), QByteArray("{radius 1"));
+        editor.setBytes("a\nb\n");
+        editor.send(Sci::SCI_SETSELECTION, 1, 1);
+        editor.send(Sci::SCI_ADDSELECTION, 3, 3);
+        QTest::keyClicks(&editor, QStringLiteral("{"));
+        QCOMPARE(editor.bytes(), QByteArray("a{\nb{\n"));
     }
 
     void theMouseOverAWordSaysWhatItMeansOrWhatIsWrongWithIt() {
