@@ -1294,6 +1294,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>Run the scene twice, with two settings or two texts, and see how the runs part</source>
         <translation>Die Szene zweimal laufen lassen, mit zwei Einstellungen oder zwei Texten, und sehen, wie sich die Läufe trennen</translation>
     </message>
+    <message>
+        <source>Choose a co&amp;lour…</source>
+        <translation>Fa&amp;rbe wählen…</translation>
+    </message>
+    <message>
+        <source>Choose another colour in place of the one at the caret (the square beside it does it, too)</source>
+        <translation>Eine andere Farbe anstelle der an der Schreibmarke wählen (das Quadrat daneben tut es auch)</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -2282,6 +2290,17 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <source>The text is formatted already</source>
         <translation>Der Text ist schon formatiert</translation>
     </message>
+    <message>
+        <source>There is no colour at the caret</source>
+        <translation>An der Schreibmarke steht keine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>carom::LiteralHandles</name>
+    <message>
+        <source>Choose another colour</source>
+        <translation>Eine andere Farbe wählen</translation>
+    </message>
 </context>
 <context>
     <name>carom::LivePreview</name>
@@ -2460,6 +2479,13 @@ Zeitleiste: %4 MiB</translation>
     <message>
         <source>%1 bodies, %2 of text</source>
         <translation>%1 Körper, %2 Text</translation>
+    </message>
+</context>
+<context>
+    <name>carom::NumberScrubber</name>
+    <message>
+        <source>Drag to the left or right: the number changes (Shift: ten times as much, Ctrl: a tenth)</source>
+        <translation>Nach links oder rechts ziehen: die Zahl ändert sich (Umschalt: zehnmal so viel, Strg: ein Zehntel)</translation>
     </message>
 </context>
 <context>

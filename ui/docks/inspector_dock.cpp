@@ -5,11 +5,11 @@
 #include "core/expectations/expectation_proposals.h"
 #include "core/simulation/quantities.h"
 #include "ui/widgets/body_title.h"
+#include "ui/widgets/colour_picker.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/expect_menu.h"
 #include "ui/widgets/text_of.h"
 
-#include <QColorDialog>
 #include <QHeaderView>
 #include <QPainter>
 #include <QPolygonF>
@@ -310,15 +310,9 @@ void InspectorDock::addColour(QTreeWidgetItem* group, const Vec3& colour) {
 
 void InspectorDock::pickColour() {
     if (m_body == noBody) return;
-    QColorDialog* dialog = new QColorDialog(shownColour(m_pipeline->scene().bodies[m_body].colour), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QColorDialog::colorSelected, this, [this, body = m_body](const QColor& chosen) {
-        const auto part = [](double value) { return QString::number(std::round(1000 * value) / 1000); };
-        Q_EMIT valueWanted(body, colourParameter,
-                           QStringLiteral("%1, %2, %3")
-                               .arg(part(chosen.redF()), part(chosen.greenF()), part(chosen.blueF())));
-    });
-    dialog->open();
+    carom::pickColour(
+        this, shownColour(m_pipeline->scene().bodies[m_body].colour),
+        [this, body = m_body](const QString& text) { Q_EMIT valueWanted(body, colourParameter, text); });
 }
 
 void InspectorDock::addDeclared() {

@@ -24,6 +24,11 @@ int packed(const Vec3& colour) {
 
 } // namespace
 
+QColor colourOf(long indicatorValue) {
+    return QColor(static_cast<int>(indicatorValue & 0xff), static_cast<int>(indicatorValue >> 8 & 0xff),
+                  static_cast<int>(indicatorValue >> 16 & 0xff));
+}
+
 void markColours(SceneEditor& editor, const BuildResult& result) {
     editor.send(ColourSci::SCI_INDICSETSTYLE, colourIndicator, ColourSci::INDIC_COMPOSITIONTHICK);
     editor.send(ColourSci::SCI_INDICSETFLAGS, colourIndicator, valueIsColour);

@@ -53,6 +53,18 @@ bool NumberScrubber::turnAtCaret(int steps) {
     return true;
 }
 
+bool NumberScrubber::hold(std::uint32_t offset) {
+    letGo();
+    if (!take(offset)) return false;
+    m_editor.send(Sci::SCI_GOTOPOS, m_grip->number.range.offset); // its body is outlined
+    m_editor.setFocus();
+    return true;
+}
+
+void NumberScrubber::drag(int way, int power) {
+    if (m_grip) turnTo(way / pixelsPerStep, power);
+}
+
 bool NumberScrubber::take(std::uint32_t offset) {
     const QByteArray text = m_editor.bytes();
     const Analysis analysis = analyse(text.toStdString());

@@ -27,6 +27,13 @@ class NumberScrubber : public QObject {
     /// Turns the number at the caret, as one undo step; false where there is none.
     bool turnAtCaret(int steps);
 
+    /// A drag that a handle beside the number makes, without Alt: takes hold of the number at a place (false
+    /// where there is none), turns it by as many steps as a way to the right has [px], each 10^power times as
+    /// large, and ends the undo step.
+    bool hold(std::uint32_t offset);
+    void drag(int way, int power);
+    void letGo();
+
   Q_SIGNALS:
     /// After each step: the picture should follow at once.
     void turned();
@@ -45,7 +52,6 @@ class NumberScrubber : public QObject {
     bool take(std::uint32_t offset);
     bool takeUnder(const QPoint& place);
     void turnTo(std::int64_t steps, int power = 0);
-    void letGo();
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);

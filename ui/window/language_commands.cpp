@@ -3,6 +3,7 @@
 
 #include "ui/editor/call_tip_box.h"
 #include "ui/editor/completer.h"
+#include "ui/editor/literal_handles.h"
 #include "ui/editor/live_build.h"
 #include "ui/editor/number_scrubber.h"
 #include "ui/editor/rename_box.h"
@@ -74,6 +75,10 @@ void LanguageCommands::connectNumbers(LiveBuild& builds) {
     const Actions& actions = m_window.actions();
     NumberScrubber* scrubber = new NumberScrubber(m_editor);
     connect(scrubber, &NumberScrubber::turned, &builds, &LiveBuild::hurry);
+    LiteralHandles* handles = new LiteralHandles(m_editor, *scrubber);
+    connect(&actions[ActionId::PickColour], &QAction::triggered, handles, [this, handles] {
+        if (!handles->pickColourAtCaret()) say(tr("There is no colour at the caret"));
+    });
     const auto turn = [this, scrubber](int steps) {
         if (!scrubber->turnAtCaret(steps)) say(tr("There is no number at the caret"));
     };

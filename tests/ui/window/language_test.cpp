@@ -4,9 +4,11 @@
 
 #include "ui/docks/outline_dock.h"
 #include "ui/editor/call_tip_box.h"
+#include "ui/editor/colour_marks.h"
 #include "ui/editor/rename_box.h"
 #include "ui/window/live_preview.h"
 
+#include <QColorDialog>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTreeView>
@@ -51,6 +53,24 @@ void dragWithAlt(SceneEditor& editor, const QPoint& from, const QPoint& way) {
         QApplication::sendEvent(editor.viewport(), &move);
     }
     QTest::mouseRelease(editor.viewport(), Qt::LeftButton, Qt::AltModifier, from + way);
+}
+
+void hover(SceneEditor& editor, const QPoint& place) {
+    QMouseEvent move(QEvent::MouseMove, place, editor.viewport()->mapToGlobal(place), Qt::NoButton,
+                     Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(editor.viewport(), &move);
+}
+
+void moveHandle(QWidget& handle, const QPoint& to, Qt::KeyboardModifiers keys) {
+    QMouseEvent move(QEvent::MouseMove, to, handle.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, keys);
+    QApplication::sendEvent(&handle, &move);
+}
+
+void dragHandle(QWidget& handle, int way, Qt::KeyboardModifiers keys) {
+    const QPoint from = handle.rect().center();
+    QTest::mousePress(&handle, Qt::LeftButton, keys, from);
+    moveHandle(handle, from + QPoint(way, 0), keys);
+    QTest::mouseRelease(&handle, Qt::LeftButton, keys, from + QPoint(way, 0));
 }
 
 } // namespace
@@ -198,6 +218,65 @@ class LanguageTest : public QObject {
         QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    // Some window managers keep Alt to themselves: the handle does without.
+    void underTheMouseANumberHasAHandleWhoseDragTurnsIt() {
+        Ide ide;
+        hover(ide.editor, placeOfText(ide.editor, "left { radius "));
+        QWidget* handle = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("numberHandle"));
+        QVERIFY(handle->isVisible());
+        dragHandle(*handle, 12, Qt::NoModifier);
+        QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
+        dragHandle(*handle, 6, Qt::ShiftModifier);
+        QVERIFY(ide.editor.bytes().contains("left { radius .62 mass"));
+        ide.editor.undo(); // a drag is a step
+        QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+
+        hover(ide.editor, placeOfText(ide.editor, "left { radi")); // no number, and the handle goes
+        QTRY_VERIFY_WITH_TIMEOUT(!handle->isVisible(), patience);
+    }
+
+    void aSelectedNumberHasAHandleAndASecondButtonEndsItsDrag() {
+        Ide ide;
+        const qsizetype at = twoBalls.indexOf("left { radius ") + 14;
+        ide.editor.send(Sci::SCI_SETSEL, at, at + 2);
+        QWidget* handle = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("numberHandle"));
+        QTRY_VERIFY_WITH_TIMEOUT(handle->isVisible(), patience);
+        QTest::mousePress(handle, Qt::LeftButton, Qt::NoModifier, {5, 5});
+        QTest::mousePress(handle, Qt::RightButton, Qt::NoModifier, {5, 5});
+        moveHandle(*handle, {50, 5}, Qt::NoModifier);
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+        placeCaretBehind(ide.editor, "sphere lef");
+        QTest::keyClicks(&ide.editor, QStringLiteral("x")); // typing is a step of its own
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls);
+    }
+
+    void theSquareBesideAColourAsksForAnotherOne() {
+        Ide ide("sphere { radius 1 mass 1 centre 0,0,0 colour 1, 0, 0 }\n");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.send(Sci::SCI_INDICATORVALUEAT, colourIndicator,
+                                                 ide.editor.bytes().indexOf("1, 0, 0")) != 0,
+                                 patience);
+        hover(ide.editor, placeOfText(ide.editor, "colour "));
+        QWidget* swatch = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("colourSwatch"));
+        QVERIFY(swatch->isVisible());
+        QTest::mouseClick(swatch, Qt::LeftButton);
+        QColorDialog* dialog = ide.editor.findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(dialog->currentColor(), QColor(255, 0, 0));
+        Q_EMIT dialog->colorSelected(QColor(0, 51, 255));
+        dialog->close();
+        QVERIFY2(ide.editor.bytes().contains("colour 0, 0.2, 1 }"), ide.editor.bytes().constData());
+        ide.editor.undo();
+        QVERIFY(ide.editor.bytes().contains("colour 1, 0, 0 }"));
+        placeCaretBehind(ide.editor, "colour 1");
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        ide.trigger(ActionId::PickColour);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.findChild<QColorDialog*>() != nullptr, patience);
+        ide.editor.findChild<QColorDialog*>()->close();
     }
 
     void aDragWithAltBesideNumbersSelectsARectangle() {
