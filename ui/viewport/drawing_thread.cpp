@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "ui/viewport/renderer.h"
 
+#include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
@@ -11,6 +12,17 @@
 #include <utility>
 
 namespace carom {
+
+namespace {
+
+/// Qt's offscreen platform says that they may, but its connection to the X server has no lock, as Xlib wants
+/// it where several threads use one: they hang, or overwrite memory.
+bool threadsMayDraw() {
+    return QOpenGLContext::supportsThreadedOpenGL() &&
+           QGuiApplication::platformName() != QStringLiteral("offscreen");
+}
+
+} // namespace
 
 /// What lives in the drawing thread.
 class DrawingThread::Worker : public QObject {
@@ -94,7 +106,7 @@ DrawingThread::DrawingThread(QObject* parent) : QObject(parent), m_worker(new Wo
     m_surface.setFormat(Renderer::format());
     m_surface.create();
     // Where the display's OpenGL cannot be used by a second thread, the worker does its work in this one.
-    if (QOpenGLContext::supportsThreadedOpenGL()) {
+    if (threadsMayDraw()) {
         m_worker->moveToThread(&m_thread);
         m_thread.setObjectName(QStringLiteral("drawing"));
         m_thread.start();
