@@ -27,7 +27,7 @@
 namespace carom {
 namespace {
 
-/// The curve stands between the other two.
+/// The curve stands between the other two; a slider where a value of the scene has one.
 enum Column : int { Name, Value, Curve };
 
 /// Of the value's cell: the figure without its unit, and the unit.
@@ -40,7 +40,9 @@ constexpr int curveRole = Qt::UserRole + 4;
 constexpr int measuredRole = Qt::UserRole + 5;
 constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
 constexpr int curveWidth = 56;         // [px]
-constexpr int leastWidth = 250;        // [px] of a panel that has room for curves
+constexpr int leastWidth = 250;        // [px] of a panel that has room for curves and sliders
+constexpr double usualRolling = 0.01;  // [m]
+constexpr double usualDrag = 2;        // of blunt bodies
 
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
@@ -257,8 +259,8 @@ QTreeWidgetItem* InspectorDock::addRow(QTreeWidgetItem* group, const QString& na
 }
 
 /// A value that can be written, by a double click or F2.
-void InspectorDock::addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
-                             std::initializer_list<double> values, const QString& unit) {
+QTreeWidgetItem* InspectorDock::addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                                         std::initializer_list<double> values, const QString& unit) {
     QStringList shown, whole;
     for (const double value : values) {
         shown += figure(value);
@@ -268,9 +270,52 @@ void InspectorDock::addField(QTreeWidgetItem* group, const QString& name, const 
     row->setFlags(row->flags() | Qt::ItemIsEditable);
     row->setData(Value, parameterRole, QString::fromLatin1(parameter));
     row->setData(Value, literalRole, whole.join(QStringLiteral(", ")));
+    return row;
+}
+
+void InspectorDock::addSlidingField(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                                    double value, SliderRange range, const QString& unit) {
+    QTreeWidgetItem* row = addField(group, name, parameter, {value}, unit);
+    if (m_pipeline->scene().isGenerated(m_body)) return; // its figures stand nowhere in the text
+    ValueSlider* slider = new ValueSlider(value, range);
+    slider->setObjectName(QLatin1StringView(parameter) + QStringLiteral("Slider"));
+    slider->setAccessibleName(name);
+    m_tree->setItemWidget(row, Curve, slider);
+    connectSlider(*slider, row);
+}
+
+/// What must stay above 0 stands in the middle, and can be doubled at once.
+void InspectorDock::addLength(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                              double value, const QString& unit) {
+    addSlidingField(group, name, parameter, value, {.most = 2 * value, .takesZero = false}, unit);
+}
+
+void InspectorDock::connectSlider(ValueSlider& slider, QTreeWidgetItem* row) {
+    const QString parameter = row->data(Value, parameterRole).toString();
+    connect(&slider, &QSlider::sliderPressed, this, [this, parameter] {
+        m_isSliding = true;
+        Q_EMIT slideBegan(m_body, parameter);
+    });
+    connect(&slider, &QSlider::sliderReleased, this, &InspectorDock::endSlide);
+    connect(&slider, &QSlider::valueChanged, this, [this, &slider, row, parameter] {
+        setFigure(*row, slider.text());
+        Q_EMIT valueWanted(m_body, parameter, slider.text());
+    });
+}
+
+void InspectorDock::endSlide() {
+    if (!std::exchange(m_isSliding, false)) return;
+    Q_EMIT slideEnded();
+    // Later: the slider itself says this.
+    if (std::exchange(m_isStale, false)) QTimer::singleShot(0, this, &InspectorDock::rebuild);
 }
 
 void InspectorDock::rebuild() {
+    m_isStale = m_isSliding;
+    if (m_isSliding) return;
+    QString inUse;
+    for (const ValueSlider* one : m_tree->findChildren<ValueSlider*>())
+        if (one->hasFocus()) inUse = one->objectName();
     m_tree->clear();
     m_live = nullptr;
     m_state->setEmpty(!m_pipeline || m_pipeline->bodies().count() == 0);
@@ -286,6 +331,8 @@ void InspectorDock::rebuild() {
     }
     m_tree->expandAll();
     refresh();
+    if (inUse.isEmpty()) return; // by keys, which go on with the new one
+    for (ValueSlider* one : m_tree->findChildren<ValueSlider*>(inUse)) one->setFocus();
 }
 
 /// About the body's own axes; one row where they are the same.
@@ -322,10 +369,10 @@ void InspectorDock::addDeclared() {
     QTreeWidgetItem* group = addGroup(bodyTitle(scene, m_body));
     const QString metres = QStringLiteral("m");
     if (const Sphere* sphere = std::get_if<Sphere>(&body.shape))
-        addField(group, tr("radius"), "radius", {sphere->radius}, metres);
+        addLength(group, tr("radius"), "radius", sphere->radius, metres);
     if (const Cylinder* cylinder = std::get_if<Cylinder>(&body.shape)) {
-        addField(group, tr("radius"), "radius", {cylinder->radius}, metres);
-        addField(group, tr("height"), "height", {2 * cylinder->halfHeight}, metres);
+        addLength(group, tr("radius"), "radius", cylinder->radius, metres);
+        addLength(group, tr("height"), "height", 2 * cylinder->halfHeight, metres);
     }
     if (const Cuboid* cuboid = std::get_if<Cuboid>(&body.shape)) {
         const Vec3 size = 2 * cuboid->halfSize;
@@ -341,16 +388,22 @@ void InspectorDock::addDeclared() {
                  QStringLiteral("m/s"));
     }
     if (bodies.mobile[m_body] != 0) {
-        addField(group, tr("mass"), "mass", {bodies.mass[m_body]}, QStringLiteral("kg"));
+        addLength(group, tr("mass"), "mass", bodies.mass[m_body], QStringLiteral("kg"));
         addInertia(group, bodies.inertia[m_body]);
     } else {
         addRow(group, tr("mass"), tr("immobile"), {});
     }
     addColour(group, body.colour);
-    addField(group, tr("elasticity"), "elastic", {body.elastic}, {});
-    addField(group, tr("friction"), "friction", {body.friction}, {});
-    addField(group, tr("rolling resistance"), "rolling", {body.rolling}, metres);
-    if (bodies.mobile[m_body] != 0) addField(group, tr("drag coefficient"), "drag", {body.drag}, {});
+    // What may be 0 reaches from there as far as it usually does, or twice as far as it is.
+    const auto upTo = [](double usual, double value) {
+        return SliderRange{.most = std::max(usual, 2 * value)};
+    };
+    addSlidingField(group, tr("elasticity"), "elastic", body.elastic, {.most = 1}, {});
+    addSlidingField(group, tr("friction"), "friction", body.friction, upTo(1, body.friction), {});
+    addSlidingField(group, tr("rolling resistance"), "rolling", body.rolling,
+                    upTo(usualRolling, body.rolling), metres);
+    if (bodies.mobile[m_body] != 0)
+        addSlidingField(group, tr("drag coefficient"), "drag", body.drag, upTo(usualDrag, body.drag), {});
 }
 
 /// Each frame once; one that lies before the last begins anew.

@@ -4,6 +4,7 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/snapshot.h"
 #include "ui/base/panel.h"
+#include "ui/docks/value_slider.h"
 
 #include <QTimer>
 
@@ -47,6 +48,9 @@ class InspectorDock : public Panel {
   Q_SIGNALS:
     /// The user has written another value for a parameter of the body's declaration.
     void valueWanted(carom::BodyIndex body, const QString& parameter, const QString& value);
+    /// Until slideEnded() the values that are wanted of a parameter are those a slider passes: one change.
+    void slideBegan(carom::BodyIndex body, const QString& parameter);
+    void slideEnded();
     /// A value at the moment on screen is to be expected of the scene from now on.
     void expectationWanted(const carom::Expectation& expectation);
 
@@ -62,8 +66,14 @@ class InspectorDock : public Panel {
     QTreeWidgetItem* addGroup(const QString& title);
     QTreeWidgetItem* addRow(QTreeWidgetItem* group, const QString& name, const QString& value,
                             const QString& unit);
-    void addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
-                  std::initializer_list<double> values, const QString& unit);
+    QTreeWidgetItem* addField(QTreeWidgetItem* group, const QString& name, const char* parameter,
+                              std::initializer_list<double> values, const QString& unit);
+    void addSlidingField(QTreeWidgetItem* group, const QString& name, const char* parameter, double value,
+                         SliderRange range, const QString& unit);
+    void addLength(QTreeWidgetItem* group, const QString& name, const char* parameter, double value,
+                   const QString& unit);
+    void connectSlider(ValueSlider& slider, QTreeWidgetItem* row);
+    void endSlide();
     void addColour(QTreeWidgetItem* group, const Vec3& colour);
     void pickColour();
     void take(const QString& parameter, const QString& text);
@@ -76,6 +86,8 @@ class InspectorDock : public Panel {
     QTreeWidget* m_tree;
     EmptyState* m_state;
     QTreeWidgetItem* m_live = nullptr; ///< the group whose rows are the quantities in order
+    bool m_isSliding = false;          ///< a slider is held: its row must stay
+    bool m_isStale = false;            ///< and is to be made anew when it is let go
     QTimer m_refresh;                  ///< figures are readable a few times a second, not every frame
 };
 

@@ -315,6 +315,47 @@ class BodyDragTest : public QObject {
         QCOMPARE(ide.editor.bytes(), scene);
     }
 
+    void aSliderOfTheInspectorWritesTheLiteralAsOneUndoStep() {
+        Ide ide(scene);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        placeCaretBehind(ide.editor, "sphere ball");
+        InspectorDock& inspector = ide.bench.window().inspector();
+        ide.bench.window().open(inspector);
+        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
+                                  patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        const auto slider = [&](const char* name) {
+            return inspector.findChild<ValueSlider*>(QString::fromLatin1(name));
+        };
+        ValueSlider* radius = slider("radiusSlider");
+        radius->setSliderDown(true);
+        radius->setValue(60);
+        QVERIFY2(ide.editor.bytes().contains("sphere ball { radius 0.60 mass 1"),
+                 ide.editor.bytes().constData());
+        QTRY_VERIFY_WITH_TIMEOUT( // live, and the slider is still the one that is held
+            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[0].shape).radius == 0.6, patience);
+        radius->setValue(80);
+        QCOMPARE(slider("radiusSlider"), radius);
+        QVERIFY(ide.editor.bytes().contains("sphere ball { radius 0.80 mass 1"));
+        radius->setSliderDown(false);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && slider("radiusSlider") != radius, patience);
+        QCOMPARE(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.8"));
+
+        ValueSlider* friction = slider("frictionSlider"); // which the text does not give
+        friction->setSliderDown(true);
+        friction->setValue(30);
+        friction->setValue(35);
+        QVERIFY2(ide.editor.bytes().contains("vel 0,3.0,0 friction 0.35 }\nsphere other"),
+                 ide.editor.bytes().constData());
+        QTest::keyClick(&ide.editor, Qt::Key_Z, Qt::ControlModifier); // ends the step, and takes it back
+        QVERIFY(!ide.editor.bytes().contains("friction"));
+        friction->setValue(50); // held still, but no longer of anything
+        friction->setSliderDown(false);
+        QVERIFY(!ide.editor.bytes().contains("friction"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), scene);
+    }
+
     void aRightClickOffersWhatOneDoesWithABodyAndWithTheView() {
         Ide ide(scene);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
