@@ -61,6 +61,7 @@ constinit const IntegratorRow eulerRow = {
     .name = "euler",
     .title = "Explicit Euler",
     .order = 1,
+    .orderOnSprings = 1,
     .help = "Moves by the velocity at the beginning of the substep; the error is proportional to the step.",
     .source = "L. Euler, Institutiones calculi integralis, 1768; rotation as in the reference work, 3.6.1",
     .stableUpTo = 0,

@@ -13,6 +13,7 @@ struct IntegratorRow {
     std::string_view name; ///< "euler"
     std::string_view title;
     int order = 1;           ///< of the error of a position at a given time, in the step
+    int orderOnSprings = 1;  ///< the same of bodies on springs that touch nothing
     std::string_view help;   ///< one sentence
     std::string_view source; ///< author, title, year
     /// The largest ωh (angular frequency times substep) at which an undamped oscillation stays bounded.

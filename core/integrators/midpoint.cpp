@@ -8,7 +8,9 @@
 // The implicit midpoint rule (E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006,
 // II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
 // keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
-// method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp). Bodies
+// method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp), and
+// where nothing meets by five parts of a substep, which together are of order four (dynamics/spring_steps.h).
+// Bodies
 // that move freely need no equations: the parabola is exact, and so is free rotation. Where a force depends
 // on a body's own motion its equations are those of dynamics/forced_steps.h, which move on from the midpoint
 // to the end of the step where the step is long.
@@ -37,9 +39,9 @@ constinit const IntegratorRow midpointRow = {
     .name = "midpoint",
     .title = "Implicit midpoint",
     .order = 2,
-    .help =
-        "Free bodies move and turn exactly, springs by the forces in the middle of the substep; stable at "
-        "any step.",
+    .orderOnSprings = 4,
+    .help = "Free bodies move and turn exactly; springs to order four, with their energy kept, where nothing "
+            "meets; stable at any step.",
     .source = "E. Hairer, C. Lubich, G. Wanner, Geometric numerical integration, 2006",
     .stableUpTo = std::numeric_limits<double>::infinity(),
     .decaysUpTo = std::numeric_limits<double>::infinity(),

@@ -72,6 +72,7 @@ constinit const IntegratorRow rungeKutta4Row = {
     .name = "rk4",
     .title = "Runge–Kutta of order 4",
     .order = 4,
+    .orderOnSprings = 4,
     .help = "Four evaluations of the forces a substep; the most accurate where steps are small against an "
             "oscillation.",
     .source = "W. Kutta, Beitrag zur näherungsweisen Integration totaler Differentialgleichungen, 1901",

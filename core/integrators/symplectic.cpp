@@ -41,6 +41,7 @@ constinit const IntegratorRow symplecticRow = {
     .name = "symplectic",
     .title = "Semi-implicit Euler",
     .order = 1,
+    .orderOnSprings = 1,
     .help = "Moves by the velocity at the end of the substep; energy errors stay bounded.",
     .source =
         "R. de Vogelaere, Methods of integration which preserve the contact transformation property of the "

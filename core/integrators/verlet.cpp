@@ -69,6 +69,7 @@ constinit const IntegratorRow verletRow = {
     .name = "verlet",
     .title = "Velocity Verlet",
     .order = 2,
+    .orderOnSprings = 2,
     .help = "Moves by the velocity in the middle of the substep; free fall is exact, energy errors stay "
             "bounded.",
     .source = "L. Verlet, Computer experiments on classical fluids, 1967",

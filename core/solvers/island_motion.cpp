@@ -30,7 +30,7 @@ constexpr double relocationEnd = 1e-12;
 bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
     load(input, island, found);
     const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
-    if (!bounce(input, island)) move(input, island);
+    if (!bounce(input, island) && !swing(input, island)) move(input, island);
     report.work.operations += m_work;
     return wereStill && !m_parted && m_left == 0 && areStill(input.state, island.bodies);
 }

@@ -4,6 +4,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/forced_steps.h"
+#include "core/dynamics/spring_steps.h"
 #include "core/dynamics/state.h"
 #include "core/dynamics/work_counters.h"
 #include "core/narrowphase/time_of_impact.h"
@@ -30,6 +31,9 @@
 // v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
 // friction too; both ends respect the gap, so the mean does. Contacts that turn with their bodies are taken
 // where they will be (island_turning.cpp).
+//
+// An island that springs hold together and in which nothing meets needs none of this: it moves to order four
+// (dynamics/spring_steps.h), unless its springs are too stiff for the substep.
 
 namespace carom {
 
@@ -100,6 +104,8 @@ class IslandMotion {
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     void move(const MotionInput& input, const Island& island);
     bool bounce(const MotionInput& input, const Island& island);
+    bool swing(const MotionInput& input, const Island& island);
+    bool staysApart(const MotionInput& input) const;
     void recollide(const MotionInput& input);
     void loadBodies(const MotionInput& input, const Island& island);
     double relativeOverlap() const;
@@ -208,6 +214,8 @@ class IslandMotion {
     std::vector<ContactRow> m_warmRows; // of m_problem, after a first attempt
     NewtonSolver m_newton;
     SpringSolver m_springSolver;
+    SpringSteps m_springSteps;
+    SpringNetwork::Scratch m_springRoom;
     ImpactSolver m_impacts;
 };
 

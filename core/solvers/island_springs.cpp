@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
+#include "core/solvers/contact_settings.h"
 #include "core/solvers/island_motion.h"
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 // Springs within an island. Over a part T of the substep their ends go from x₀ to x₁ (of one relative to the
 // other), and the spring pulls along the middle of the way, by what its mean length and the change of its
@@ -15,7 +18,8 @@
 // (R. LaBudde, D. Greenspan, "Energy and momentum conserving methods of arbitrary order for the numerical
 // integration of equations of motion", Numerische Mathematik 25, 1975). Since x̄·(x₁ − x₀) = l̄ (l₁ − l₀), its
 // work is exactly what it had stored less what its damper took: the energy of an undamped spring between
-// centres is kept to rounding at any step, so that no spring ever gets longer than its energy allows. The
+// centres is kept to rounding at any step, so that no spring ever gets longer than its energy allows. Where
+// nothing meets, five such parts make a substep, to order four (dynamics/spring_steps.h). The
 // implicit midpoint rule, with |x̄| for l̄, is the same along a line but has no such bound: where ω T is some
 // hundred it finds a length of 3 L, 5 L, ... whose middle is on the other side. Both are symmetric, of order
 // two, and exact for constant forces, and the phase of a linear oscillation is late by (ωT)²/12 of it.
@@ -45,8 +49,73 @@ constexpr double maybeRounding = 1e-6;
 constexpr double springTolerance = 1e-14;
 /// With contacts in play, which do lose, this part of the tolerance of contacts will do.
 constexpr double contactPart = 1e-3;
+/// Two bodies are no faster relative to each other between the parts of a step than so many times what they
+/// are at their ends.
+constexpr double fasterBetween = 1.5;
+
+/// How far two bodies are apart at least, one of them at the places given [m].
+double leastGap(const Bodies& bodies, BodyIndex a, const Vec3& placeA, BodyIndex b, const Vec3& placeB) {
+    const auto fromWall = [&](BodyIndex wall, BodyIndex other, const Vec3& place) {
+        return distanceTo(std::get<Wall>(bodies.shape[wall]), place) - bodies.boundingRadius[other];
+    };
+    if (isWall(bodies.shape[a])) return fromWall(a, b, placeB);
+    if (isWall(bodies.shape[b])) return fromWall(b, a, placeA);
+    return (placeB - placeA).norm() - bodies.boundingRadius[a] - bodies.boundingRadius[b];
+}
 
 } // namespace
+
+// An island that springs hold together, through a substep in which no two bodies meet. False if two may, and
+// nothing has moved.
+bool IslandMotion::swing(const MotionInput& input, const Island& island) {
+    if (m_springs.empty()) return false;
+    const Forces& forces = input.bodies.forces;
+    if (!forces.empty() && std::ranges::any_of(island.bodies, [&](BodyIndex i) { return forces.actOn(i); }))
+        return false;
+    const auto isApart = [&](const ContactPair& pair) {
+        return leastGap(input.bodies, pair.a, input.state.pose[pair.a].position, pair.b,
+                        input.state.pose[pair.b].position) > 0;
+    };
+    if (!std::ranges::all_of(m_contacts.pairs, isApart)) return false;
+    const SpringNetwork network{input.bodies, island.bodies, m_springs, input.gravity, m_springRoom};
+    const int order = input.settings.tolerance < accurateTolerance ? 6 : 4;
+    const bool isFound = m_springSteps.find(network, input.substep, order, input.state);
+    m_work += work::pull * static_cast<double>(m_springSteps.looks());
+    if (!isFound || !staysApart(input)) return false;
+    for (ContactConstraint& point : m_contacts.points) {
+        point.force.setZero();
+        point.rollingTorque.setZero();
+    }
+    Invariants before;
+    if (input.ledger != nullptr)
+        before = invariantsOf(input.bodies, island.bodies, input.state, input.gravity);
+    m_springSteps.apply(network, input.substep, input.state);
+    if (input.ledger != nullptr)
+        recordDifference(before, invariantsOf(input.bodies, island.bodies, input.state, input.gravity),
+                         weightOf(input.bodies, island.bodies, input.substep * input.gravity),
+                         LedgerAccount::Spring, *input.ledger);
+    return true;
+}
+
+// A gap shrinks no faster than the bodies move: it stays open where it could not close from either end.
+bool IslandMotion::staysApart(const MotionInput& input) const {
+    const auto placeAfter = [&](BodyIndex i) {
+        return localOf(i) == immobile ? input.state.pose[i].position
+                                      : m_springSteps.placeAfter(at(localOf(i)));
+    };
+    const auto velocity = [&](BodyIndex i, std::size_t part) {
+        return localOf(i) == immobile ? Vec3(Vec3::Zero()) : m_springSteps.velocities(at(localOf(i)))[part];
+    };
+    return std::ranges::all_of(m_contacts.pairs, [&](const ContactPair& pair) {
+        const double first = leastGap(input.bodies, pair.a, input.state.pose[pair.a].position, pair.b,
+                                      input.state.pose[pair.b].position);
+        const double last = leastGap(input.bodies, pair.a, placeAfter(pair.a), pair.b, placeAfter(pair.b));
+        double fastest = 0;
+        for (std::size_t part = 0; part <= m_springSteps.parts().size(); ++part)
+            fastest = std::max(fastest, (velocity(pair.a, part) - velocity(pair.b, part)).norm());
+        return std::min({first, last, first + last - fasterBetween * input.substep * fastest}) > 0;
+    });
+}
 
 void IslandMotion::solveSprings(const MotionInput& input, double duration) {
     // A spring too stiff for the step ends the part about where it began it: that guess is near the solution,
@@ -168,7 +237,7 @@ void IslandMotion::linkSprings(const MotionInput& input, double duration) {
             row.impulse = (-duration * tension) * along;
             row.rate = Vec3::Constant(stretching + turning); // how stiff it is, for the guess
             // Lengths are rounded, and so are the forces that they give.
-            pulled = std::max(pulled, duration * spring.stiffness * length / row.effectiveMass);
+            pulled = std::max(pulled, std::abs(duration) * spring.stiffness * length / row.effectiveMass);
             m_springSlopes.push_back(turning * Mat3::Identity() + stretching * along * grows.transpose());
         } else {
             const double part = along.norm();

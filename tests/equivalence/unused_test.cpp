@@ -177,7 +177,7 @@ QList<Row> rowsOfKernels() {
     add("friction", "carom::ImpactSolver::solveLone(", rough);
     add("rolling resistance", "carom::rollingVelocity(", resisted("0.01"), resisted("0"));
     add("springs", "carom::springEnergy(", sceneWith("", "", tied));
-    add("forces of springs", "carom::IslandMotion::linkSprings(", sceneWith("", "", tied));
+    add("forces of springs", "carom::SpringSteps::find(", sceneWith("", "", tied));
     add("air", "carom::ForcedSteps::solve(", sceneWith("drag 0.5", "", "air { density 1.2 }\n"));
     add("contacts of cuboids", "carom::collideCuboidCuboid(", sceneWith("", "", boxes));
     const QByteArray alone = "wall { normal 0, 1, 0  toOrig 0  elastic 0.5 }\n";

@@ -15,6 +15,7 @@ inline constexpr double block = 110;        ///< a product of two 6 × 6 blocks
 inline constexpr double ordering = 500;     ///< a coupling, in choosing the order of elimination
 inline constexpr double collide = 2500;     ///< a pair of cylinders or cuboids
 inline constexpr double look = 3;           ///< comparing a remembered figure of a row
+inline constexpr double pull = 60;          ///< a spring in a round of its iteration
 inline constexpr double swept = 10;         ///< a row in a pass of the base path
 inline constexpr double carried = 500;      ///< a pair of bodies on the base path, in a substep
 inline constexpr double collideRound = 150; ///< a pair with a sphere, or with a wall

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/spring_steps.h"
+
+#include "core/dynamics/free_rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+constexpr double b = 0.4144907717943757;
+constexpr std::array<double, 5> orderFour = {b, b, 1 - 4 * b, b, b}, fiveEqual = {0.2, 0.2, 0.2, 0.2, 0.2};
+constexpr std::array<double, 9> orderSix = {
+    0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
+    0.08221359629355080023,  0.79854399093482996340, 0.08221359629355080023,
+    -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
+/// λ h up to which a part that runs backwards serves: a third of where it has no solution.
+constexpr double mostDamping = 1;
+/// Rounds of the iteration at most, and what each must gain: slower, Newton's method costs less.
+constexpr int mostRounds = 60;
+constexpr double leastGain = 0.5;
+/// What a round is trusted to have gained at most: the first ones, from a guess, gain more than those to
+/// come.
+constexpr double mostGain = 0.02;
+/// Of the fastest speed, the error of velocities at which the iteration ends, and what may be rounding.
+constexpr double roundsEnd = 1e-16, maybeRounding = 1e-14;
+/// Where the rounding of lengths makes more of the fastest speed, one part must do: its errors change sign
+/// from step to step, those of several parts add up.
+constexpr double mostRounding = 1e-10;
+constexpr double mostOfRounding = 16; // of all springs at a body
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+
+Vec3 placeOf(const Vec3& centre, const Vec3& arm) { return centre + arm; }
+
+} // namespace
+
+SpringSteps::End SpringSteps::endOf(const SpringNetwork& network, const State& state, BodyIndex body,
+                                    const Vec3& at) {
+    End end;
+    if (body == noBody || network.bodies.mobile[body] == 0) {
+        end.before = body == noBody ? at : state.pose[body].toWorld(at);
+        return end;
+    }
+    end.body = m_place[body];
+    end.at = at;
+    end.isCentre = at == Vec3::Zero();
+    if (!end.isCentre) m_moving[static_cast<std::size_t>(end.body)].turns = true;
+    return end;
+}
+
+void SpringSteps::load(const SpringNetwork& network, const State& state) {
+    m_place.resize(network.bodies.count(), -1);
+    m_moving.resize(network.moving.size());
+    m_velocities.resize(network.moving.size());
+    for (std::size_t k = 0; k < network.moving.size(); ++k) {
+        const BodyIndex i = network.moving[k];
+        m_place[i] = static_cast<int>(k);
+        Moving& body = m_moving[k];
+        body.inverseMass = network.bodies.inverseMass[i];
+        body.damping = 0;
+        body.turns = false;
+        body.x1 = state.pose[i].position;
+        body.v1 = state.velocity[i];
+        body.q1 = state.pose[i].orientation;
+        body.L1 = angularMomentumOf(network.bodies, i, state);
+        m_velocities[k][0] = body.v1;
+    }
+    m_links.clear();
+    const auto damp = [&](const End& end, double damping) {
+        if (end.body < 0) return;
+        const auto place = static_cast<std::size_t>(end.body);
+        const double turning =
+            end.at.squaredNorm() * network.bodies.inverseInertia[network.moving[place]].maxCoeff();
+        m_moving[place].damping += damping * (m_moving[place].inverseMass + turning);
+    };
+    for (const std::uint32_t index : network.springs) {
+        const SpringForce& spring = network.bodies.springs[index];
+        m_links.push_back({endOf(network, state, spring.from, spring.fromAt),
+                           endOf(network, state, spring.to, spring.toAt), spring.stiffness, spring.damping,
+                           spring.length});
+        Link& link = m_links.back();
+        damp(link.from, spring.damping);
+        damp(link.to, spring.damping);
+        for (const End* end : {&link.from, &link.to})
+            if (end->body >= 0) link.yield += m_moving[static_cast<std::size_t>(end->body)].inverseMass;
+    }
+}
+
+// No velocity vanishes faster than at the sum of the rates of two bodies that a damper joins (W. Anderson, T.
+// Morley, "Eigenvalues of the Laplacian of a graph", 1985).
+double SpringSteps::fastestDamping() const {
+    double fastest = 0;
+    const auto of = [&](const End& end) {
+        return end.body < 0 ? 0.0 : m_moving[static_cast<std::size_t>(end.body)].damping;
+    };
+    for (const Link& link : m_links)
+        if (link.damping > 0) fastest = std::max(fastest, of(link.from) + of(link.to));
+    return fastest;
+}
+
+// With the impulses of the part before, times a factor.
+void SpringSteps::beginLinks(double T, double guess) {
+    const auto begin = [&](End& end) {
+        if (end.body < 0) return;
+        const Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+        if (!end.isCentre) end.armBefore = body.q0 * end.at;
+        end.before = placeOf(body.x0, end.armBefore);
+    };
+    for (Link& link : m_links) {
+        begin(link.from);
+        begin(link.to);
+        link.before = (link.to.before - link.from.before).norm();
+        link.push *= guess;
+        const double far = std::max({link.before, link.to.before.norm(), link.from.before.norm()});
+        m_rounding = std::max(m_rounding, rounding * far * std::abs(T) * link.stiffness * link.yield);
+        if (link.to.body >= 0) m_moving[static_cast<std::size_t>(link.to.body)].impulse += link.push;
+        if (link.from.body >= 0) m_moving[static_cast<std::size_t>(link.from.body)].impulse -= link.push;
+    }
+}
+
+// The impulses of all springs, by where their ends are at the end of the part so far.
+void SpringSteps::pull(double T) {
+    m_looks += m_links.size();
+    for (Moving& body : m_moving) {
+        body.impulse.setZero();
+        body.torque.setZero();
+    }
+    const auto arm = [&](const End& end) {
+        return Vec3(m_moving[static_cast<std::size_t>(end.body)].q1 * end.at);
+    };
+    for (Link& link : m_links) {
+        Vec3 armFrom = Vec3::Zero(), armTo = Vec3::Zero();
+        Vec3 from = link.from.before, to = link.to.before;
+        if (link.from.body >= 0) {
+            if (!link.from.isCentre) armFrom = arm(link.from);
+            from = placeOf(m_moving[static_cast<std::size_t>(link.from.body)].x1, armFrom);
+        }
+        if (link.to.body >= 0) {
+            if (!link.to.isCentre) armTo = arm(link.to);
+            to = placeOf(m_moving[static_cast<std::size_t>(link.to.body)].x1, armTo);
+        }
+        const Vec3 last = to - from, middle = 0.5 * (last + link.to.before - link.from.before);
+        const double after = last.norm(), length = 0.5 * (link.before + after);
+        const double impulse =
+            T * link.stiffness * (length - link.length) + link.damping * (after - link.before);
+        const Vec3 found = length > 0 ? Vec3((-impulse / length) * middle) : Vec3(-impulse * Vec3::UnitY());
+        const double share = (0.25 * T * link.stiffness + 0.5 * link.damping) * T * link.yield;
+        const Vec3 off = found - link.push;
+        link.push += off;
+        if (after > 0) link.push -= (share / (1 + share) * off.dot(last) / (after * after)) * last;
+        const Vec3& push = link.push;
+        const auto add = [&](const End& end, const Vec3& armAfter, double sign) {
+            if (end.body < 0) return;
+            Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+            body.impulse += sign * push;
+            if (!end.isCentre) body.torque += (0.5 * sign) * (end.armBefore + armAfter).cross(push);
+        };
+        add(link.to, armTo, 1);
+        add(link.from, armFrom, -1);
+    }
+}
+
+// The bodies, by those impulses. How much their velocities have changed [m/s].
+double SpringSteps::advance(const SpringNetwork& network, double T) {
+    const Vec3 fall = T * network.gravity;
+    double change = 0;
+    for (std::size_t k = 0; k < m_moving.size(); ++k) {
+        Moving& body = m_moving[k];
+        const Vec3 velocity = body.v0 + fall + body.inverseMass * body.impulse;
+        change = std::max(change, (velocity - body.v1).squaredNorm());
+        body.v1 = velocity;
+        body.x1 = body.x0 + (0.5 * T) * (body.v0 + velocity);
+        if (!body.turns) continue;
+        const Vec3& inertia = network.bodies.inertia[network.moving[k]];
+        const Vec3 momentum = body.L0 + body.torque;
+        change = std::max(change, (momentum - body.L1).squaredNorm() * body.inverseMass / inertia.minCoeff());
+        body.L1 = momentum;
+        body.q1 = body.q0;
+        rotateFreely(inertia, 0.5 * (body.L0 + momentum), T, body.q1);
+    }
+    return std::sqrt(change);
+}
+
+bool SpringSteps::followPart(const SpringNetwork& network, double T, double guess) {
+    double fastest = 0;
+    for (std::size_t k = 0; k < m_moving.size(); ++k) {
+        Moving& body = m_moving[k];
+        body.x0 = body.x1;
+        body.v0 = body.v1;
+        body.L0 = body.L1;
+        body.q0 = body.q1;
+        body.impulse.setZero();
+        body.torque.setZero();
+        fastest = std::max(fastest, body.v0.squaredNorm());
+    }
+    m_rounding = 0;
+    beginLinks(T, guess);
+    advance(network, T);
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < mostRounds; ++round) {
+        pull(T);
+        const double change = advance(network, T);
+        for (const Moving& body : m_moving) fastest = std::max(fastest, body.v1.squaredNorm());
+        const double scale = std::max(std::sqrt(fastest), std::abs(T) * network.gravity.norm());
+        if (m_rounding > mostRounding * scale) return change == 0;
+        const double gain = std::max(change / before, mostGain);
+        if (!(change <= std::numeric_limits<double>::max())) return false;
+        if (change == 0 || (round > 0 && change * gain <= roundsEnd * scale + mostGain * m_rounding))
+            return true;
+        if (round > 1 && gain > leastGain)
+            return change <= maybeRounding * scale + mostOfRounding * m_rounding;
+        before = change;
+    }
+    return false;
+}
+
+bool SpringSteps::find(const SpringNetwork& network, double h, int order, const State& state) {
+    load(network, state);
+    m_looks = 0;
+    if (fastestDamping() * h > mostDamping)
+        m_parts = fiveEqual;
+    else if (order > 4)
+        m_parts = orderSix;
+    else
+        m_parts = orderFour;
+    std::size_t part = 0;
+    for (const double share : m_parts) {
+        if (!followPart(network, share * h, part > 0 ? share / m_parts[part - 1] : 0)) return false;
+        ++part;
+        for (std::size_t k = 0; k < m_moving.size(); ++k) m_velocities[k][part] = m_moving[k].v1;
+    }
+    return true;
+}
+
+void SpringSteps::apply(const SpringNetwork& network, double h, State& state) const {
+    for (std::size_t k = 0; k < m_moving.size(); ++k) {
+        const BodyIndex i = network.moving[k];
+        const Moving& body = m_moving[k];
+        state.pose[i].position = body.x1;
+        state.velocity[i] = body.v1;
+        if (!body.turns) {
+            rotateBetween(network.bodies, i, body.L1, body.L1, h, state);
+            continue;
+        }
+        state.pose[i].orientation = body.q1.normalized();
+        state.angularVelocity[i] =
+            angularVelocityFrom(network.bodies.inertia[i], state.pose[i].orientation, body.L1);
+        keepAngularMomentum(network.bodies, i, body.L1, state);
+    }
+}
+
+} // namespace carom
