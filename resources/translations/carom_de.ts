@@ -2989,6 +2989,25 @@ Was im Text falsch ist, steht hier beim Schreiben; F8 geht von einem zum nächst
     </message>
 </context>
 <context>
+    <name>carom::Race</name>
+    <message>
+        <source>position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>angular velocity</source>
+        <translation>Winkelgeschwindigkeit</translation>
+    </message>
+</context>
+<context>
     <name>carom::RaceDock</name>
     <message>
         <source>Race</source>
@@ -3121,10 +3140,6 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
         <translation>Wettlauf von %1: %2; %3</translation>
     </message>
     <message>
-        <source>first difference: %1</source>
-        <translation>erster Unterschied: %1</translation>
-    </message>
-    <message>
         <source>no bit differs in %1 frames</source>
         <translation>in %1 Bildern unterscheidet sich kein Bit</translation>
     </message>
@@ -3163,6 +3178,26 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
     <message>
         <source>Integrator of the text</source>
         <translation>Integrator des Textes</translation>
+    </message>
+    <message>
+        <source>preset %1</source>
+        <translation>Voreinstellung %1</translation>
+    </message>
+    <message>
+        <source>method %1</source>
+        <translation>Verfahren %1</translation>
+    </message>
+    <message>
+        <source>integrator %1</source>
+        <translation>Integrator %1</translation>
+    </message>
+    <message>
+        <source>%1 substeps a frame</source>
+        <translation>%1 Teilschritte je Bild</translation>
+    </message>
+    <message>
+        <source>first difference: frame %1, %2 s: %3 of %4</source>
+        <translation>erster Unterschied: Bild %1, %2 s: %3 von %4</translation>
     </message>
 </context>
 <context>

@@ -325,7 +325,7 @@ void AccuracyDock::showChart() {
     shown.title.clear();
     shown.note.clear(); // it stands above
     if (m_chosen && !compares) markChosen(*m_result, *m_chosen, shown);
-    shown.legend = m_plot->height() > heightForLegend; // where there is none, the mouse over a point tells
+    shown.leastForBelow = heightForLegend; // where there is none, the mouse over a point tells
     m_plot->setChart(shown);
 }
 

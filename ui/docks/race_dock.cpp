@@ -12,6 +12,7 @@
 #include "ui/widgets/text_of.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
@@ -48,6 +49,32 @@ QComboBox* choice(const QString& name, const QString& what, const QString& ofTex
     box->addItem(ofText, QString());
     for (const std::string_view word : words) box->addItem(textOf(word), textOf(word));
     return box;
+}
+
+/// What core calls the parts of a state.
+[[maybe_unused]] constexpr const char* wordsOfCore[] = {
+    QT_TRANSLATE_NOOP("carom::Race", "position"),
+    QT_TRANSLATE_NOOP("carom::Race", "orientation"),
+    QT_TRANSLATE_NOOP("carom::Race", "velocity"),
+    QT_TRANSLATE_NOOP("carom::Race", "angular velocity"),
+};
+
+/// What a run is made with; beside `other` only what is not the same, as far as anything is not.
+QString settingWords(const RunSettings& settings, const RunSettings* other) {
+    QStringList all, different;
+    const auto add = [&](const QString& words, bool same) {
+        all += words;
+        if (!same) different += words;
+    };
+    add(RaceDock::tr("preset %1").arg(textOf(settings.preset->name)),
+        other != nullptr && other->preset == settings.preset);
+    add(RaceDock::tr("method %1").arg(textOf(settings.method->name)),
+        other != nullptr && other->method == settings.method);
+    add(RaceDock::tr("integrator %1").arg(textOf(settings.integrator->name)),
+        other != nullptr && other->integrator == settings.integrator);
+    add(RaceDock::tr("%1 substeps a frame").arg(settings.substeps),
+        other != nullptr && other->substeps == settings.substeps);
+    return (different.isEmpty() ? all : different).join(QStringLiteral(", "));
 }
 
 std::optional<std::string> chosen(const QComboBox& box) {
@@ -336,9 +363,13 @@ void RaceDock::begin(const Contest& contest) {
     m_slider->setValue(0);
     for (std::size_t i = 0; i < m_views.size(); ++i) {
         m_views[i]->showPipeline(m_raced[i]);
-        m_sides[i].title->setText(QStringLiteral("%1: %2, %3")
-                                      .arg(QChar(u'A' + static_cast<char16_t>(i)), contest.names[i],
-                                           QString::fromStdString(settingOf(m_raced[i]->settings()))));
+        const RunSettings &settings = m_raced[i]->settings(), &others = m_raced[1 - i]->settings();
+        const QString pattern = QStringLiteral("%1: %2, %3");
+        const QChar letter(u'A' + static_cast<char16_t>(i));
+        m_sides[i].title->setText(
+            pattern.arg(QString(letter), contest.names[i], settingWords(settings, &others)));
+        m_sides[i].title->setToolTip(
+            pattern.arg(QString(letter), contest.names[i], settingWords(settings, nullptr)));
     }
     // When the views have their size, by which a scene without a camera is framed.
     QTimer::singleShot(0, this, [this] { m_views[1]->setCamera(m_views[0]->camera()); });
@@ -408,11 +439,14 @@ void RaceDock::showPoints() {
 
 void RaceDock::showDifference() {
     const std::optional<BitDifference> first = m_recording->firstDifference();
-    const double step = m_raced[0]->settings().step;
     m_first->setEnabled(first.has_value());
     m_first->setText(
-        first ? tr("first difference: %1")
-                    .arg(QString::fromStdString(describe(m_raced[0]->scene(), *first, step)))
+        first ? tr("first difference: frame %1, %2 s: %3 of %4")
+                    .arg(QString::number(first->frame),
+                         QString::number(static_cast<double>(first->frame) * m_raced[0]->settings().step, 'g',
+                                         3),
+                         QCoreApplication::translate("carom::Race", std::string(first->quantity).c_str()),
+                         QString::fromStdString(m_raced[0]->scene().nameOf(first->body)))
               : tr("no bit differs in %1 frames").arg(std::max<std::int64_t>(0, m_recording->count() - 1)));
 }
 
@@ -432,7 +466,7 @@ QString RaceDock::exportTo(const QString& path) const {
     if (!isCsv(path)) {
         ChartSpec spec = chart();
         spec.title = tr("Race");
-        spec.note = m_sides[0].title->text() + QLatin1Char('\n') + m_sides[1].title->text();
+        spec.note = m_sides[0].title->toolTip() + QLatin1Char('\n') + m_sides[1].title->toolTip();
         return writeChart(spec, path);
     }
     CsvTable table(raceColumns);

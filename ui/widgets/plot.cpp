@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace carom {
 
@@ -41,6 +42,15 @@ struct PlotTexts {
 
 QString titleOf(const ChartAxis& axis) {
     return axis.unit.isEmpty() ? axis.label : QStringLiteral("%1 [%2]").arg(axis.label, axis.unit);
+}
+
+/// The same, cut to so many pixels; the unit stays.
+QString titleWithin(const ChartAxis& axis, const QFontMetrics& metrics, int length) {
+    const QString whole = titleOf(axis);
+    if (metrics.horizontalAdvance(whole) <= length) return whole;
+    const QString unit = axis.unit.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(axis.unit);
+    const int room = std::max(0, length - metrics.horizontalAdvance(unit));
+    return metrics.elidedText(axis.label, Qt::ElideRight, room) + unit;
 }
 
 /// What a chart is drawn with besides its series.
@@ -319,6 +329,14 @@ bool hasRoomBeside(const QCustomPlot& plot, const ChartSpec& spec) {
            rows * QFontMetrics(plot.legend->font()).lineSpacing() < plot.height();
 }
 
+enum class LegendPlace { None, Beside, Below };
+
+LegendPlace legendPlaceOf(const QCustomPlot& plot, const ChartSpec& spec) {
+    if (!spec.legend || spec.series.size() < 2) return LegendPlace::None;
+    if (spec.legendBeside && hasRoomBeside(plot, spec)) return LegendPlace::Beside;
+    return plot.height() >= spec.leastForBelow ? LegendPlace::Below : LegendPlace::None;
+}
+
 /// Beside or below the axes instead of over the curves; one that is not shown would keep its place there.
 void placeLegend(QCustomPlot& plot, bool named, bool beside) {
     QCPLayoutGrid& grid = *plot.plotLayout();
@@ -350,8 +368,8 @@ void draw(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours)
     addSeries(plot, spec, colours);
     QFont bold = plot.font();
     bold.setBold(true);
-    const bool named = spec.legend && spec.series.size() > 1;
-    const bool beside = named && spec.legendBeside && hasRoomBeside(plot, spec);
+    const LegendPlace legend = legendPlaceOf(plot, spec);
+    const bool named = legend != LegendPlace::None, beside = legend == LegendPlace::Beside;
     const int names = beside ? widthOfNames(plot, spec) : 0;
     if (!spec.note.isEmpty())
         addHeading(plot, broken(plot, spec.note, plot.width() - names), plot.font(), colours);
@@ -458,6 +476,12 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
         else if (event->button() == Qt::LeftButton && m_plot->axisRect()->rect().contains(event->pos()))
             Q_EMIT placeClicked(m_plot->xAxis->pixelToCoord(event->position().x()));
     });
+    connect(m_plot, &QCustomPlot::afterLayout, this, [this] {
+        const QRect axes = m_plot->axisRect()->rect();
+        for (const auto& [axis, spec, length] : {std::tuple(m_plot->xAxis, &m_spec.x, axes.width()),
+                                                 std::tuple(m_plot->yAxis, &m_spec.y, axes.height())})
+            axis->setLabel(titleWithin(*spec, QFontMetrics(axis->labelFont()), length));
+    });
     setChart({});
 }
 
@@ -516,6 +540,17 @@ void PlotWidget::showCursor() {
     m_cursorLine->point1->setCoords(*m_cursor, 0);
     m_cursorLine->point2->setCoords(*m_cursor, 1);
 }
+
+/// Another size may have room for the names of the series, or none.
+void PlotWidget::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    const bool named = legendPlaceOf(*m_plot, m_spec) != LegendPlace::None;
+    if (named != showsLegend()) setChart(ChartSpec(m_spec));
+}
+
+bool PlotWidget::showsLegend() const { return m_plot->legend->visible(); }
+
+QString PlotWidget::labelOfY() const { return m_plot->yAxis->label(); }
 
 double PlotWidget::xOf(double x) const { return m_plot->xAxis->coordToPixel(x); }
 

@@ -70,6 +70,7 @@ struct ChartSpec {
     std::vector<ChartLevel> levels;
     bool legend = true;        ///< of more than one series
     bool legendBeside = false; ///< on the right, where the chart is wide enough; else below
+    int leastForBelow = 0;     ///< height [px] from which a legend below leaves enough for the axes
 };
 
 /// Writes the chart as .png, .svg or .pdf by the ending of the path; the file is replaced only when the new
@@ -95,6 +96,10 @@ class PlotWidget : public QWidget {
     std::optional<double> cursor() const { return m_cursor; }
     /// Where an x of the chart is in the widget [px].
     double xOf(double x) const;
+    /// Whether the series are named in the chart, as it was drawn last.
+    bool showsLegend() const;
+    /// The words at the axis of y; cut where it is short, its unit last of all.
+    QString labelOfY() const;
 
   Q_SIGNALS:
     /// A click where no point with a note is: the x under the mouse.
@@ -105,6 +110,7 @@ class PlotWidget : public QWidget {
   protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     struct Hit {

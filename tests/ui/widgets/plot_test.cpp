@@ -55,6 +55,35 @@ class PlotTest : public QObject {
     QTemporaryDir m_folder;
 
   private Q_SLOTS:
+    void aShortAxisKeepsItsUnitAndASmallChartItsCurves() {
+        ChartSpec spec;
+        spec.x = {.label = QStringLiteral("error"), .unit = {}};
+        spec.y = {.label = QStringLiteral("time that one simulated second takes"),
+                  .unit = QStringLiteral("ms")};
+        for (const char* name : {"contacts, symplectic", "contacts, midpoint"}) {
+            ChartSeries& series = spec.series.emplace_back();
+            series.name = QString::fromLatin1(name);
+            series.x = {1, 2};
+            series.y = {1, 2};
+        }
+        spec.legendBeside = true;
+        spec.leastForBelow = 260;
+        PlotWidget plot;
+        plot.resize(700, 400);
+        plot.show();
+        plot.setChart(spec);
+        QTRY_COMPARE(plot.labelOfY(), QStringLiteral("time that one simulated second takes [ms]"));
+        QVERIFY(plot.showsLegend()); // beside
+        plot.resize(700, 150);
+        QTRY_VERIFY2(plot.labelOfY().endsWith(QString::fromUtf8("… [ms]")), qPrintable(plot.labelOfY()));
+        QVERIFY(plot.showsLegend());
+        plot.resize(300, 150); // neither beside nor below is room for it
+        QTRY_VERIFY(!plot.showsLegend());
+        plot.resize(300, 400);
+        QTRY_VERIFY(plot.showsLegend()); // below
+        QTRY_COMPARE(plot.labelOfY(), QStringLiteral("time that one simulated second takes [ms]"));
+    }
+
     void aPngHoldsEverySeriesInItsColour() {
         for (const SeriesStyle style :
              {SeriesStyle::Line, SeriesStyle::LineAndMarks, SeriesStyle::Marks, SeriesStyle::Stacked}) {
