@@ -103,7 +103,7 @@ void countInstructions(AccuracyStudy& study, const std::string& scenePath,
     std::size_t done = 0;
     for (AccuracyPoint& point : study.points) {
         if (!counted(done++)) return;
-        if (!point.finished() || point.instructions > 0) continue;
+        if (!point.finished() || point.instructions > 0 || !point.setting.engine.empty()) continue;
         const double first = instructionsOf(study, point.setting, scenePath, 1);
         const double all = instructionsOf(study, point.setting, scenePath, frames + 1);
         if (!counted(done)) return;

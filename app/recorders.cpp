@@ -20,10 +20,8 @@ TraceWriter::TraceWriter(const std::string& path, std::int64_t every) : m_file(p
     m_file.write("frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n");
 }
 
-void TraceWriter::record(const World& world) {
-    const State& state = world.state();
+void TraceWriter::record(const Pipeline& pipeline, const State& state) {
     if (state.frame % m_every != 0) return;
-    const Pipeline& pipeline = world.pipeline();
     std::string row;
     for (const BodyIndex body : pipeline.bodies().mobileBodies) {
         const Quat& q = state.pose[body].orientation;

@@ -15,7 +15,8 @@ namespace carom {
 class TraceWriter {
   public:
     TraceWriter(const std::string& path, std::int64_t every);
-    void record(const World& world);
+    void record(const World& world) { record(world.pipeline(), world.state()); }
+    void record(const Pipeline& pipeline, const State& state);
     void close() { m_file.close(); }
 
   private:

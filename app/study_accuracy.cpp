@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/charts.h"
 #include "app/command.h"
+#include "app/engines.h"
 #include "app/errors.h"
 #include "app/files.h"
 #include "app/instructions.h"
@@ -63,7 +64,7 @@ std::vector<double> numbersFrom(const Arguments& arguments, std::string_view opt
 }
 
 /// The plan of the scene, narrowed to what the command line names.
-AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
+AccuracyPlan planFrom(const Arguments& arguments, const std::string& path, const Scene& scene) {
     AccuracyPlan plan = planFor(scene);
     std::vector<std::string_view> known; // all but `auto`, which is one of them
     for (const SolverRow& row : solvers()) known.push_back(row.name);
@@ -77,6 +78,13 @@ AccuracyPlan planFrom(const Arguments& arguments, const Scene& scene) {
                (setting.integrator != nullptr && lacks(schemes, setting.integrator->name));
     });
     vary(plan, numbersFrom(arguments, "substeps", true), numbersFrom(arguments, "tolerances", false));
+    if (const std::optional<std::string> engines = arguments.text("engines")) {
+        if (path == "-")
+            throw UsageError("`--engines` starts programs that read the scene; give a file in place of `-`");
+        for (const std::string& engine : wordsOf(*engines)) engineProgram(engine);
+        addEngines(plan, wordsOf(*engines));
+        plan.runEngine = [path](const EngineRequest& request) { return runEngineProgram(path, request); };
+    }
     plan.duration = arguments.positiveNumber("duration").value_or(plan.duration);
     plan.budget = arguments.positiveNumber("budget").value_or(plan.budget);
     std::vector<std::string_view> names;
@@ -178,7 +186,7 @@ PlannedStudy planned(const Arguments& arguments, const std::string& path) {
     PlannedStudy study{.path = path, .built = loadScene(path), .plan = {}, .results = {}};
     if (study.built.pipeline->bodies().mobileBodies.empty())
         throw UsageError("nothing in the scene can move; there is no error to study");
-    study.plan = planFrom(arguments, study.scene());
+    study.plan = planFrom(arguments, path, study.scene());
     return study;
 }
 
@@ -281,6 +289,7 @@ CommandRow studyAccuracyCommand() {
         .example = "carom study accuracy scenes/pool_break.sdl -o results\n"
                    "carom study accuracy scenes/*.sdl --budget 20\n"
                    "carom study accuracy swing.sdl --methods contacts --substeps 1,2,4,8 --target 1e-4\n"
+                   "carom study accuracy scenes/pile.sdl --engines bullet,ode\n"
                    "carom study accuracy scenes/brownian.sdl --instructions --chart gas.svg",
         .options =
             {
@@ -294,6 +303,9 @@ CommandRow studyAccuracyCommand() {
                  "what the diagram has across: trajectory, impacts, energy, overlap, residual or rest "
                  "(default "
                  "the first that says something)"},
+                {"engines", 0, "LIST",
+                 "other engines beside ours, separated by commas: programs carom-engine-NAME, such as bullet "
+                 "and ode"},
                 {"runs", 0, "N", "timed runs of a setting at most: until they agree (default 9)"},
                 {"target", 0, "E", "the error that is accurate enough (default 1e-3)"},
                 {"copies", 0, "N",

@@ -69,6 +69,7 @@ void addFamilies(const SolverRow& method, const Pipeline& pipeline, AccuracyPlan
 } // namespace
 
 std::string AccuracySetting::family() const {
+    if (!engine.empty()) return engine + (isTuned ? ", tuned" : ", its own rules");
     std::string text(method->name);
     if (integrator != nullptr) text.append(", ").append(integrator->name);
     if (preset != nullptr) text.append(", preset ").append(preset->name);
@@ -78,7 +79,7 @@ std::string AccuracySetting::family() const {
 }
 
 std::string AccuracySetting::name() const {
-    return integrator == nullptr
+    return integrator == nullptr && engine.empty()
                ? family()
                : family() + ", " + counted(static_cast<std::size_t>(substeps), "substep", "substeps");
 }
@@ -134,7 +135,8 @@ AccuracyPlan planFor(const Scene& scene) {
 
 void sortForStudy(AccuracyPlan& plan) {
     const auto rank = [](const AccuracySetting& setting) {
-        return setting.integrator == nullptr || isWholePreset(setting) ? 0 : setting.substeps;
+        const bool isExact = setting.integrator == nullptr && setting.engine.empty();
+        return isExact || isWholePreset(setting) ? 0 : setting.substeps;
     };
     std::ranges::stable_sort(plan.settings, {}, rank);
 }

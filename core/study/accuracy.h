@@ -35,6 +35,8 @@ struct AccuracySetting {
     int substeps = 1;
     double tolerance = 0;              ///< of method `contacts`, else 0
     const PresetRow* preset = nullptr; ///< of method `contacts`: whose budget of refinement it has
+    std::string engine{};              ///< "bullet": another one (engines.h); empty: this one
+    bool isTuned = false;              ///< of another engine: set to our rules as far as it can be
 
     /// "contacts, verlet, preset default": what the settings of a family share.
     std::string family() const;
@@ -82,6 +84,17 @@ struct AccuracyPoint {
     bool finished() const { return status == PointStatus::Measured || status == PointStatus::Broken; }
 };
 
+/// A run of the scene in another engine, by a program that the front end starts.
+struct EngineRequest {
+    std::string engine{};
+    bool isTuned = false;
+    int substeps = 1; ///< steps a frame
+    std::int64_t frames = 0;
+    double limit = 0;                             ///< [s] of wall time that it may take
+    std::function<void(std::string_view)> read{}; ///< what it prints, in pieces
+    std::function<bool()> goOn{};                 ///< false: end it
+};
+
 struct AccuracyPlan {
     std::vector<AccuracySetting> settings;
     double duration = 2; ///< [s] simulated; less where more does not fit into the budget
@@ -90,6 +103,8 @@ struct AccuracyPlan {
     double target = 1e-3;
     int copies = 20;                     ///< of a crowd, at most: as many as fit into the budget
     const MeasureRow* measure = nullptr; ///< of the diagram; null: the first that says something
+    /// Runs a setting of another engine; what went wrong, or nothing.
+    std::function<std::string(const EngineRequest&)> runEngine{};
 };
 
 struct AccuracyStudy {
@@ -98,6 +113,7 @@ struct AccuracyStudy {
     std::optional<ReferenceSolution> reference; ///< without its samples
     std::vector<AccuracyPoint> points;          ///< as in the plan, the scene's own setting first
     std::vector<AccuracySetting> leftOut;       ///< of the plan: what did not fit into the budget
+    std::vector<std::string> engineNotes;       ///< where rules of other engines are not ours
     double duration = 0;                        ///< [s] that were simulated
     double seconds = 0;                         ///< [s] of wall time that it took
     const MeasureRow* measure = nullptr;        ///< of the diagram; never null

@@ -19,7 +19,7 @@ namespace carom {
 namespace {
 
 constexpr std::string_view columns =
-    "method,integrator,substeps,tolerance,preset,default,status,reason,measure,error,position,"
+    "method,integrator,substeps,tolerance,preset,engine,default,status,reason,measure,error,position,"
     "position_rms,attitude,energy_drift,energy_swing,energy_worst,energy_gain,energy_off,momentum,"
     "penetration,"
     "residual_m_s,residual,cone_violation,end_height,end_centre,end_rest_time,end_work,"
@@ -85,6 +85,9 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
     point.setting = {findSolver(cells.text("method")), findIntegrator(cells.text("integrator")),
                      static_cast<int>(cells.number("substeps")), cells.number("tolerance"),
                      findByName(presets(), cells.text("preset"))};
+    const std::string_view engine = cells.text("engine");
+    point.setting.engine = engine.substr(0, engine.find(' '));
+    point.setting.isTuned = engine.ends_with(" tuned");
     if (point.setting.method == nullptr || point.setting.substeps < 1) return std::nullopt;
     const auto* status = std::find_if(statuses.begin(), statuses.end(),
                                       [&](PointStatus s) { return nameOf(s) == cells.text("status"); });
@@ -130,17 +133,18 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
         const Extras x(p);
         table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
                   p.setting.substeps, p.setting.tolerance, p.setting.preset ? p.setting.preset->name : "",
-                  p.isDefault ? "yes" : "no", nameOf(p.status), p.reason, study.measure->name,
-                  finiteOr(study.errorOf(p), none), p.errors.position, p.errors.positionRms,
-                  p.errors.attitude, p.energy.drift, p.energy.oscillation, p.energy.worst, p.energy.gain,
-                  p.energyOff.value_or(none), p.momentumChange, p.penetration, p.residual, p.relativeResidual,
-                  p.coneViolation, x.end[0], x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1],
-                  x.impacts[2], x.impacts[3], x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper,
-                  x.pressure.lower, x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median,
-                  x.freeTime.upper, p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs,
-                  onFront ? "yes" : "no", nameOf(study.reference->kind), study.reference->error,
-                  study.reference->horizon, study.duration, study.plan.duration, sceneHash, origin.command,
-                  origin.version, origin.machine);
+                  p.setting.engine + (p.setting.isTuned ? " tuned" : ""), p.isDefault ? "yes" : "no",
+                  nameOf(p.status), p.reason, study.measure->name, finiteOr(study.errorOf(p), none),
+                  p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
+                  p.energy.oscillation, p.energy.worst, p.energy.gain, p.energyOff.value_or(none),
+                  p.momentumChange, p.penetration, p.residual, p.relativeResidual, p.coneViolation, x.end[0],
+                  x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3],
+                  x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower,
+                  x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper,
+                  p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
+                  nameOf(study.reference->kind), study.reference->error, study.reference->horizon,
+                  study.duration, study.plan.duration, sceneHash, origin.command, origin.version,
+                  origin.machine);
     }
     return table.take();
 }

@@ -15,7 +15,7 @@ namespace carom {
 /// A row a point that is not waiting. Lengths are relative to the scene's size, times and instructions for a
 /// simulated second; what was not looked at is empty.
 ///
-///     method, integrator, substeps, tolerance, preset, default, status, reason
+///     method, integrator, substeps, tolerance, preset, engine, default, status, reason
 ///     measure, error                        of the diagram
 ///     position, position_rms, attitude      errors; the last in rad
 ///     energy_drift, energy_swing, energy_worst, energy_gain, energy_off, momentum

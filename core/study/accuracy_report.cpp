@@ -57,8 +57,11 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
         if (counted) line.push_back(point->instructions > 0 ? figure(point->instructions, 4) : "-");
         line.push_back(figure(point->energy.worst));
         line.push_back(figure(point->energy.gain));
-        line.push_back(figure(point->penetration));
-        if (solves) line.insert(line.end(), {figure(point->residual), figure(point->coneViolation)});
+        const bool isOurs = point->setting.engine.empty(); // another engine does not tell these
+        line.push_back(isOurs ? figure(point->penetration) : "-");
+        if (solves)
+            line.insert(line.end(), {isOurs ? figure(point->residual) : "-",
+                                     isOurs ? figure(point->coneViolation) : "-"});
         if (impacts) {
             const ImpactErrors seen = point->impacts.value_or(ImpactErrors{});
             line.push_back(std::to_string(seen.seen) + " of " + std::to_string(seen.expected));
@@ -111,6 +114,7 @@ std::string summaryOf(const AccuracyStudy& study) {
         text += "\n" + tableOf(study, family);
     }
     text += crowdOf(study);
+    if (const std::string engines = enginesIn(study); !engines.empty()) text += "\n" + engines;
     if (const std::string omissions = omissionsOf(study); !omissions.empty()) text += "\n" + omissions + "\n";
     if (!study.complete) text += "\nThe study was interrupted; what was measured is shown.\n";
     return text + "\n" + recommendation(study) + "\n";

@@ -26,15 +26,6 @@ bool isSteppedApart(const Pipeline& pipeline) {
     return !pipeline.settings().method->iterates() || !pipeline.simulates("collision");
 }
 
-void judge(const AccuracyStudy& study, AccuracyPoint& point) {
-    point.status = PointStatus::Measured;
-    const double change = study.conservative ? point.energy.worst : point.energy.gain;
-    if (!(change > brokenInvariant)) return;
-    point.status = PointStatus::Broken;
-    point.reason = "energy " + std::string(study.conservative ? "changed" : "grew") + " by " +
-                   figure(100 * change) + " %";
-}
-
 /// Whether the run must end here, and why.
 bool isOver(const World& world, double limit, double elapsed, AccuracyPoint& point) {
     if (!world.health().finite) {
@@ -67,6 +58,15 @@ void fillIn(const AccuracyRun& run, const RunCourse& course, const World& world,
 }
 
 } // namespace
+
+void judge(const AccuracyStudy& study, AccuracyPoint& point) {
+    point.status = PointStatus::Measured;
+    const double change = study.conservative ? point.energy.worst : point.energy.gain;
+    if (!(change > brokenInvariant)) return;
+    point.status = PointStatus::Broken;
+    point.reason = "energy " + std::string(study.conservative ? "changed" : "grew") + " by " +
+                   figure(100 * change) + " %";
+}
 
 std::int64_t AccuracyRun::frames() const {
     return static_cast<std::int64_t>(std::ceil(study.duration / step() * (1 - 1e-12)));

@@ -23,6 +23,9 @@ struct AccuracyRun {
     double step() const { return study.settings.step; } ///< a frame [s]
 };
 
+/// Measured, or broken where its energy is off by more than an invariant may.
+void judge(const AccuracyStudy& study, AccuracyPoint& point);
+
 /// Runs the point's setting and fills in its errors, its invariants, what became of it and, where the run is
 /// one that times can be taken from, its time. False if told to stop.
 bool measure(const AccuracyRun& run, AccuracyPoint& point);

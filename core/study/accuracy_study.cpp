@@ -3,6 +3,7 @@
 
 #include "core/study/accuracy_run.h"
 #include "core/study/convergence.h"
+#include "core/study/engines.h"
 #include "core/study/measures.h"
 
 #include "core/math/statistics.h"
@@ -194,6 +195,7 @@ bool Runner::measureAll() {
 }
 
 bool Runner::measureOne(AccuracyPoint& point, double limit) {
+    if (!point.setting.engine.empty()) return measureEngine(theRun(limit), point, m_study.engineNotes);
     if (!measure(theRun(limit), point)) return false;
     return !point.finished() || !point.times.empty() || timeOnce(theRun(limit), point);
 }
@@ -206,6 +208,7 @@ bool Runner::watchCrowds() {
             std::vector<CrowdDeviation>& own = deviations[&point];
             const bool isKnown = point.crowd && own.empty();
             if (!point.finished() || isKnown || std::ssize(own) < copy) continue;
+            if (!point.setting.engine.empty()) continue;
             if (1e-3 * point.cost() * m_study.duration > left(crowdsBy)) continue;
             const std::optional<CrowdDeviation> deviation = measureCrowd(theRun(left(crowdsBy)), point, copy);
             if (!goOn()) return false;
@@ -218,6 +221,7 @@ bool Runner::watchCrowds() {
 }
 
 bool Runner::needsTime(const AccuracyPoint& point) const {
+    if (!point.setting.engine.empty()) return false; // its program has measured it
     if (point.times.size() < leastTimes) return true;
     if (agree(point.times)) return false;
     const std::vector<const AccuracyPoint*> front = paretoFront(m_study);

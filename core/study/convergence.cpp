@@ -60,7 +60,8 @@ std::optional<double> orderOf(const AccuracyFamily& family, const AccuracyStudy&
 std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study) {
     std::vector<const AccuracyPoint*> byError;
     for (const AccuracyPoint& point : study.points)
-        if (point.usable() && !point.times.empty() && std::isfinite(study.errorOf(point)))
+        if (point.usable() && point.setting.engine.empty() && !point.times.empty() &&
+            std::isfinite(study.errorOf(point)))
             byError.push_back(&point);
     std::sort(byError.begin(), byError.end(), [&](const AccuracyPoint* a, const AccuracyPoint* b) {
         const double errorA = study.errorOf(*a), errorB = study.errorOf(*b);
@@ -127,7 +128,7 @@ std::string sentenceOfRest(const AccuracyStudy& study) {
     std::size_t all = 0, holding = 0;
     const AccuracyPoint* best = nullptr;
     for (const AccuracyPoint& point : study.points) {
-        if (!point.finished() || point.times.empty()) continue;
+        if (!point.finished() || point.times.empty() || !point.setting.engine.empty()) continue;
         ++all;
         if (!point.usable() || point.errors.worst() > study.plan.target) continue;
         ++holding;
@@ -210,6 +211,30 @@ std::string yardstickOf(const AccuracyStudy& study) {
                 ", good to " + figure(reference.error);
     if (reference.chaotic) text += horizonOf(reference);
     return text + ". " + reasonOf(study);
+}
+
+std::string enginesIn(const AccuracyStudy& study) {
+    std::string text;
+    for (const AccuracyFamily& family : familiesOf(study)) {
+        if (family.points.front()->setting.engine.empty()) continue;
+        const AccuracyPoint* best = nullptr;
+        for (const AccuracyPoint* point : family.points)
+            if (point->finished() && (best == nullptr || study.errorOf(*point) < study.errorOf(*best)))
+                best = point;
+        text += "Engine " + family.name + ": ";
+        if (best == nullptr) {
+            text += family.points.front()->reason + ".\n";
+            continue;
+        }
+        text += "the least error is " + figure(study.errorOf(*best)) + " at " + milliseconds(best->cost()) +
+                ", " + counted(static_cast<std::size_t>(best->setting.substeps), "step", "steps") +
+                " a frame";
+        if (const AccuracyPoint* ours = cheapestWithin(study, study.errorOf(*best)))
+            text += "; no worse is " + ours->setting.name() + " at " + milliseconds(ours->cost());
+        text += ".\n";
+    }
+    for (const std::string& note : study.engineNotes) text += "  " + note + ".\n";
+    return text;
 }
 
 std::string omissionsOf(const AccuracyStudy& study) {

@@ -23,7 +23,7 @@ std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study);
 /// resolution and rounding. Nothing of fewer than two such slopes, or where they do not agree.
 std::optional<double> orderOf(const AccuracyFamily& family, const AccuracyStudy& study);
 
-/// Usable points that no other one beats in error without costing more, ascending by error.
+/// Usable points of ours that no other one of them beats in error without costing more, ascending by error.
 std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study);
 
 /// The cheapest usable point with at most this error, or null.
@@ -49,6 +49,9 @@ std::string recommendation(const AccuracyStudy& study);
 
 /// What errors are deviations from, up to when, and how far they can be trusted: one or two sentences.
 std::string yardstickOf(const AccuracyStudy& study);
+
+/// What other engines reach, a line each family, and where their rules are not ours; nothing without any.
+std::string enginesIn(const AccuracyStudy& study);
 
 /// What did not fit into the budget: sentences, or nothing.
 std::string omissionsOf(const AccuracyStudy& study);

@@ -61,10 +61,12 @@ std::optional<double> energyError(const AccuracyPoint& point, const AccuracyStud
 }
 
 std::optional<double> overlapError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    if (!point.setting.engine.empty()) return std::nullopt; // it does not tell
     return point.penetration;
 }
 
 std::optional<double> residualError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
+    if (!point.setting.engine.empty()) return std::nullopt;
     return point.relativeResidual;
 }
 

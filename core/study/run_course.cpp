@@ -39,29 +39,35 @@ double distanceOf(const std::vector<double>& run, const std::vector<double>& ref
     return largest / scale;
 }
 
-RunCourse::RunCourse(const World& world, double size)
-    : m_momentum(world.statistics().momentum), m_highest(world.statistics().potential),
-      m_lowest(world.statistics().potential) {
-    const Bodies& bodies = world.pipeline().bodies();
+RunCourse::RunCourse(const Pipeline& pipeline, double size) {
+    const Bodies& bodies = pipeline.bodies();
     double thinnest = HUGE_VAL;
     for (const BodyIndex i : bodies.mobileBodies) {
         m_mass += bodies.mass[i];
         thinnest = std::min(thinnest, halfThicknessOf(bodies.shape[i]));
     }
     if (std::isfinite(thinnest)) m_thickness = thinnest;
-    m_weightTimesSize = noExchange * m_mass * world.pipeline().gravity().norm() * size;
+    m_weightTimesSize = noExchange * m_mass * pipeline.gravity().norm() * size;
+}
+
+RunCourse::RunCourse(const World& world, double size) : RunCourse(world.pipeline(), size) {
+    m_momentum = world.statistics().momentum;
     add(world);
     endFrame();
 }
 
+void RunCourse::add(double time, double kinetic, double potential) {
+    m_time.push_back(time);
+    m_energy.push_back(kinetic + potential);
+    m_kinetic.push_back(kinetic);
+    m_fastest = std::max(m_fastest, kinetic);
+    m_highest = std::max(m_highest, potential);
+    m_lowest = std::min(m_lowest, potential);
+}
+
 void RunCourse::add(const World& world) {
     const FrameStatistics& frame = world.statistics();
-    m_time.push_back(world.state().time);
-    m_energy.push_back(frame.kinetic + frame.potential);
-    m_kinetic.push_back(frame.kinetic);
-    m_fastest = std::max(m_fastest, frame.kinetic);
-    m_highest = std::max(m_highest, frame.potential);
-    m_lowest = std::min(m_lowest, frame.potential);
+    add(world.state().time, frame.kinetic, frame.potential);
     m_overlap = std::max(m_overlap, frame.maxPenetration / m_thickness);
     m_residual = std::max(m_residual, frame.residual);
     m_coneViolation = std::max(m_coneViolation, frame.coneViolation);
@@ -86,14 +92,14 @@ double RunCourse::momentumChange(const World& world) const {
     return most > noMomentum ? (world.statistics().momentum - m_momentum).norm() / most : 0;
 }
 
-Outcome RunCourse::outcome(const World& world) const {
-    const Bodies& bodies = world.pipeline().bodies();
-    const Vec3 gravity = world.pipeline().gravity();
+Outcome RunCourse::outcome(const Pipeline& pipeline, const State& state) const {
+    const Bodies& bodies = pipeline.bodies();
+    const Vec3 gravity = pipeline.gravity();
     const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3(Vec3::UnitY());
     Outcome outcome{.height = -HUGE_VAL, .energyScale = energyScale()};
     for (const BodyIndex i : bodies.mobileBodies) {
-        outcome.height = std::max(outcome.height, world.state().pose[i].position.dot(up));
-        outcome.centre += bodies.mass[i] / m_mass * world.state().pose[i].position;
+        outcome.height = std::max(outcome.height, state.pose[i].position.dot(up));
+        outcome.centre += bodies.mass[i] / m_mass * state.pose[i].position;
     }
     std::size_t still = m_kinetic.size();
     while (still > 0 && m_kinetic[still - 1] <= restingPart * outcome.energyScale) --still;

@@ -4,6 +4,7 @@
 #include "core/simulation/world.h"
 #include "core/study/error_norms.h"
 
+#include <cmath>
 #include <vector>
 
 // What a run did to energy and momentum, how deep bodies overlapped and how far contacts were from solved,
@@ -42,10 +43,14 @@ double distanceOf(const std::vector<double>& run, const std::vector<double>& ref
 /// Follows a run, step by step.
 class RunCourse {
   public:
-    /// The world at its start. `size` of the scene [m].
+    /// `size` of the scene [m].
+    RunCourse(const Pipeline& pipeline, double size);
+    /// With the world at its start.
     RunCourse(const World& world, double size);
 
     void add(const World& world);
+    /// Of a run elsewhere, which tells no more: energies [J] at this time [s].
+    void add(double time, double kinetic, double potential);
     /// What was added last is the end of a frame.
     void endFrame() { m_frames.push_back(m_energy.back()); }
 
@@ -54,7 +59,8 @@ class RunCourse {
     double energyScale() const;
     /// Relative change of momentum, of scenes without gravity, walls and ends in the world; else 0.
     double momentumChange(const World& world) const;
-    Outcome outcome(const World& world) const;
+    Outcome outcome(const World& world) const { return outcome(world.pipeline(), world.state()); }
+    Outcome outcome(const Pipeline& pipeline, const State& state) const;
     double overlap() const { return m_overlap; }   ///< the largest, relative to the thinnest mobile body
     double residual() const { return m_residual; } ///< [m/s], of the worst contact problem
     /// The same relative to the speed that all bodies have at the kinetic energy E.
@@ -65,9 +71,9 @@ class RunCourse {
     double m_weightTimesSize = 0; ///< [J] ε W s
     double m_mass = 0;            ///< [kg] of the mobile bodies
     double m_thickness = 1;       ///< [m], half of the thinnest mobile body
-    Vec3 m_momentum;
+    Vec3 m_momentum = Vec3::Zero();
     std::vector<double> m_time, m_energy, m_kinetic, m_frames;
-    double m_fastest = 0, m_highest, m_lowest; ///< [J]
+    double m_fastest = 0, m_highest = -HUGE_VAL, m_lowest = HUGE_VAL; ///< [J]
     double m_overlap = 0, m_residual = 0, m_coneViolation = 0;
 };
 

@@ -33,12 +33,16 @@ std::unique_ptr<btCollisionShape> shapeFor(const Shape& shape) {
 
 class BulletWorld final : public PeerWorld {
   public:
-    explicit BulletWorld(std::shared_ptr<const Pipeline> pipeline) : m_pipeline(std::move(pipeline)) {
-        gCalculateCombinedRestitutionCallback = smallerRestitution;
-        gCalculateCombinedFrictionCallback = meanFriction;
+    BulletWorld(std::shared_ptr<const Pipeline> pipeline, const PeerSettings& settings)
+        : m_pipeline(std::move(pipeline)), m_settings(settings) {
         m_world.setGravity(toBullet(m_pipeline->gravity()));
-        m_world.setForceUpdateAllAabbs(false); // what cannot move keeps its box
-        m_world.getSolverInfo().m_restitutionVelocityThreshold = 0;
+        if (settings.iterations > 0) m_world.getSolverInfo().m_numIterations = settings.iterations;
+        if (settings.tuned) {
+            gCalculateCombinedRestitutionCallback = smallerRestitution;
+            gCalculateCombinedFrictionCallback = meanFriction;
+            m_world.setForceUpdateAllAabbs(false); // what cannot move keeps its box
+            m_world.getSolverInfo().m_restitutionVelocityThreshold = 0;
+        }
         const Bodies& bodies = m_pipeline->bodies();
         const State& state = m_pipeline->initialState();
         for (std::size_t i = 0; i < bodies.count(); ++i) {
@@ -54,7 +58,7 @@ class BulletWorld final : public PeerWorld {
             btRigidBody& body = *m_bodies.back();
             body.setLinearVelocity(toBullet(state.velocity[i]));
             body.setAngularVelocity(toBullet(state.angularVelocity[i]));
-            body.setActivationState(DISABLE_DEACTIVATION);
+            if (settings.tuned) body.setActivationState(DISABLE_DEACTIVATION);
             m_world.addRigidBody(&body);
         }
     }
@@ -63,7 +67,18 @@ class BulletWorld final : public PeerWorld {
     }
 
     std::string name() const override { return "Bullet " + std::to_string(btGetVersion()); }
-    void step() override { m_world.stepSimulation(m_pipeline->settings().step, 0); }
+    std::vector<std::string> differences() const override {
+        std::vector<std::string> rules = {"friction acts along the direction of sliding alone"};
+        if (m_settings.tuned) return rules;
+        rules.push_back("a pair has the product of its coefficients of restitution, and of friction");
+        rules.push_back("impacts slower than 0.2 m/s do not bounce");
+        rules.push_back("bodies slower than 0.8 m/s for 2 s are put to sleep");
+        return rules;
+    }
+    void step() override {
+        for (int k = 0; k < m_settings.substeps; ++k)
+            m_world.stepSimulation(m_pipeline->settings().step / m_settings.substeps, 0);
+    }
 
     void read(State& state) const override {
         for (std::size_t i = 0; i < m_bodies.size(); ++i) {
@@ -77,6 +92,7 @@ class BulletWorld final : public PeerWorld {
 
   private:
     std::shared_ptr<const Pipeline> m_pipeline;
+    PeerSettings m_settings;
     btDefaultCollisionConfiguration m_configuration;
     btCollisionDispatcher m_dispatcher{&m_configuration};
     btDbvtBroadphase m_broadphase;
@@ -88,8 +104,9 @@ class BulletWorld final : public PeerWorld {
 
 } // namespace
 
-std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline) {
-    return std::make_unique<BulletWorld>(std::move(pipeline));
+std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline,
+                                           const PeerSettings& settings) {
+    return std::make_unique<BulletWorld>(std::move(pipeline), settings);
 }
 
 } // namespace carom

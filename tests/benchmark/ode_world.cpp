@@ -17,13 +17,15 @@ const Quat zFromY = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()))
 
 class OdeWorld final : public PeerWorld {
   public:
-    explicit OdeWorld(std::shared_ptr<const Pipeline> pipeline) : m_pipeline(std::move(pipeline)) {
+    OdeWorld(std::shared_ptr<const Pipeline> pipeline, const PeerSettings& settings)
+        : m_pipeline(std::move(pipeline)), m_settings(settings) {
         dInitODE();
         m_world = dWorldCreate();
         m_space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
         m_contacts = dJointGroupCreate(0);
         const Vec3 gravity = m_pipeline->gravity();
         dWorldSetGravity(m_world, gravity.x(), gravity.y(), gravity.z());
+        if (settings.iterations > 0) dWorldSetQuickStepNumIterations(m_world, settings.iterations);
         const Bodies& bodies = m_pipeline->bodies();
         for (BodyIndex i = 0; i < bodies.count(); ++i) {
             m_geoms.push_back(geomFor(bodies.shape[i]));
@@ -41,11 +43,18 @@ class OdeWorld final : public PeerWorld {
 
     std::string name() const override { return "ODE " + std::string(dODE_VERSION); }
 
+    std::vector<std::string> differences() const override {
+        if (m_settings.tuned) return {"friction acts along two fixed directions, each with its own limit"};
+        return {"friction is a force of a fixed size, along two fixed directions"};
+    }
     void step() override {
-        dSpaceCollide(m_space, this,
-                      [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->meet(a, b); });
-        dWorldQuickStep(m_world, m_pipeline->settings().step); // 20 iterations, its default
-        dJointGroupEmpty(m_contacts);
+        for (int k = 0; k < m_settings.substeps; ++k) {
+            dSpaceCollide(m_space, this,
+                          [](void* self, dGeomID a, dGeomID b) { static_cast<OdeWorld*>(self)->meet(a, b); });
+            // 20 iterations are its default.
+            dWorldQuickStep(m_world, m_pipeline->settings().step / m_settings.substeps);
+            dJointGroupEmpty(m_contacts);
+        }
     }
 
     void read(State& state) const override {
@@ -114,7 +123,7 @@ class OdeWorld final : public PeerWorld {
             dCollide(a, b, static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
         for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
             dSurfaceParameters& surface = contacts[k].surface;
-            surface.mode = dContactBounce | dContactApprox1;
+            surface.mode = m_settings.tuned ? dContactBounce | dContactApprox1 : dContactBounce;
             surface.mu = std::sqrt(bodies.friction[i] * bodies.friction[j]);
             surface.bounce = std::min(bodies.elastic[i], bodies.elastic[j]);
             surface.bounce_vel = 0;
@@ -123,6 +132,7 @@ class OdeWorld final : public PeerWorld {
     }
 
     std::shared_ptr<const Pipeline> m_pipeline;
+    PeerSettings m_settings;
     dWorldID m_world = nullptr;
     dSpaceID m_space = nullptr;
     dJointGroupID m_contacts = nullptr;
@@ -132,8 +142,9 @@ class OdeWorld final : public PeerWorld {
 
 } // namespace
 
-std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline) {
-    return std::make_unique<OdeWorld>(std::move(pipeline));
+std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline,
+                                        const PeerSettings& settings) {
+    return std::make_unique<OdeWorld>(std::move(pipeline), settings);
 }
 
 } // namespace carom

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 // Other engines behind two interfaces, so that one loop measures them all.
 
@@ -20,7 +21,9 @@ class PeerWorld {
     PeerWorld& operator=(const PeerWorld&) = delete;
 
     virtual std::string name() const = 0;
-    /// One frame of the scene's step.
+    /// Where its rules are not ours, a sentence each.
+    virtual std::vector<std::string> differences() const { return {}; }
+    /// One frame of the scene's step, in as many steps as its settings say.
     virtual void step() = 0;
     /// Poses and velocities of all bodies, in our numbering, so that one code keeps the accounts of all.
     virtual void read(State& state) const = 0;
@@ -28,10 +31,20 @@ class PeerWorld {
     virtual std::uint64_t resting() const { return 0; }
 };
 
-/// Both use the settings an informed user would choose for these scenes: friction and restitution combined as
-/// ours are, no threshold below which restitution ends, no damping, no sleeping, one step a frame.
-std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline);
-std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline);
+/// How an engine is used. Tuned is what an informed user would choose for these scenes: friction and
+/// restitution combined as ours are, no threshold below which restitution ends, no damping, no sleeping; the
+/// other way all is as the engine has it by itself.
+struct PeerSettings {
+    int substeps = 1; ///< steps a frame
+    bool tuned = true;
+    int iterations = 0; ///< 0: the engine's own
+};
+std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline,
+                                           const PeerSettings& settings = {});
+std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline,
+                                        const PeerSettings& settings = {});
+/// What these engines have no counterpart for in the scene, a clause; empty: nothing.
+std::string lackingIn(const Pipeline& pipeline);
 
 /// Bullet's broad-phases as ours; what they report is what they keep as overlapping, which includes pairs
 /// whose fattened or quantised boxes overlap, in an order of their own.

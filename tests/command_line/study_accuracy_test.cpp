@@ -114,6 +114,26 @@ class StudyAccuracyTest : public QObject {
         QVERIFY2(wrong.err.contains("`trajectory`"), qPrintable(wrong.err));
     }
 
+    void anEngineWithoutAProgramIsRefused() {
+        const Ended ended = study({"--engines", "bullet,nonesuch"});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("carom-engine-"), qPrintable(ended.err));
+    }
+
+    void anEngineIsAProgramThatAnybodyCanWrite() {
+        // It has not even read the scene; a script that follows the protocol is enough.
+        const QTemporaryDir folder;
+        const QString program = folder.filePath(QStringLiteral("carom-engine-still"));
+        writeFile(program, "#!/bin/sh\necho lacks,motion\n");
+        QFile::setPermissions(program, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", folder.path().toUtf8() + ":" + path);
+        const Ended ended = study({"--engines", "still", "--substeps", "1"});
+        qputenv("PATH", path);
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY2(ended.out.contains("Engine still, tuned: it has no motion."), qPrintable(ended.out));
+    }
+
     void severalScenesMakeATable() {
         const QString other = m_folder.filePath("second.sdl"), folder = m_folder.filePath("many");
         writeFile(other, bounce + "// another\n");

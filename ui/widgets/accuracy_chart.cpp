@@ -55,14 +55,18 @@ ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour
             .inOrder = true};
 }
 
-/// The same colour for an integrator in every chart; exact events have their own.
+/// The same colour for an integrator in every chart; exact events have their own, and other engines by name.
 QColor colourOf(const AccuracySetting& setting) {
+    if (setting.engine == "bullet") return QColor(0x80, 0x20, 0x50);
+    if (setting.engine == "ode") return QColor(0x30, 0x20, 0x90);
+    if (!setting.engine.empty()) return QColor(0x60, 0x40, 0x10);
     if (setting.integrator == nullptr) return seriesColour(integrators().size());
     return seriesColour(static_cast<std::size_t>(setting.integrator - integrators().data()));
 }
 
 /// Presets differ by the shape of their points.
 SeriesMark markOf(const AccuracySetting& setting) {
+    if (!setting.engine.empty()) return setting.isTuned ? SeriesMark::Square : SeriesMark::Triangle;
     if (setting.preset == nullptr || setting.preset->name == "default") return SeriesMark::Disc;
     return setting.preset->name == "fast" ? SeriesMark::Triangle : SeriesMark::Square;
 }
