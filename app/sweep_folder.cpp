@@ -7,6 +7,7 @@
 #include "core/base/file_writer.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -105,15 +106,39 @@ std::shared_ptr<const Sweep> SweepFolder::read(const std::string& path) {
 
 std::string SweepFolder::pathOf(std::string_view name) const { return (fs::path(m_path) / name).string(); }
 
-void SweepFolder::forRows(const std::string& name,
-                          const std::function<void(std::size_t run, std::string_view line)>& take) const {
-    std::ifstream file(pathOf(name), std::ios::binary);
+void SweepFolder::forRows(const std::string& name, const TakeRow& take) const {
+    const int descriptor = ::open(pathOf(name).c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    try {
+        forRows(descriptor, take);
+    } catch (...) {
+        ::close(descriptor);
+        throw;
+    }
+    ::close(descriptor);
+}
+
+void SweepFolder::forRows(int descriptor, const TakeRow& take) const {
+    std::vector<char> block(1U << 16U);
     std::string line;
-    std::getline(file, line); // the columns
-    while (std::getline(file, line) && !file.eof()) {
-        const std::optional<std::size_t> run = runOfRow(line, m_sweep.runs());
-        if (!run) return; // what a machine that stopped has left
-        take(*run, line += '\n');
+    bool isFirst = true; // the columns
+    for (off_t place = 0;;) {
+        const ssize_t count = ::pread(descriptor, block.data(), block.size(), place);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) throw UnreadableFile("a table in `" + m_path + "`", errno);
+        if (count == 0) return;
+        place += count;
+        std::string_view rest(block.data(), static_cast<std::size_t>(count));
+        for (std::size_t end = rest.find('\n'); end != rest.npos; end = rest.find('\n')) {
+            line += rest.substr(0, end + 1);
+            rest.remove_prefix(end + 1);
+            const std::optional<std::size_t> run = runOfRow(line, m_sweep.runs());
+            if (!run && !isFirst) return; // what a machine that stopped has left
+            if (run) take(*run, line);
+            isFirst = false;
+            line.clear();
+        }
+        line += rest;
     }
 }
 
@@ -141,45 +166,45 @@ std::vector<std::string> SweepFolder::shardTables() const {
 SweepJournal::SweepJournal(const SweepFolder& folder, const Sweep& sweep, std::string name,
                            const ItemRange& part, bool resume)
     : m_folder(folder), m_sweep(sweep), m_name(std::move(name)), m_part(part), m_known(part.count()) {
-    const std::string columns = sweepColumns(sweep);
-    std::size_t kept = columns.size();
-    const auto know = [&](std::size_t run, std::string_view line) {
-        kept += line.size();
-        if (!m_part.contains(run) || has(run)) return;
+    const auto isNew = [&](std::size_t run) {
+        if (!m_part.contains(run) || has(run)) return false;
         m_known[run - m_part.first] = true;
         ++m_count;
+        return true;
     };
-    if (resume && fs::exists(folder.pathOf(m_name))) {
-        folder.forRows(m_name, know);
-        if (isComplete()) return;
-        // A table of another stretch, which this one will replace.
-        kept = columns.size();
-        m_count = 0;
-        m_known.assign(part.count(), false);
-    }
-    if (resume) folder.forRows(m_name + ".part", know);
-    open(m_count > 0 ? kept : 0);
-    if (m_count == 0) append(columns);
+    if (resume) folder.forRows(m_name, [&](std::size_t run, std::string_view) { isNew(run); });
+    if (isComplete() && resume) return;
+    m_count = 0; // a table of another stretch, which this one will replace
+    m_known.assign(part.count(), false);
+    std::string text = sweepColumns(sweep);
+    if (resume)
+        folder.forRows(m_name + ".part", [&](std::size_t run, std::string_view line) {
+            if (isNew(run)) text += line;
+        });
+    open();
+    append(text);
+    if (::rename(m_beside.c_str(), partPath().c_str()) != 0) throw notWritten(partPath(), errno);
 }
 
 SweepJournal::~SweepJournal() {
     if (m_descriptor >= 0) ::close(m_descriptor);
 }
 
-/// What is behind the whole lines was being written when the program ended.
-void SweepJournal::open(std::size_t keptBytes) {
-    const std::string path = m_folder.pathOf(m_name + ".part");
-    m_descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-    const auto kept = static_cast<off_t>(keptBytes);
-    if (m_descriptor < 0 || ::ftruncate(m_descriptor, kept) != 0 || ::lseek(m_descriptor, kept, SEEK_SET) < 0)
-        throw notWritten(path, errno);
+void SweepJournal::open() {
+    constexpr int mostTries = 1000; // a program on another machine may have the same number
+    for (int i = 0; i < mostTries && m_descriptor < 0; ++i) {
+        m_beside = partPath() + "." + std::to_string(::getpid()) + "." + std::to_string(i);
+        m_descriptor = ::open(m_beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (m_descriptor < 0 && errno != EEXIST) throw notWritten(partPath(), errno);
+    }
+    if (m_descriptor < 0) throw notWritten(partPath(), EEXIST);
 }
 
 void SweepJournal::append(std::string_view text) {
     while (!text.empty()) {
         const ssize_t count = ::write(m_descriptor, text.data(), text.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) throw notWritten(m_folder.pathOf(m_name + ".part"), errno);
+        if (count < 0) throw notWritten(partPath(), errno);
         text.remove_prefix(static_cast<std::size_t>(count));
     }
 }
@@ -195,13 +220,15 @@ void SweepJournal::close() {
     TableWriter table(m_folder.pathOf(m_name));
     table.write(sweepColumns(m_sweep));
     RowSorter sorter(m_part.first, [&](std::size_t, std::string_view line) { table.write(line); });
-    m_folder.forRows(m_name + ".part", [&](std::size_t run, std::string_view line) {
-        if (m_part.contains(run)) sorter.add(run, line);
-    });
+    m_folder.forRows(m_descriptor, [&](std::size_t run, std::string_view line) { sorter.add(run, line); });
     sorter.finish();
     table.commit();
+    struct stat own {
+    }, there{};
+    const bool isOwn = ::fstat(m_descriptor, &own) == 0 && ::stat(partPath().c_str(), &there) == 0 &&
+                       own.st_ino == there.st_ino && own.st_dev == there.st_dev;
     ::close(std::exchange(m_descriptor, -1));
-    fs::remove(m_folder.pathOf(m_name + ".part"));
+    if (isOwn) ::unlink(partPath().c_str());
 }
 
 SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {

@@ -30,12 +30,15 @@ class SweepFolder {
     /// The sweep of a folder that is there. Throws UsageError where it is none.
     static std::shared_ptr<const Sweep> read(const std::string& path);
 
+    const std::string& path() const { return m_path; }
     std::string pathOf(std::string_view name) const;
 
+    using TakeRow = std::function<void(std::size_t run, std::string_view line)>;
     /// Hands the rows of a file to `take` in the order of the file, as far as they are whole. Nothing happens
     /// where there is no such file.
-    void forRows(const std::string& name,
-                 const std::function<void(std::size_t run, std::string_view line)>& take) const;
+    void forRows(const std::string& name, const TakeRow& take) const;
+    /// The same of a file that is open, from its beginning.
+    void forRows(int descriptor, const TakeRow& take) const;
     /// The shards' tables that are there, by their first runs.
     std::vector<std::string> shardTables() const;
 
@@ -44,7 +47,8 @@ class SweepFolder {
     const Sweep& m_sweep;
 };
 
-/// A table being written in the order in which runs end.
+/// A table being written in the order in which runs end. It is a file of this program's own: who goes on with
+/// it copies it first, so that one who still writes, on a machine that was taken for dead, disturbs nobody.
 class SweepJournal {
   public:
     /// `name` is the table it will become, "sweep.csv". `resume`: goes on with the rows that are there.
@@ -63,8 +67,9 @@ class SweepJournal {
     void close();
 
   private:
-    void open(std::size_t keptBytes);
+    void open();
     void append(std::string_view text);
+    std::string partPath() const { return m_folder.pathOf(m_name + ".part"); }
 
     const SweepFolder& m_folder;
     const Sweep& m_sweep;
@@ -72,6 +77,7 @@ class SweepJournal {
     ItemRange m_part;
     std::vector<bool> m_known; ///< by run of the part
     std::size_t m_count = 0;
+    std::string m_beside; ///< what it is called until it holds what is kept
     int m_descriptor = -1;
 };
 

@@ -341,6 +341,21 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
     </message>
 </context>
 <context>
+    <name>SweepCharts</name>
+    <message>
+        <source>%1 runs a point</source>
+        <translation>%1 Läufe je Punkt</translation>
+    </message>
+    <message>
+        <source>; line: median, bands: half of the runs, and nine of ten</source>
+        <translation>; Linie: Median, Bänder: die Hälfte der Läufe, und neun von zehn</translation>
+    </message>
+    <message>
+        <source>%1, median</source>
+        <translation>%1, Median</translation>
+    </message>
+</context>
+<context>
     <name>carom</name>
     <message>
         <source>`%1` cannot be written: %2</source>
@@ -2373,6 +2388,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>State what must happen</source>
         <translation>Sagen, was geschehen muss</translation>
+    </message>
+    <message>
+        <source>From a laptop to a cluster</source>
+        <translation>Vom Laptop zum Cluster</translation>
     </message>
     <message>
         <source>The scene language</source>

@@ -52,6 +52,10 @@ class SweepCommandTest : public QObject {
         QCOMPARE(QString::fromUtf8(readFile(in("out/summary.txt"))), ended.out);
         QCOMPARE(readFile(in("out/scene.sdl")), fallingBall);
         QVERIFY(!QFile::exists(in("out/sweep.csv.part")));
+#ifdef CAROM_CHARTS
+        for (const char* name : {"out/sweep-1.svg", "out/sweep-1.png", "out/sweep-2.svg"})
+            QVERIFY2(QFile(in(name)).size() > 1000, name);
+#endif
     }
 
     void threadsAndShardsGiveTheSameBytes() {
@@ -102,6 +106,27 @@ class SweepCommandTest : public QObject {
         QVERIFY2(second.exitCode == 0, qPrintable(second.err));
         QCOMPARE(withoutSeconds(in("cut/sweep.csv")), withoutSeconds(in("whole/sweep.csv")));
         QCOMPARE(readFile(in("cut/summary.csv")), readFile(in("whole/summary.csv")));
+    }
+
+    // A machine was taken for dead: its part is gone on with elsewhere, and then it writes on.
+    void whoWritesOnDisturbsNobody() {
+        QCOMPARE(sweep("calm", {"--frames=3000", "--shard=1/1"}).exitCode, 0);
+        QProcess dead;
+        dead.start(QStringLiteral(CAROM_PROGRAM),
+                   words("both", {"--frames=3000", "--shard=1/1", "--threads=1"}));
+        QVERIFY(dead.waitForStarted());
+        const QString part = in("both/shard-1.csv.part");
+        QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, patience);
+        ::kill(static_cast<pid_t>(dead.processId()), SIGSTOP);
+        const Ended other = sweep("both", {"--frames=3000", "--shard=1/1", "--resume"});
+        ::kill(static_cast<pid_t>(dead.processId()), SIGCONT);
+        const QString table = withoutSeconds(in("both/shard-1.csv"));
+        QCOMPARE(other.exitCode, 0);
+        QCOMPARE(table, withoutSeconds(in("calm/shard-1.csv")));
+        QCOMPARE(finish(dead).exitCode, 0);
+        QCOMPARE(withoutSeconds(in("both/shard-1.csv")), table);
+        QCOMPARE(QDir(in("both")).entryList(QDir::Files, QDir::Name),
+                 (QStringList{"scene.sdl", "shard-1.csv", "sweep.txt"}));
     }
 
     // Rows that are there are not made again: the seconds of the first, which no run could have, stay.

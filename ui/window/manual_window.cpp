@@ -179,6 +179,7 @@ ManualWindow::ManualWindow(const Actions& actions, QWidget* parent)
     };
     m_pages = {{QStringLiteral("tutorial"), tr("Ten minutes to a measured answer"), file("tutorial.md")},
                {QStringLiteral("expectations"), tr("State what must happen"), file("expectations.md")},
+               {QStringLiteral("sweeps"), tr("From a laptop to a cluster"), file("sweeps.md")},
                {QStringLiteral("hardCases"), tr("Hard cases"), hardCasesPage()},
                {QStringLiteral("language"), tr("The scene language"), file("language.md")},
                {QStringLiteral("diagrams"), tr("Reading a work–precision diagram"), file("diagrams.md")},
