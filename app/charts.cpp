@@ -7,6 +7,7 @@
 #include "ui/widgets/accuracy_chart.h"
 #include "ui/widgets/benchmark_charts.h"
 #include "ui/widgets/gas_charts.h"
+#include "ui/widgets/sweep_charts.h"
 
 namespace carom {
 namespace {
@@ -40,6 +41,10 @@ void drawBenchmark(const Benchmark& benchmark, const std::string& folder) {
 }
 
 void drawGas(const GasStudy& study, const std::string& folder) { draw(chartsOf(study), folder); }
+
+void drawSweep(const Sweep& sweep, const std::vector<SweepPoint>& points, const std::string& folder) {
+    draw(chartsOf(sweep, points), folder);
+}
 
 void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& path) {
     needApplication(); // before the fonts of the title are asked for

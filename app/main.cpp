@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     carom::chartDrawer().benchmark = carom::drawBenchmark;
     carom::chartDrawer().accuracy = carom::drawAccuracy;
     carom::chartDrawer().gas = carom::drawGas;
+    carom::chartDrawer().sweep = carom::drawSweep;
 #endif
     return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
 }

@@ -52,6 +52,7 @@ std::shared_ptr<const Sweep> sweepFrom(const Arguments& arguments) {
 void writeAll(const SweepFolder& folder, const Sweep& sweep) {
     const SweepReport report = writeSweepSummary(folder, sweep);
     printOut(report.text);
+    if (chartDrawer().sweep) chartDrawer().sweep(sweep, report.points, folder.path());
 }
 
 /// What the command line leaves undone, in a sentence.
@@ -153,7 +154,8 @@ CommandRow sweepCommand() {
                 {"merge", 0, "DIR",
                  "make the final files of the shards in DIR; names the runs that are missing"},
                 {"output", 'o', "DIR",
-                 "write sweep.csv, summary.csv and summary.txt there; with `--shard` shard-I.csv"},
+                 "write sweep.csv, summary.csv, summary.txt and the charts (SVG and PNG) there; with "
+                 "`--shard` shard-I.csv"},
             },
         .details =
             "A path names a label (`cue`), `body 7`, a family (`log` for log1, log2, ...), `bodies` (each "

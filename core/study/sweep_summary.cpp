@@ -125,10 +125,11 @@ std::string summaryRows(const Sweep& sweep, const SweepPoint& point) {
         for (const std::size_t parameter : parameters) table.add(std::string_view(values[parameter]));
         table.add(std::string_view(sweep.measures()[k].text));
         for (const std::size_t count : {spread.runs, point.lost, point.faulty}) table.add(count);
+        table.add(spread.mean);
         for (const double figure :
-             {spread.mean, spread.deviation, spread.meanAt95.low, spread.meanAt95.high, spread.least,
-              spread.q05, spread.q25, spread.median, spread.q75, spread.q95, spread.most})
-            table.add(figure);
+             {spread.deviation, spread.meanAt95.low, spread.meanAt95.high, spread.least, spread.q05,
+              spread.q25, spread.median, spread.q75, spread.q95, spread.most})
+            table.add(sweep.runsOfPoint() > 1 ? figure : noFigure);
         table.endRow();
     }
     return table.take();

@@ -59,7 +59,8 @@ class SweepSummary {
 std::vector<std::size_t> pointParameters(const Sweep& sweep);
 
 /// The table of points, a row a point and measure: the parameters, then
-/// `measure,runs,lost,faulty,mean,deviation,mean_low,mean_high,least,q05,q25,median,q75,q95,most`.
+/// `measure,runs,lost,faulty,mean,deviation,mean_low,mean_high,least,q05,q25,median,q75,q95,most`. Where a
+/// point is one run its figure is the mean, and the others are empty.
 std::string summaryColumns(const Sweep& sweep);
 std::string summaryRows(const Sweep& sweep, const SweepPoint& point);
 

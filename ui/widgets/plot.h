@@ -13,7 +13,8 @@
 class QCPItemStraightLine;
 class QCustomPlot;
 
-// Charts as plain values: whoever has figures fills a ChartSpec; this file alone knows the plotting library.
+// Charts as plain values: whoever has figures fills a ChartSpec; plot_drawing.h draws it, and nothing else
+// knows the plotting library.
 
 namespace carom {
 
@@ -21,12 +22,14 @@ struct ChartAxis {
     QString label;
     QString unit; ///< shown in brackets behind the label; empty for none
     bool logarithmic = false;
+    std::vector<QString> names{}; ///< of 0, 1, 2, ...: what stands there in the place of numbers
 };
 
 enum class SeriesStyle {
     Line,
     LineAndMarks,
     Marks,
+    Band,    ///< an area from `low` to `high` of each point, pale; `y` is not drawn
     Stacked, ///< an area on top of the stacked series before it, which must have the same x
 };
 
@@ -62,6 +65,13 @@ struct ChartLevel {
     bool alwaysShown = false;
 };
 
+/// Cells of colour in the place of series: column i at x = i, row k at y = k.
+struct ChartMap {
+    std::size_t columns = 0, rows = 0;
+    std::vector<double> values{}; ///< row by row; NaN leaves the ground
+    ChartAxis scale{};            ///< what the colours say
+};
+
 struct ChartSpec {
     QString title;
     QString note{}; ///< a sentence below the title; lines are broken
@@ -71,6 +81,7 @@ struct ChartSpec {
     bool legend = true;        ///< of more than one series
     bool legendBeside = false; ///< on the right, where the chart is wide enough; else below
     int leastForBelow = 0;     ///< height [px] from which a legend below leaves enough for the axes
+    std::optional<ChartMap> map{};
 };
 
 /// Writes the chart as .png, .svg or .pdf by the ending of the path; the file is replaced only when the new

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/test_class.h"
+
+#include "ui/widgets/sweep_charts.h"
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+// Which chart a sweep gets, and that its figures stand where they belong.
+
+namespace carom {
+namespace {
+
+const std::string chartedBall = "sphere ball { radius 0.1 mass 1 centre 0, 1, 0 vel 1, 0, 0 }\n"
+                                "generate g { scene tower n 1 offset 9, 0, 0 }\n";
+
+struct ChartedSweep {
+    std::shared_ptr<const Sweep> sweep;
+    std::vector<SweepPoint> points;
+};
+
+/// A sweep whose figure is 100 times the index of the first value, and the index of the second, and the seed.
+ChartedSweep charted(std::vector<std::string> vary, std::int64_t seeds = 0) {
+    const ReadSweep read = readSweep({.vary = std::move(vary),
+                                      .measures = {"final x of ball"},
+                                      .seeds = seeds,
+                                      .frames = {},
+                                      .generate = {}},
+                                     chartedBall);
+    if (!read.sweep) qFatal("%s", read.objection.c_str());
+    ChartedSweep result{read.sweep, {}};
+    SweepSummary summary(*read.sweep, [&](const SweepPoint& point) { result.points.push_back(point); });
+    const std::size_t ofPoint = read.sweep->runsOfPoint();
+    const std::size_t second = read.sweep->axes().size() > 1 ? read.sweep->axes()[1].count : 1;
+    for (std::size_t run = 0; run < read.sweep->runs(); ++run) {
+        const std::size_t point = run / ofPoint;
+        SweepResult one;
+        one.run = run;
+        one.figures = {100.0 * static_cast<double>(point / second) + static_cast<double>(point % second) +
+                       static_cast<double>(run % ofPoint)};
+        summary.add(one);
+    }
+    summary.finish();
+    return result;
+}
+
+std::vector<NamedChart> chartsOf(const ChartedSweep& made) {
+    return carom::chartsOf(*made.sweep, made.points);
+}
+
+} // namespace
+
+class SweepChartsTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void oneNumberGivesALine() {
+        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=log 1e-2:1:3"}));
+        QCOMPARE(charts.size(), std::size_t(1));
+        const ChartSpec& chart = charts[0].chart;
+        QCOMPARE(chart.series.size(), std::size_t(1));
+        QVERIFY(chart.x.logarithmic);
+        QCOMPARE(chart.x.label, QStringLiteral("ball.vel.x"));
+        QCOMPARE(chart.y.unit, QStringLiteral("m"));
+        QCOMPARE(chart.series[0].x, (std::vector<double>{0.01, 0.1, 1}));
+        QCOMPARE(chart.series[0].y, (std::vector<double>{0, 100, 200}));
+    }
+
+    // Of the seeds 0 to 8 half lie from 2 to 6, nine of ten from 0 to 8.
+    void seedsGiveBands() {
+        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1,2,3"}, 9));
+        const ChartSpec& chart = charts[0].chart;
+        QCOMPARE(chart.series.size(), std::size_t(3));
+        QVERIFY(chart.series[0].style == SeriesStyle::Band && chart.series[1].style == SeriesStyle::Band);
+        QCOMPARE(chart.series[0].low, (std::vector<double>{0, 1, 2}));
+        QCOMPARE(chart.series[1].low, (std::vector<double>{2, 3, 4}));
+        QCOMPARE(chart.series[1].high, (std::vector<double>{6, 7, 8}));
+        QCOMPARE(chart.series[2].y, (std::vector<double>{4, 5, 6}));
+    }
+
+    void fewValuesOfASecondGiveALineEach() {
+        const std::vector<NamedChart> charts =
+            chartsOf(charted({"simulation.method=contacts,microcollisions", "ball.vel.x=1:5:5"}));
+        const ChartSpec& chart = charts[0].chart;
+        QCOMPARE(chart.series.size(), std::size_t(2));
+        QCOMPARE(chart.series[1].name, QStringLiteral("simulation.method microcollisions"));
+        QCOMPARE(chart.series[1].y, (std::vector<double>{100, 101, 102, 103, 104}));
+        QVERIFY(!chart.map);
+    }
+
+    void manyValuesOfASecondGiveAMap() {
+        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
+        const ChartMap& map = charts[0].chart.map.value();
+        QCOMPARE(map.columns, std::size_t(9));
+        QCOMPARE(map.rows, std::size_t(7));
+        QCOMPARE(map.values[3 * 9 + 5], 305.0);
+        QCOMPARE(charts[0].chart.x.label, QStringLiteral("ball.vel.z"));
+        QCOMPARE(charts[0].chart.y.names.size(), std::size_t(7));
+    }
+
+    void threeNumbersWithManyLinesGiveNoChart() {
+        QVERIFY(chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9", "ball.vel.y=1:3:3"})).empty());
+        QVERIFY(chartsOf(charted({}, 4)).empty());
+    }
+
+    // The lowest cell, left below, is dark; the highest, right above, is light.
+    void aMapIsDrawnWithItsScale() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("map.png"));
+        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
+        QCOMPARE(writeChart(charts[0].chart, path), QString());
+        const QImage image(path);
+        const QColor low = image.pixelColor(image.width() / 8, image.height() * 7 / 8);
+        const QColor high = image.pixelColor(image.width() * 3 / 4, image.height() / 8);
+        QVERIFY2(low.lightness() < 90, qPrintable(low.name()));
+        QVERIFY2(high.lightness() > 120 && high.red() > 200, qPrintable(high.name()));
+        // Another chart in the same widget has no scale beside it any more.
+        PlotWidget plot;
+        plot.resize(500, 300);
+        plot.setChart(charts[0].chart);
+        plot.setChart(chartsOf(charted({"ball.vel.x=1:7:7"}))[0].chart);
+        plot.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QTRY_VERIFY(plot.xOf(7) > 430);
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST_WITH(QApplication, sweep_charts_test, carom::SweepChartsTest)
+#include "sweep_charts_test.moc"

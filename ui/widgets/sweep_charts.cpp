@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets/sweep_charts.h"
+
+#include "core/base/text.h"
+#include "core/simulation/quantities.h"
+#include "ui/widgets/text_of.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace carom {
+namespace {
+
+constexpr std::size_t mostLines = 6;
+
+struct SweepChartsTexts {
+    Q_DECLARE_TR_FUNCTIONS(SweepCharts)
+};
+
+/// One axis of the points, by the first of its parameters.
+struct PointAxis {
+    const SweptParameter* parameter = nullptr;
+    std::size_t count = 1;
+    std::size_t stride = 1; ///< points from one of its values to the next
+
+    std::size_t indexOf(std::size_t point) const { return point / stride % count; }
+    bool isNumeric() const {
+        return std::ranges::all_of(parameter->values,
+                                   [](const std::string& value) { return numberIn(value).has_value(); });
+    }
+    bool isLogarithmic(const SweepDefinition& definition) const {
+        return std::ranges::any_of(definition.vary, [this](const std::string& vary) {
+            return vary.starts_with(parameter->name + "=log ");
+        });
+    }
+};
+
+std::vector<PointAxis> axesOf(const Sweep& sweep) {
+    std::vector<PointAxis> axes;
+    for (const SweepAxis& axis : sweep.axes())
+        if (!axis.isReplication)
+            axes.push_back({&sweep.parameters()[axis.parameters.front()], axis.count, 1});
+    std::size_t stride = 1;
+    for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+        axis->stride = stride;
+        stride *= axis->count;
+    }
+    return axes;
+}
+
+/// An axis of numbers, or of the values as they are written.
+ChartAxis chartAxisOf(const PointAxis& axis, const SweepDefinition& definition, bool byName) {
+    ChartAxis chart{.label = textOf(axis.parameter->name),
+                    .unit = {},
+                    .logarithmic = !byName && axis.isLogarithmic(definition)};
+    if (byName)
+        for (const std::string& value : axis.parameter->values) chart.names.push_back(textOf(value));
+    return chart;
+}
+
+QString unitOf(const SweepMeasure& measure) {
+    if (measure.kind == MeasureKind::First) return QStringLiteral("s");
+    for (const bool ofBody : {!measure.of.empty(), measure.of.empty()})
+        if (const QuantityRow* row = quantityNamed(measure.quantity, ofBody)) return textOf(row->unit);
+    return measure.quantity == "distance" ? QStringLiteral("m") : QString();
+}
+
+class Charts {
+  public:
+    Charts(const Sweep& sweep, const std::vector<SweepPoint>& points)
+        : m_sweep(sweep), m_points(points), m_axes(axesOf(sweep)), m_several(sweep.runsOfPoint() > 1) {
+        for (std::size_t k = 1; k < m_axes.size(); ++k)
+            if (m_axes[k].count > m_axes[m_along].count) m_along = k;
+        for (std::size_t k = 0; k < m_axes.size(); ++k)
+            if (k != m_along) m_lines *= m_axes[k].count;
+    }
+
+    std::vector<NamedChart> make() const {
+        std::vector<NamedChart> charts;
+        const bool isMap = m_lines > mostLines;
+        if (m_axes.empty() || (isMap && m_axes.size() > 2)) return charts;
+        for (std::size_t measure = 0; measure < m_sweep.measures().size(); ++measure)
+            charts.push_back(
+                {QStringLiteral("sweep-%1").arg(measure + 1), isMap ? map(measure) : lines(measure)});
+        return charts;
+    }
+
+  private:
+    std::size_t numberOf(const SweepPoint& point) const { return point.firstRun / m_sweep.runsOfPoint(); }
+    ChartAxis measureAxis(std::size_t measure) const {
+        const SweepMeasure& asked = m_sweep.measures()[measure];
+        return {.label = textOf(asked.text), .unit = unitOf(asked), .logarithmic = false};
+    }
+    QString note() const {
+        return m_several ? SweepChartsTexts::tr("%1 runs a point").arg(m_sweep.runsOfPoint()) : QString();
+    }
+
+    ChartSpec lines(std::size_t measure) const {
+        const PointAxis& along = m_axes[m_along];
+        const bool byName = !along.isNumeric();
+        std::map<std::size_t, std::vector<const SweepPoint*>> byLine;
+        for (const SweepPoint& point : m_points) byLine[lineOf(numberOf(point))].push_back(&point);
+        ChartSpec chart{.title = textOf(m_sweep.measures()[measure].text),
+                        .note = note(),
+                        .x = chartAxisOf(along, m_sweep.definition(), byName),
+                        .y = measureAxis(measure),
+                        .series = {},
+                        .levels = {}};
+        std::size_t colour = 0;
+        for (const auto& [line, points] : byLine) {
+            ChartSeries middle{.name = nameOfLine(line),
+                               .x = {},
+                               .y = {},
+                               .style = SeriesStyle::LineAndMarks,
+                               .colour = seriesColour(colour++)};
+            ChartSeries quartiles = middle, most = middle;
+            for (ChartSeries* band : {&quartiles, &most}) {
+                band->style = SeriesStyle::Band;
+                band->inLegend = false;
+            }
+            for (const SweepPoint* point : points) {
+                const FigureSpread& spread = point->spreads[measure];
+                const std::size_t index = along.indexOf(numberOf(*point));
+                const double x = byName ? static_cast<double>(index)
+                                        : numberIn(along.parameter->values[index]).value_or(0);
+                for (ChartSeries* series : {&middle, &quartiles, &most}) {
+                    series->x.push_back(x);
+                    series->y.push_back(spread.median);
+                }
+                quartiles.low.push_back(spread.q25);
+                quartiles.high.push_back(spread.q75);
+                most.low.push_back(spread.q05);
+                most.high.push_back(spread.q95);
+                middle.notes.push_back(noteOf(*point, measure));
+            }
+            if (m_several) chart.series.insert(chart.series.end(), {most, quartiles});
+            chart.series.push_back(std::move(middle));
+        }
+        chart.legend = byLine.size() > 1;
+        if (m_several)
+            chart.note += SweepChartsTexts::tr("; line: median, bands: half of the runs, and nine of ten");
+        return chart;
+    }
+
+    ChartSpec map(std::size_t measure) const {
+        ChartMap cells{.columns = m_axes[1].count, .rows = m_axes[0].count, .scale = measureAxis(measure)};
+        cells.values.assign(cells.columns * cells.rows, std::numeric_limits<double>::quiet_NaN());
+        for (const SweepPoint& point : m_points)
+            cells.values[numberOf(point)] = point.spreads[measure].median; // the second axis is the faster
+        if (m_several) cells.scale.label = SweepChartsTexts::tr("%1, median").arg(cells.scale.label);
+        return {.title = textOf(m_sweep.measures()[measure].text),
+                .note = note(),
+                .x = chartAxisOf(m_axes[1], m_sweep.definition(), true),
+                .y = chartAxisOf(m_axes[0], m_sweep.definition(), true),
+                .series = {},
+                .levels = {},
+                .map = std::move(cells)};
+    }
+
+    /// The point without its place along the chart.
+    std::size_t lineOf(std::size_t point) const {
+        return point - m_axes[m_along].indexOf(point) * m_axes[m_along].stride;
+    }
+    QString nameOfLine(std::size_t line) const {
+        QStringList parts;
+        for (std::size_t k = 0; k < m_axes.size(); ++k)
+            if (k != m_along)
+                parts.append(textOf(m_axes[k].parameter->name) + QLatin1Char(' ') +
+                             textOf(m_axes[k].parameter->values[m_axes[k].indexOf(line)]));
+        return parts.join(QStringLiteral(", "));
+    }
+    QString noteOf(const SweepPoint& point, std::size_t measure) const {
+        QStringList lines;
+        for (const PointAxis& axis : m_axes)
+            lines.append(textOf(axis.parameter->name) + QLatin1Char(' ') +
+                         textOf(axis.parameter->values[axis.indexOf(numberOf(point))]));
+        lines.append(textOf(m_sweep.measures()[measure].text) + QLatin1Char(' ') +
+                     textOf(shortest(point.spreads[measure].median)));
+        return lines.join(QLatin1Char('\n'));
+    }
+
+    const Sweep& m_sweep;
+    const std::vector<SweepPoint>& m_points;
+    std::vector<PointAxis> m_axes;
+    std::size_t m_along = 0; ///< the axis that lines go along: the longest
+    std::size_t m_lines = 1;
+    bool m_several; ///< runs a point
+};
+
+} // namespace
+
+std::vector<NamedChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+    return Charts(sweep, points).make();
+}
+
+} // namespace carom

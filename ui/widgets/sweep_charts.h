@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/sweep_summary.h"
+#include "ui/widgets/benchmark_charts.h"
+
+#include <vector>
+
+namespace carom {
+
+/// A chart a measure, `sweep-1`, `sweep-2`, ...: over one axis a line, with bands of the quartiles and of 90
+/// % where a point has several runs; over several a line for each combination of the shorter ones, or, of two
+/// axes with too many of these, a map of colours. None where nothing is listed to be varied, or where three
+/// axes make too many lines.
+std::vector<NamedChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points);
+
+} // namespace carom
