@@ -31,7 +31,7 @@ std::string textOf(const Build& built, const std::string& file) {
             const SourcePosition position = built.analysis.positionOf(decision.source->offset);
             text += file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
         }
-        text.append(decision.reason).append("\n");
+        text.append(decision.reason.text()).append("\n");
     }
     return text;
 }
@@ -41,7 +41,7 @@ std::string jsonOf(const Build& built) {
     json.beginArray();
     for (const EffectDecision& decision : built.pipeline->effects()) {
         json.beginObject().key("effect").value(decision.effect).key("status").value(nameOf(decision.status));
-        json.key("reason").value(decision.reason).key("line");
+        json.key("reason").value(decision.reason.text()).key("line");
         if (decision.source) {
             const SourcePosition position = built.analysis.positionOf(decision.source->offset);
             json.value(static_cast<std::int64_t>(position.line)).key("column");

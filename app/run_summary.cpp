@@ -122,12 +122,12 @@ std::string RunSummary::asText() const {
                       std::to_string(m_diagnostics) + " diagnostics");
     line("simulation",
          std::string(settings.method->name)
-             .append(settings.methodReason.empty() ? "" : " (" + settings.methodReason + ")")
+             .append(settings.methodReason.empty() ? "" : " (" + settings.methodReason.text() + ")")
              .append(", ")
              .append(settings.integrator->name)
              .append(", ")
              .append(settings.broadphase->name)
-             .append(settings.broadphaseReason.empty() ? "" : " (" + settings.broadphaseReason + ")")
+             .append(settings.broadphaseReason.empty() ? "" : " (" + settings.broadphaseReason.text() + ")")
              .append(settings.boxes == BoxKind::Cube ? " on cubes" : ""));
     line("frames", std::to_string(m_frames) + " of " + shortest(settings.step) + " s in " +
                        std::to_string(settings.substeps) +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/base/sentence.h"
 #include "core/math/aabb.h"
 
 #include <cstdint>
@@ -80,7 +81,7 @@ const BroadphaseRow* findBroadphase(std::string_view name);
 /// What `auto` chose and why, as a sentence ("sweep_and_sort: 1203 bodies of similar size").
 struct BroadphaseChoice {
     const BroadphaseRow* row = nullptr;
-    std::string reason;
+    Sentence reason;
 };
 BroadphaseChoice chooseBroadphase(const BroadphaseInput& input);
 

@@ -30,32 +30,36 @@ double widthRatio(std::span<const Aabb> boxes) {
     return wide <= narrow ? 1 : wide / narrow;
 }
 
-BroadphaseChoice chosen(std::string_view name, const std::string& why) {
-    return {findBroadphase(name), std::string(name) + ": " + why};
-}
+/// The sentence begins with the name.
+BroadphaseChoice chosen(Sentence why) { return {findBroadphase(why.values.front()), why}; }
 
 } // namespace
 
 BroadphaseChoice chooseBroadphase(const BroadphaseInput& input) {
     const std::size_t count = input.boxes.size();
-    const std::string bodies = counted(count, "body", "bodies");
-    if (count < fewBoxes) return chosen("all_pairs", bodies + ", too few to be worth sorting");
+    const std::string bodies = std::to_string(count);
+    if (count == 1)
+        return chosen(Sentence{"%1: %2 body, too few to be worth sorting", {"all_pairs", bodies}});
+    if (count < fewBoxes)
+        return chosen(Sentence{"%1: %2 bodies, too few to be worth sorting", {"all_pairs", bodies}});
 
     const std::size_t mobile = static_cast<std::size_t>(std::count_if(
         input.mobile.begin(), input.mobile.end(), [](std::uint8_t moves) { return moves != 0; }));
     if (mobile < count / 2)
-        return chosen("bounding_tree", bodies + ", of which only " + std::to_string(mobile) + " can move");
+        return chosen(Sentence{"%1: %2 bodies, of which only %3 can move",
+                               {"bounding_tree", bodies, std::to_string(mobile)}});
     const double ratio = widthRatio(input.boxes);
     if (ratio > manySizes)
-        return chosen("bounding_tree",
-                      bodies + ", the wide ones " + figure(ratio, 2) + " times the narrow ones");
+        return chosen(Sentence{"%1: %2 bodies, the wide ones %3 times the narrow ones",
+                               {"bounding_tree", bodies, figure(ratio, 2)}});
     const double close = 0.5 * neighboursPerBox(input.boxes); // a pair has two ends
     if (close > lyingClose)
-        return chosen("bounding_tree",
-                      bodies + " lying close: " + figure(close, 2) + " overlapping boxes for each");
+        return chosen(Sentence{"%1: %2 bodies lying close: %3 overlapping boxes for each",
+                               {"bounding_tree", bodies, figure(close, 2)}});
     if (count < smallScene)
-        return chosen("single_axis_sweep", bodies + " of similar size, well apart, few enough for one sweep");
-    return chosen("uniform_grid", bodies + " of similar size, well apart");
+        return chosen(Sentence{"%1: %2 bodies of similar size, well apart, few enough for one sweep",
+                               {"single_axis_sweep", bodies}});
+    return chosen(Sentence{"%1: %2 bodies of similar size, well apart", {"uniform_grid", bodies}});
 }
 
 } // namespace carom

@@ -100,18 +100,18 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     if (air.source) decision.source = placeOf(scene, *air.source, "density");
     const auto dragged = std::find_if(scene.bodies.begin(), scene.bodies.end(), isDragged);
     if (!air.source && !(air.density > 0)) {
-        decision.reason = "none is declared";
+        decision.reason = Sentence{"none is declared"};
     } else if (!(air.density > 0)) {
-        decision.reason = "its density is 0";
+        decision.reason = Sentence{"its density is 0"};
     } else if (dragged == scene.bodies.end()) {
-        decision.reason = "nothing that can move has `drag`";
+        decision.reason = Sentence{"nothing that can move has `drag`"};
     } else {
         decision.status = run.method.bentPaths ? EffectStatus::On : EffectStatus::NotSimulatedYet;
-        decision.reason = "air of " + figure(air.density) + " kg/m³ slows " +
-                          scene.nameOf(indexOf(scene, *dragged)) + ", which has drag " +
-                          figure(dragged->drag);
+        decision.reason =
+            Sentence{"air of %1 kg/m³ slows %2, which has drag %3",
+                     {figure(air.density), scene.nameOf(indexOf(scene, *dragged)), figure(dragged->drag)}};
         if (!run.method.bentPaths) {
-            decision.reason += "; it moves as in a vacuum";
+            decision.reason.add(Sentence{"it moves as in a vacuum"});
             decision.unmet.push_back(decision.source.value_or(SourceRange{}));
         }
     }

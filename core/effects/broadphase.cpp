@@ -13,16 +13,17 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     if (scene.simulation.source && scene.find(*scene.simulation.source, "broadphase") != nullptr)
         decision.source = placeOf(scene, *scene.simulation.source, "broadphase");
     if (!anyCanMeet(scene)) {
-        decision.reason = "no two bodies can meet";
+        decision.reason = Sentence{"no two bodies can meet"};
     } else if (run.method.ownPairs) {
-        decision.reason = "the method finds by itself which bodies meet next";
+        decision.reason = Sentence{"the method finds by itself which bodies meet next"};
     } else if (run.broadphase.empty() || run.broadphase == "all_pairs") {
-        decision.reason = run.broadphaseReason.empty() ? "all pairs are compared, as asked for"
-                                                       : std::string(run.broadphaseReason);
+        decision.reason = run.broadphaseReason.empty() ? Sentence{"all pairs are compared, as asked for"}
+                                                       : run.broadphaseReason;
     } else {
         decision.status = EffectStatus::On;
-        decision.reason = run.broadphaseReason.empty() ? std::string(run.broadphase) + ": it is asked for"
-                                                       : std::string(run.broadphaseReason);
+        decision.reason = run.broadphaseReason.empty()
+                              ? Sentence{"%1: it is asked for", {std::string(run.broadphase)}}
+                              : run.broadphaseReason;
     }
     return decision;
 }

@@ -2,8 +2,6 @@
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
-#include "core/base/figures.h"
-
 // Bodies are rigid and do not pass through each other. How they part again is the method's business.
 
 namespace carom {
@@ -13,16 +11,17 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
     EffectDecision decision{.effect = "collision"};
     const Body* mobile = firstMobile(scene);
     if (mobile == nullptr) {
-        decision.reason = "no body can move";
+        decision.reason = Sentence{"no body can move"};
     } else if (scene.bodies.size() < 2) {
-        decision.reason = "there is only one body";
+        decision.reason = Sentence{"there is only one body"};
     } else {
         std::size_t count = 0;
         for (const Body& body : scene.bodies) count += body.mobile() ? 1 : 0;
         decision.status = EffectStatus::On;
         decision.source = placeOf(scene, mobile->source, "");
-        decision.reason = counted(count, "mobile body", "mobile bodies") + " among " +
-                          std::to_string(scene.bodies.size()) + " can meet the others";
+        const std::vector<std::string> counts = {std::to_string(count), std::to_string(scene.bodies.size())};
+        decision.reason = count == 1 ? Sentence{"%1 mobile body among %2 can meet the others", counts}
+                                     : Sentence{"%1 mobile bodies among %2 can meet the others", counts};
     }
     return decision;
 }

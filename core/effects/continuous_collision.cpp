@@ -72,7 +72,7 @@ double furthest(const Body& body, double energy, double substep) {
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "continuous_collision"};
     if (!anyCanMeet(scene)) {
-        decision.reason = "no two bodies can meet";
+        decision.reason = Sentence{"no two bodies can meet"};
         return decision;
     }
     const std::optional<double> energy = energyOf(scene);
@@ -86,24 +86,25 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         break;
     }
     if (fast == nullptr) {
-        decision.reason = "no body can pass its half-extent in a substep by the energy there is";
+        decision.reason = Sentence{"no body can pass its half-extent in a substep by the energy there is"};
     } else {
         decision.source = placeOf(scene, fast->source, "vel");
         const std::string name = scene.nameOf(indexOf(scene, *fast));
-        decision.reason = energy
-                              ? name + " may move " + figure(way) +
-                                    " m in a substep by the energy there is, more than its half-extent of " +
-                                    figure(halfThicknessOf(fast->shape)) + " m"
-                              : "nothing bounds the speed of " + name;
+        decision.reason =
+            energy ? Sentence{"%1 may move %2 m in a substep by the energy there is, more than its "
+                              "half-extent of %3 m",
+                              {name, figure(way), figure(halfThicknessOf(fast->shape))}}
+                   : Sentence{"nothing bounds the speed of %1", {name}};
     }
     if (run.method.locatesImpacts) {
         decision.status = EffectStatus::On;
-        decision.reason += fast != nullptr ? "; impacts are located within the step"
-                                           : "; impacts are located within the step for the accuracy alone";
+        decision.reason.add(fast != nullptr
+                                ? Sentence{"impacts are located within the step"}
+                                : Sentence{"impacts are located within the step for the accuracy alone"});
         if (!decision.source) decision.source = placeOf(scene, firstMobile(scene)->source, "");
     } else if (fast != nullptr) {
         decision.status = EffectStatus::NotSimulatedYet;
-        decision.reason += "; the method looks at the ends of substeps only";
+        decision.reason.add(Sentence{"the method looks at the ends of substeps only"});
     }
     return decision;
 }

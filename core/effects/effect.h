@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/base/source.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
@@ -32,7 +33,7 @@ std::string_view nameOf(EffectStatus status);
 struct EffectDecision {
     std::string_view effect; ///< a row's name
     EffectStatus status = EffectStatus::Absent;
-    std::string reason = {};                ///< a sentence: why it is simulated, or why it cannot matter
+    Reason reason = {};                     ///< why it is simulated, or why it cannot matter
     std::optional<SourceRange> source = {}; ///< what in the text calls for it, or rules it out
     /// Places that ask in so many words for what is not simulated yet (`friction 0.3`), source among them:
     /// each deserves a warning. Empty where the scene only implies it.
@@ -41,10 +42,10 @@ struct EffectDecision {
 
 /// What a decision goes by besides the scene: how the scene is run.
 struct RunFacts {
-    Abilities method = {};                  ///< what the method of motion simulates
-    double substep = 0;                     ///< [s]
-    std::string_view broadphase = {};       ///< a row's name
-    std::string_view broadphaseReason = {}; ///< why `auto` chose it; empty where it was asked for
+    Abilities method = {};            ///< what the method of motion simulates
+    double substep = 0;               ///< [s]
+    std::string_view broadphase = {}; ///< a row's name
+    Sentence broadphaseReason = {};   ///< why `auto` chose it; empty where it was asked for
 };
 
 struct EffectRow {

@@ -12,18 +12,20 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "friction"};
     const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
     if (!pair) {
-        decision.reason = "the geometric mean of the coefficients is 0 for every pair that can meet";
+        decision.reason =
+            Sentence{"the geometric mean of the coefficients is 0 for every pair that can meet"};
         return decision;
     }
     decision.source = placeOf(scene, pair.first->source, "friction");
-    decision.reason = scene.nameOf(indexOf(scene, *pair.first)) + " and " +
-                      scene.nameOf(indexOf(scene, *pair.second)) + " have friction";
+    decision.reason =
+        Sentence{"%1 and %2 have friction",
+                 {scene.nameOf(indexOf(scene, *pair.first)), scene.nameOf(indexOf(scene, *pair.second))}};
     if (run.method.friction) {
         decision.status = EffectStatus::On;
         return decision;
     }
     decision.status = EffectStatus::NotSimulatedYet;
-    decision.reason += "; they slide without it";
+    decision.reason.add(Sentence{"they slide without it"});
     for (const Body& body : scene.bodies)
         if (body.friction > 0)
             decision.unmet.push_back(placeOf(scene, body.source, "friction").value_or(SourceRange{}));

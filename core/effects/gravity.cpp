@@ -15,15 +15,16 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
     const Gravity& gravity = scene.gravity;
     if (gravity.source) decision.source = placeOf(scene, *gravity.source, "accel");
     if (gravity.acceleration == Vec3::Zero()) {
-        decision.reason = "the acceleration is zero";
+        decision.reason = Sentence{"the acceleration is zero"};
     } else if (firstMobile(scene) == nullptr) {
-        decision.reason = "no body can move";
+        decision.reason = Sentence{"no body can move"};
     } else {
         decision.status = EffectStatus::On;
-        const std::string size = figure(gravity.acceleration.norm()) + " m/s²";
-        decision.reason = gravity.source
-                              ? "the scene declares " + size
-                              : "the scene declares no `gravity`; without one it is " + size + " downwards";
+        const std::string size = figure(gravity.acceleration.norm());
+        decision.reason =
+            gravity.source
+                ? Sentence{"the scene declares %1 m/s²", {size}}
+                : Sentence{"the scene declares no `gravity`; without one it is %1 m/s² downwards", {size}};
     }
     return decision;
 }

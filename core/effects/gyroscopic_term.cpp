@@ -37,19 +37,21 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         if (decision.unmet.size() == 1) possible = &body;
     }
     if (possible == nullptr) {
-        decision.reason = "no body that can turn has moments of inertia that differ";
+        decision.reason = Sentence{"no body that can turn has moments of inertia that differ"};
         return decision;
     }
     decision.source = placeOf(scene, possible->source, "angvel");
-    decision.reason = scene.nameOf(indexOf(scene, *possible)) +
-                      (decision.unmet.empty() ? " may come to spin" : " spins") + " askew to its axes; its ";
+    const std::string name = scene.nameOf(indexOf(scene, *possible));
+    decision.reason = decision.unmet.empty() ? Sentence{"%1 may come to spin askew to its axes", {name}}
+                                             : Sentence{"%1 spins askew to its axes", {name}};
     if (run.method.gyroscopicTerm) {
         decision.status = EffectStatus::On;
         decision.unmet.clear();
-        decision.reason += "angular velocity precesses between impacts";
+        decision.reason.add(Sentence{"its angular velocity precesses between impacts"});
     } else {
         decision.status = EffectStatus::NotSimulatedYet;
-        decision.reason += "angular velocity is kept constant between collisions, as in the reference";
+        decision.reason.add(
+            Sentence{"its angular velocity is kept constant between collisions, as in the reference"});
     }
     return decision;
 }

@@ -12,46 +12,50 @@ namespace {
 struct Loser {
     const DeclarationSource* source = nullptr;
     std::string_view parameter;
-    std::string reason;
+    Sentence reason;
 };
 
 Loser firstLoser(const Scene& scene) {
     for (const Body& body : scene.bodies)
         if (body.elastic < 1)
             return {&body.source, "elastic",
-                    "impacts of " + scene.nameOf(indexOf(scene, body)) + " lose energy"};
+                    Sentence{"impacts of %1 lose energy, so bodies can come to rest",
+                             {scene.nameOf(indexOf(scene, body))}}};
     const auto byPair = [&](bool (*has)(const Body&), std::string_view parameter) -> Loser {
         const MeetingPair pair = firstPairWith(scene, has);
         if (!pair) return {};
         return {&pair.first->source, parameter,
-                scene.nameOf(indexOf(scene, *pair.first)) + " slows down what it touches"};
+                Sentence{"%1 slows down what it touches, so bodies can come to rest",
+                         {scene.nameOf(indexOf(scene, *pair.first))}}};
     };
     const Loser rubs = byPair([](const Body& body) { return body.friction > 0; }, "friction");
     if (rubs.source != nullptr) return rubs;
     for (const Body& body : scene.bodies)
         if (body.rolling > 0)
             return {&body.source, "rolling",
-                    scene.nameOf(indexOf(scene, body)) + " slows down what rolls on it"};
+                    Sentence{"%1 slows down what rolls on it, so bodies can come to rest",
+                             {scene.nameOf(indexOf(scene, body))}}};
     for (const Spring& spring : scene.springs)
-        if (spring.damping > 0) return {&spring.source, "damping", "a spring is damped"};
+        if (spring.damping > 0)
+            return {&spring.source, "damping", Sentence{"a spring is damped, so bodies can come to rest"}};
     return {};
 }
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "resting"};
     if (!anyCanMeet(scene)) {
-        decision.reason = "no two bodies can meet, so nothing can come to rest on anything";
+        decision.reason = Sentence{"no two bodies can meet, so nothing can come to rest on anything"};
         return decision;
     }
     const Loser loser = firstLoser(scene);
     if (loser.source == nullptr) {
-        decision.reason = "every impact is elastic and nothing rubs: nothing can come to rest";
+        decision.reason = Sentence{"every impact is elastic and nothing rubs: nothing can come to rest"};
         return decision;
     }
     decision.source = placeOf(scene, *loser.source, loser.parameter);
-    decision.reason = loser.reason + ", so bodies can come to rest";
+    decision.reason = loser.reason;
     decision.status = run.method.resting ? EffectStatus::On : EffectStatus::NotSimulatedYet;
-    if (!run.method.resting) decision.reason += "; they are simulated at full cost";
+    if (!run.method.resting) decision.reason.add(Sentence{"they are simulated at full cost"});
     return decision;
 }
 

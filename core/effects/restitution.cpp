@@ -16,20 +16,20 @@ namespace {
 EffectDecision decide(const Scene& scene, const RunFacts&) {
     EffectDecision decision{.effect = "restitution"};
     if (!anyCanMeet(scene)) {
-        decision.reason = "no two bodies can meet";
+        decision.reason = Sentence{"no two bodies can meet"};
         return decision;
     }
     const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.elastic > 0; });
     if (!pair) {
-        decision.reason = "in every pair that can meet, one body has `elastic 0`";
+        decision.reason = Sentence{"in every pair that can meet, one body has `elastic 0`"};
         return decision;
     }
     decision.status = EffectStatus::On;
     decision.source = placeOf(scene, pair.second->source, "elastic");
-    decision.reason = scene.nameOf(indexOf(scene, *pair.first)) + " and " +
-                      scene.nameOf(indexOf(scene, *pair.second)) + " part with " +
-                      figure(std::min(pair.first->elastic, pair.second->elastic)) +
-                      " times the speed they meet at";
+    decision.reason =
+        Sentence{"%1 and %2 part with %3 times the speed they meet at",
+                 {scene.nameOf(indexOf(scene, *pair.first)), scene.nameOf(indexOf(scene, *pair.second)),
+                  figure(std::min(pair.first->elastic, pair.second->elastic))}};
     return decision;
 }
 

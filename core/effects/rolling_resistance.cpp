@@ -16,19 +16,19 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
                 decision.unmet.push_back(placeOf(scene, body.source, "rolling").value_or(SourceRange{}));
     }
     if (decision.unmet.empty()) {
-        decision.reason = "the lever arm is 0 for every pair that can meet";
+        decision.reason = Sentence{"the lever arm is 0 for every pair that can meet"};
         return decision;
     }
     for (const Body& body : scene.bodies) {
         if (body.rolling <= 0) continue;
         decision.source = placeOf(scene, body.source, "rolling");
-        decision.reason = scene.nameOf(indexOf(scene, body)) + " has rolling resistance";
+        decision.reason = Sentence{"%1 has rolling resistance", {scene.nameOf(indexOf(scene, body))}};
         if (run.method.rollingResistance) {
             decision.status = EffectStatus::On;
             decision.unmet.clear();
         } else {
             decision.status = EffectStatus::NotSimulatedYet;
-            decision.reason += "; it rolls without it";
+            decision.reason.add(Sentence{"it rolls without it"});
         }
         break;
     }

@@ -23,7 +23,7 @@ const Spring* firstOffCentre(const Scene& scene) {
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "rotation"};
     if (firstMobile(scene) == nullptr) {
-        decision.reason = "no body can move";
+        decision.reason = Sentence{"no body can move"};
         return decision;
     }
     for (const Body& body : scene.bodies) {
@@ -32,15 +32,16 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         decision.status = EffectStatus::On;
         decision.source = placeOf(scene, body.source, "angvel");
         decision.reason = body.angularVelocity != Vec3::Zero()
-                              ? name + " spins from the start"
-                              : name + " is not a sphere and can be hit beside its centre";
+                              ? Sentence{"%1 spins from the start", {name}}
+                              : Sentence{"%1 is not a sphere and can be hit beside its centre", {name}};
         return decision;
     }
     const MeetingPair rough = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
     if (run.method.friction && rough) {
         decision.status = EffectStatus::On;
         decision.source = placeOf(scene, rough.first->source, "friction");
-        decision.reason = "friction can set " + scene.nameOf(indexOf(scene, *rough.second)) + " turning";
+        decision.reason =
+            Sentence{"friction can set %1 turning", {scene.nameOf(indexOf(scene, *rough.second))}};
         return decision;
     }
     if (run.method.rollingResistance && anyCanMeet(scene)) {
@@ -48,7 +49,8 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
             if (!(body.rolling > 0)) continue;
             decision.status = EffectStatus::On;
             decision.source = placeOf(scene, body.source, "rolling");
-            decision.reason = "what rolls over " + scene.nameOf(indexOf(scene, body)) + " is held back";
+            decision.reason =
+                Sentence{"what rolls over %1 is held back", {scene.nameOf(indexOf(scene, body))}};
             return decision;
         }
     }
@@ -56,14 +58,15 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         if (const Spring* spring = firstOffCentre(scene)) {
             decision.status = EffectStatus::On;
             decision.source = placeOf(scene, spring->source, "");
-            decision.reason = "a spring between " + scene.nameOf(spring->from) + " and " +
-                              scene.nameOf(spring->to) + " pulls beside a centre";
+            decision.reason = Sentence{"a spring between %1 and %2 pulls beside a centre",
+                                       {scene.nameOf(spring->from), scene.nameOf(spring->to)}};
             return decision;
         }
     }
     decision.reason =
-        "no body spins at the start, and impulses without friction pass through a sphere's centre";
-    if (scene.bodies.size() == 1) decision.reason = "the only body does not spin and can touch nothing";
+        Sentence{"no body spins at the start, and impulses without friction pass through a sphere's centre"};
+    if (scene.bodies.size() == 1)
+        decision.reason = Sentence{"the only body does not spin and can touch nothing"};
     return decision;
 }
 

@@ -18,11 +18,13 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         if (decision.status != EffectStatus::Absent) continue;
         decision.status = run.method.springs ? EffectStatus::On : EffectStatus::NotSimulatedYet;
         decision.source = placeOf(scene, spring.source, "");
-        decision.reason = "a spring joins " + scene.nameOf(spring.from) + " and " + scene.nameOf(spring.to);
-        if (!run.method.springs) decision.reason += "; it exerts no force";
+        decision.reason =
+            Sentence{"a spring joins %1 and %2", {scene.nameOf(spring.from), scene.nameOf(spring.to)}};
+        if (!run.method.springs) decision.reason.add(Sentence{"it exerts no force"});
     }
     if (decision.status == EffectStatus::Absent)
-        decision.reason = scene.springs.empty() ? "none is declared" : "no spring has an end that can move";
+        decision.reason = scene.springs.empty() ? Sentence{"none is declared"}
+                                                : Sentence{"no spring has an end that can move"};
     return decision;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/scene/scene.h"
 #include "core/solvers/solver.h"
 
@@ -22,7 +23,7 @@ std::optional<SolverObjection> objectionTo(const SolverRow& method, const Scene&
 
 struct MethodChoice {
     const SolverRow* row = nullptr;
-    std::string reason; ///< a clause: why it is this one
+    Sentence reason; ///< a clause: why it is this one
 };
 
 /// `simultaneous`: impacts at one moment act as one.

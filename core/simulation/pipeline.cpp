@@ -47,8 +47,8 @@ std::vector<BodyIndex> bodiesIn(const Scene& scene, const std::vector<Diagnostic
 
 // Which method makes them part, and why `auto` took it.
 void sayMethod(const RunSettings& settings, EffectDecision& collision) {
-    collision.reason += "; method `" + std::string(settings.method->name) + "`";
-    if (!settings.methodReason.empty()) collision.reason += ": " + settings.methodReason;
+    collision.reason.add(Sentence{"method `%1`", {std::string(settings.method->name)}});
+    if (!settings.methodReason.empty()) collision.reason.add(settings.methodReason, ": ");
 }
 
 void turnNone(std::span<const BodyIndex>, double, State&) {}

@@ -83,7 +83,7 @@ void settleMethod(const Scene& scene, const SimulationSettings& options, const S
     Diagnostic error{.code = DiagnosticCode::UnsuitableMethod,
                      .range = objection->place,
                      .message = "method `" + std::string(settings.method->name) +
-                                "` cannot treat this scene: " + objection->reason + "; `" +
+                                "` cannot treat this scene: " + objection->reason.text() + "; `" +
                                 std::string(fallback->name) + "` runs in its place",
                      .notes = {},
                      .fixIt = {}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/base/sentence.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/scene/scene.h"
@@ -26,10 +27,10 @@ struct RunSettings {
     double step = 1.0 / 60; ///< one frame [s]
     int substeps = 1;
     const SolverRow* method = nullptr;
-    std::string methodReason; ///< why `auto` chose it; empty where it was asked for
+    Sentence methodReason; ///< why `auto` chose it; empty where it was asked for
     const IntegratorRow* integrator = nullptr;
     const BroadphaseRow* broadphase = nullptr;
-    std::string broadphaseReason; ///< why `auto` chose it; empty where it was asked for
+    Sentence broadphaseReason; ///< why `auto` chose it; empty where it was asked for
     BoxKind boxes = BoxKind::Tight;
     int iterations = 0;   ///< 0: the method does not iterate
     double tolerance = 0; ///< 0: the method does not iterate

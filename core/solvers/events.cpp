@@ -72,8 +72,9 @@ std::optional<SolverObjection> objection(const Scene& scene) {
     for (const Body& body : scene.bodies) {
         const ShapeKind kind = kindOf(body.shape);
         if (kind != kindOf<Sphere>() && kind != kindOf<Wall>())
-            return SolverObjection{"a " + std::string(nameOf(kind)) + " is neither a sphere nor a wall",
-                                   body.source.type};
+            return SolverObjection{
+                Sentence{"a %1 is neither a sphere nor a wall", {std::string(nameOf(kind))}},
+                body.source.type};
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/held_bytes.h"
+#include "core/base/sentence.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
@@ -139,7 +140,7 @@ class Solver {
 
 /// Why a method cannot treat a scene, and what in the text rules it out.
 struct SolverObjection {
-    std::string reason;
+    Sentence reason;
     SourceRange place;
 };
 

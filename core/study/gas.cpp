@@ -36,7 +36,7 @@ double theory::freeTimeOf(double density, double diameter, double mass, double t
 std::optional<GasObjection> gasObjection(const Pipeline& pipeline) {
     const Scene& scene = pipeline.scene();
     if (const std::optional<SolverObjection> objection = objectionTo(*findSolver("events"), scene))
-        return GasObjection{objection->reason, objection->place};
+        return GasObjection{objection->reason.text(), objection->place};
     std::size_t mobile = 0;
     for (const Body& body : scene.bodies) {
         mobile += body.mobile() ? 1 : 0;

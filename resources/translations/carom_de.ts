@@ -1823,6 +1823,341 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
     </message>
 </context>
 <context>
+    <name>carom::Core</name>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>not simulated yet</source>
+        <translation>noch nicht simuliert</translation>
+    </message>
+    <message>
+        <source>%1: %2 body, too few to be worth sorting</source>
+        <translation>%1: %2 Körper, zu wenige, um sie zu sortieren</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies, too few to be worth sorting</source>
+        <translation>%1: %2 Körper, zu wenige, um sie zu sortieren</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies, of which only %3 can move</source>
+        <translation>%1: %2 Körper, von denen sich nur %3 bewegen können</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies, the wide ones %3 times the narrow ones</source>
+        <translation>%1: %2 Körper, die breiten %3-mal so breit wie die schmalen</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies lying close: %3 overlapping boxes for each</source>
+        <translation>%1: %2 Körper, dicht beieinander: %3 überlappende Quader je Körper</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies of similar size, well apart, few enough for one sweep</source>
+        <translation>%1: %2 Körper ähnlicher Größe mit Abstand, wenige genug für einen einzigen Durchgang</translation>
+    </message>
+    <message>
+        <source>%1: %2 bodies of similar size, well apart</source>
+        <translation>%1: %2 Körper ähnlicher Größe mit Abstand</translation>
+    </message>
+    <message>
+        <source>none is declared</source>
+        <translation>keine Deklaration</translation>
+    </message>
+    <message>
+        <source>its density is 0</source>
+        <translation>ihre Dichte ist 0</translation>
+    </message>
+    <message>
+        <source>nothing that can move has `drag`</source>
+        <translation>nichts, was sich bewegen kann, hat `drag`</translation>
+    </message>
+    <message>
+        <source>air of %1 kg/m³ slows %2, which has drag %3</source>
+        <translation>Luft von %1 kg/m³ bremst %2 mit dem Widerstandsbeiwert %3</translation>
+    </message>
+    <message>
+        <source>it moves as in a vacuum</source>
+        <translation>bewegt wird es wie im Vakuum</translation>
+    </message>
+    <message>
+        <source>no two bodies can meet</source>
+        <translation>keine zwei Körper können sich treffen</translation>
+    </message>
+    <message>
+        <source>the method finds by itself which bodies meet next</source>
+        <translation>das Verfahren findet selbst, welche Körper sich als Nächstes treffen</translation>
+    </message>
+    <message>
+        <source>all pairs are compared, as asked for</source>
+        <translation>alle Paare werden verglichen, wie verlangt</translation>
+    </message>
+    <message>
+        <source>%1: it is asked for</source>
+        <translation>%1: so ist es verlangt</translation>
+    </message>
+    <message>
+        <source>no body can move</source>
+        <translation>kein Körper kann sich bewegen</translation>
+    </message>
+    <message>
+        <source>there is only one body</source>
+        <translation>es gibt nur einen Körper</translation>
+    </message>
+    <message>
+        <source>%1 mobile body among %2 can meet the others</source>
+        <translation>%1 beweglicher Körper von %2 kann die anderen treffen</translation>
+    </message>
+    <message>
+        <source>%1 mobile bodies among %2 can meet the others</source>
+        <translation>%1 bewegliche Körper von %2 können die anderen treffen</translation>
+    </message>
+    <message>
+        <source>no body can pass its half-extent in a substep by the energy there is</source>
+        <translation>mit der vorhandenen Energie kommt kein Körper in einem Teilschritt weiter als seine halbe Ausdehnung</translation>
+    </message>
+    <message>
+        <source>%1 may move %2 m in a substep by the energy there is, more than its half-extent of %3 m</source>
+        <translation>mit der vorhandenen Energie kann %1 in einem Teilschritt %2 m weit kommen, mehr als die halbe Ausdehnung von %3 m</translation>
+    </message>
+    <message>
+        <source>nothing bounds the speed of %1</source>
+        <translation>nichts begrenzt die Geschwindigkeit von %1</translation>
+    </message>
+    <message>
+        <source>impacts are located within the step</source>
+        <translation>Stöße werden im Schritt geortet</translation>
+    </message>
+    <message>
+        <source>impacts are located within the step for the accuracy alone</source>
+        <translation>Stöße werden nur der Genauigkeit wegen im Schritt geortet</translation>
+    </message>
+    <message>
+        <source>the method looks at the ends of substeps only</source>
+        <translation>das Verfahren sieht nur auf die Enden der Teilschritte</translation>
+    </message>
+    <message>
+        <source>the geometric mean of the coefficients is 0 for every pair that can meet</source>
+        <translation>das geometrische Mittel der Beiwerte ist 0 für jedes Paar, das sich treffen kann</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have friction</source>
+        <translation>%1 und %2 haben Reibung</translation>
+    </message>
+    <message>
+        <source>they slide without it</source>
+        <translation>sie gleiten ohne sie</translation>
+    </message>
+    <message>
+        <source>the acceleration is zero</source>
+        <translation>die Beschleunigung ist null</translation>
+    </message>
+    <message>
+        <source>the scene declares %1 m/s²</source>
+        <translation>die Szene gibt %1 m/s² an</translation>
+    </message>
+    <message>
+        <source>the scene declares no `gravity`; without one it is %1 m/s² downwards</source>
+        <translation>die Szene gibt keine `gravity` an; ohne sie sind es %1 m/s² nach unten</translation>
+    </message>
+    <message>
+        <source>no body that can turn has moments of inertia that differ</source>
+        <translation>kein Körper, der sich drehen kann, hat verschiedene Trägheitsmomente</translation>
+    </message>
+    <message>
+        <source>%1 may come to spin askew to its axes</source>
+        <translation>%1 kann sich schräg zu den eigenen Achsen drehen</translation>
+    </message>
+    <message>
+        <source>%1 spins askew to its axes</source>
+        <translation>%1 dreht sich schräg zu den eigenen Achsen</translation>
+    </message>
+    <message>
+        <source>its angular velocity precesses between impacts</source>
+        <translation>die Winkelgeschwindigkeit präzediert zwischen Stößen</translation>
+    </message>
+    <message>
+        <source>its angular velocity is kept constant between collisions, as in the reference</source>
+        <translation>die Winkelgeschwindigkeit bleibt zwischen Stößen gleich, wie im Vorbild</translation>
+    </message>
+    <message>
+        <source>impacts of %1 lose energy, so bodies can come to rest</source>
+        <translation>Stöße von %1 verlieren Energie, also können Körper zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>%1 slows down what it touches, so bodies can come to rest</source>
+        <translation>%1 bremst, was berührt wird, also können Körper zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>%1 slows down what rolls on it, so bodies can come to rest</source>
+        <translation>%1 bremst, was darauf rollt, also können Körper zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>a spring is damped, so bodies can come to rest</source>
+        <translation>eine Feder ist gedämpft, also können Körper zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>no two bodies can meet, so nothing can come to rest on anything</source>
+        <translation>keine zwei Körper können sich treffen, also kann nichts auf etwas zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>every impact is elastic and nothing rubs: nothing can come to rest</source>
+        <translation>jeder Stoß ist elastisch, und nichts reibt: nichts kann zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>they are simulated at full cost</source>
+        <translation>sie werden mit vollem Aufwand simuliert</translation>
+    </message>
+    <message>
+        <source>in every pair that can meet, one body has `elastic 0`</source>
+        <translation>in jedem Paar, das sich treffen kann, hat ein Körper `elastic 0`</translation>
+    </message>
+    <message>
+        <source>%1 and %2 part with %3 times the speed they meet at</source>
+        <translation>%1 und %2 trennen sich mit dem %3-fachen der Geschwindigkeit, mit der sie sich treffen</translation>
+    </message>
+    <message>
+        <source>the lever arm is 0 for every pair that can meet</source>
+        <translation>der Hebelarm ist 0 für jedes Paar, das sich treffen kann</translation>
+    </message>
+    <message>
+        <source>%1 has rolling resistance</source>
+        <translation>%1 hat Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>it rolls without it</source>
+        <translation>gerollt wird ohne ihn</translation>
+    </message>
+    <message>
+        <source>%1 spins from the start</source>
+        <translation>%1 dreht sich von Anfang an</translation>
+    </message>
+    <message>
+        <source>%1 is not a sphere and can be hit beside its centre</source>
+        <translation>%1 ist keine Kugel und kann neben der Mitte getroffen werden</translation>
+    </message>
+    <message>
+        <source>friction can set %1 turning</source>
+        <translation>Reibung kann %1 in Drehung versetzen</translation>
+    </message>
+    <message>
+        <source>what rolls over %1 is held back</source>
+        <translation>was über %1 rollt, wird gebremst</translation>
+    </message>
+    <message>
+        <source>a spring between %1 and %2 pulls beside a centre</source>
+        <translation>eine Feder zwischen %1 und %2 zieht neben einer Mitte</translation>
+    </message>
+    <message>
+        <source>no body spins at the start, and impulses without friction pass through a sphere&apos;s centre</source>
+        <translation>kein Körper dreht sich am Anfang, und Kraftstöße ohne Reibung gehen durch die Mitte einer Kugel</translation>
+    </message>
+    <message>
+        <source>the only body does not spin and can touch nothing</source>
+        <translation>der einzige Körper dreht sich nicht und kann nichts berühren</translation>
+    </message>
+    <message>
+        <source>a spring joins %1 and %2</source>
+        <translation>eine Feder verbindet %1 und %2</translation>
+    </message>
+    <message>
+        <source>it exerts no force</source>
+        <translation>sie übt keine Kraft aus</translation>
+    </message>
+    <message>
+        <source>no spring has an end that can move</source>
+        <translation>keine Feder hat ein Ende, das sich bewegen kann</translation>
+    </message>
+    <message>
+        <source>impacts on %1 lose energy</source>
+        <translation>Stöße auf %1 verlieren Energie</translation>
+    </message>
+    <message>
+        <source>impacts at one moment are to act as one</source>
+        <translation>Stöße im selben Augenblick sollen als einer wirken</translation>
+    </message>
+    <message>
+        <source>method `%1`</source>
+        <translation>Verfahren `%1`</translation>
+    </message>
+    <message>
+        <source>a %1 is neither a sphere nor a wall</source>
+        <translation>%1 ist weder Kugel noch Wand</translation>
+    </message>
+    <message>
+        <source>Air drag</source>
+        <translation>Luftwiderstand</translation>
+    </message>
+    <message>
+        <source>air slows bodies between events</source>
+        <translation>Luft bremst Körper zwischen Ereignissen</translation>
+    </message>
+    <message>
+        <source>Broad-phase</source>
+        <translation>Grobphase</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Zusammenstoß</translation>
+    </message>
+    <message>
+        <source>Continuous collision</source>
+        <translation>Kontinuierliche Kollision</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>friction would turn and slow the bodies it reaches</source>
+        <translation>Reibung würde die Körper, die sie erreicht, drehen und bremsen</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Gyroscopic term</source>
+        <translation>Kreiselterm</translation>
+    </message>
+    <message>
+        <source>Resting</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Restitution</source>
+        <translation>Restitution</translation>
+    </message>
+    <message>
+        <source>Rolling resistance</source>
+        <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>rolling resistance acts between events</source>
+        <translation>Rollwiderstand wirkt zwischen Ereignissen</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>springs bend the path of a body between events</source>
+        <translation>Federn biegen die Bahn eines Körpers zwischen Ereignissen</translation>
+    </message>
+    <message>
+        <source>what moves are smooth spheres, and no impact loses energy</source>
+        <translation>was sich bewegt, sind glatte Kugeln, und kein Stoß verliert Energie</translation>
+    </message>
+</context>
+<context>
     <name>carom::DiagnosticMarks</name>
     <message>
         <source>line %1: %2</source>
@@ -1883,69 +2218,6 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
     <message>
         <source>There is no quick fix for what is at the caret</source>
         <translation>Für das, was am Cursor steht, gibt es keine Schnellkorrektur</translation>
-    </message>
-</context>
-<context>
-    <name>carom::Effects</name>
-    <message>
-        <source>Collision</source>
-        <translation>Zusammenstoß</translation>
-    </message>
-    <message>
-        <source>Friction</source>
-        <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Gyroscopic term</source>
-        <translation>Kreiselterm</translation>
-    </message>
-    <message>
-        <source>Resting</source>
-        <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>Restitution</source>
-        <translation>Restitution</translation>
-    </message>
-    <message>
-        <source>Rolling resistance</source>
-        <translation>Rollwiderstand</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>Springs</source>
-        <translation>Federn</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>an</translation>
-    </message>
-    <message>
-        <source>absent</source>
-        <translation>nicht vorhanden</translation>
-    </message>
-    <message>
-        <source>not simulated yet</source>
-        <translation>noch nicht simuliert</translation>
-    </message>
-    <message>
-        <source>Air drag</source>
-        <translation>Luftwiderstand</translation>
-    </message>
-    <message>
-        <source>Broad-phase</source>
-        <translation>Grobphase</translation>
-    </message>
-    <message>
-        <source>Continuous collision</source>
-        <translation>Kontinuierliche Kollision</translation>
     </message>
 </context>
 <context>

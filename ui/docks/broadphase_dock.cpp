@@ -183,7 +183,7 @@ void BroadphaseDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     const RunSettings& settings = pipeline->settings();
     const QString name = settings.broadphase != nullptr ? textOf(settings.broadphase->title) : tr("none");
     m_algorithm->setItemText(0, tr("As the scene asks (%1)").arg(name));
-    const QString reason = QString::fromStdString(settings.broadphaseReason);
+    const QString reason = sentence(settings.broadphaseReason);
     m_reason->setText(reason.isEmpty() ? tr("The scene names it.") : tr("Chosen: %1").arg(reason));
     m_comparison->setPipeline(std::move(pipeline));
 }

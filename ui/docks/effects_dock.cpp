@@ -18,29 +18,15 @@
 namespace carom {
 namespace {
 
-QString toHtml(std::string_view text) { return textOf(text).toHtmlEscaped(); }
-
-/// Titles and states of core, which speaks English; its reasons name what stands in the text, and stay so.
+/// States of core, which speaks English. packaging/translate takes titles and sentences out of its sources.
 [[maybe_unused]] constexpr const char* wordsOfCore[] = {
-    QT_TRANSLATE_NOOP("carom::Effects", "Air drag"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Broad-phase"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Collision"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Continuous collision"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Friction"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Gravity"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Gyroscopic term"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Resting"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Restitution"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Rolling resistance"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Rotation"),
-    QT_TRANSLATE_NOOP("carom::Effects", "Springs"),
-    QT_TRANSLATE_NOOP("carom::Effects", "on"),
-    QT_TRANSLATE_NOOP("carom::Effects", "absent"),
-    QT_TRANSLATE_NOOP("carom::Effects", "not simulated yet"),
+    QT_TRANSLATE_NOOP("carom::Core", "on"),
+    QT_TRANSLATE_NOOP("carom::Core", "absent"),
+    QT_TRANSLATE_NOOP("carom::Core", "not simulated yet"),
 };
 
 QString translatedHtml(std::string_view text) {
-    return QCoreApplication::translate("carom::Effects", std::string(text).c_str()).toHtmlEscaped();
+    return QCoreApplication::translate("carom::Core", std::string(text).c_str()).toHtmlEscaped();
 }
 
 QColor colourOf(EffectStatus status, const Theme& theme) {
@@ -117,7 +103,7 @@ QString EffectsDock::entry(const EffectDecision& decision, std::size_t number) c
                        "<span style='color:%3'>%4</span><br><span style='color:%5'>%6</span>")
             .arg(titleColour.name(), translatedHtml(row != nullptr ? row->title : decision.effect),
                  colourOf(decision.status, m_theme).name(), translatedHtml(nameOf(decision.status)),
-                 m_theme.mutedText.name(), toHtml(decision.reason));
+                 m_theme.mutedText.name(), sentences(decision.reason).toHtmlEscaped());
     if (decision.source) {
         const std::uint32_t line = m_result->build.analysis.positionOf(decision.source->offset).line;
         html += QStringLiteral(" <a style='color:%1;text-decoration:none' href='%2'>%3</a>")

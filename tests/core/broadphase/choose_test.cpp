@@ -22,8 +22,8 @@ void verifyChoice(const MovingBoxes& scene, const char* name, const char* becaus
     const BroadphaseChoice choice = chooseBroadphase(scene.input());
     QVERIFY(choice.row != nullptr);
     QCOMPARE(choice.row->name, name);
-    QVERIFY2(choice.reason.starts_with(std::string(name) + ": "), choice.reason.c_str());
-    QVERIFY2(choice.reason.find(because) != std::string::npos, choice.reason.c_str());
+    QVERIFY2(choice.reason.text().starts_with(std::string(name) + ": "), choice.reason.text().c_str());
+    QVERIFY2(choice.reason.text().find(because) != std::string::npos, choice.reason.text().c_str());
 }
 
 } // namespace

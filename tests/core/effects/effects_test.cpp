@@ -208,10 +208,10 @@ class EffectsTest : public QObject {
         const RunFacts asked{.broadphase = "uniform_grid"};
         QCOMPARE(q(nameOf(row.decide(scene, asked).status)), QStringLiteral("on"));
         QVERIFY(row.decide(scene, asked).source.has_value());
-        const EffectDecision few =
-            row.decide(scene, {.broadphase = "all_pairs", .broadphaseReason = "all_pairs: 2 bodies"});
+        const EffectDecision few = row.decide(
+            scene, {.broadphase = "all_pairs", .broadphaseReason = Sentence{"%1: 2 bodies", {"all_pairs"}}});
         QCOMPARE(q(nameOf(few.status)), QStringLiteral("absent"));
-        QCOMPARE(q(few.reason), QStringLiteral("all_pairs: 2 bodies"));
+        QCOMPARE(q(few.reason.text()), QStringLiteral("all_pairs: 2 bodies"));
         QCOMPARE(q(nameOf(row.decide(scene, {.method = {.ownPairs = true}, .broadphase = "sweep"}).status)),
                  QStringLiteral("absent"));
     }
@@ -226,7 +226,7 @@ class EffectsTest : public QObject {
 
     void aReasonNamesTheBodyByItsLabel() {
         const Analysis analysis = analyse("sphere cue { radius 1 mass 1 centre 0, 0, 0 angvel 0, 1, 0 }");
-        QCOMPARE(q(findEffect("rotation")->decide(analysis.scene, {}).reason),
+        QCOMPARE(q(findEffect("rotation")->decide(analysis.scene, {}).reason.text()),
                  QStringLiteral("`cue` spins from the start"));
     }
 };

@@ -68,14 +68,14 @@ class MethodChoiceTest : public QObject {
         const Build built = build(gas + more.toStdString());
         const RunSettings& settings = built.pipeline->settings();
         QCOMPARE(QString::fromStdString(std::string(settings.method->name)), method);
-        QVERIFY2(QString::fromStdString(settings.methodReason).contains(reason),
-                 settings.methodReason.c_str());
+        QVERIFY2(QString::fromStdString(settings.methodReason.text()).contains(reason),
+                 settings.methodReason.text().c_str());
         // The report of effects says it, too.
         for (const EffectDecision& decision : built.pipeline->effects())
             if (decision.effect == "collision")
-                QVERIFY2(decision.reason.find("`" + method.toStdString() + "`: " + settings.methodReason) !=
-                             std::string::npos,
-                         decision.reason.c_str());
+                QVERIFY2(decision.reason.text().find("`" + method.toStdString() + "`: " +
+                                                     settings.methodReason.text()) != std::string::npos,
+                         decision.reason.text().c_str());
     }
 
     void aMethodThatIsNamedHasNoReason() {
@@ -88,7 +88,7 @@ class MethodChoiceTest : public QObject {
     void aSceneInWhichNothingMovesRunsByContacts() {
         const RunSettings settings = settingsOf("wall { normal 0, 1, 0 toOrig 0 }");
         QCOMPARE(settings.method->name, std::string_view("contacts"));
-        QCOMPARE(settings.methodReason, std::string("no body can move"));
+        QCOMPARE(settings.methodReason.text(), std::string("no body can move"));
     }
 
     // Two, ninety-nine, a hundred and one: the same method; and the same bits with a fixed ball far away.

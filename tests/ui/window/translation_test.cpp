@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
 #include "core/effects/effect.h"
 #include "core/integrators/integrator.h"
+#include "core/simulation/build.h"
 #include "core/solvers/solver.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/widgets/text_of.h"
@@ -123,6 +125,31 @@ class TranslationTest : public QObject {
             QVERIFY2(row.title == "Rotation" || row.title == "Restitution" ||
                          !text.contains(textOf(row.title)),
                      qPrintable(text));
+    }
+
+    // Whatever an effect says of a scene, under every method.
+    void theReasonsOfEffectsAreGerman_data() {
+        QTest::addColumn<QString>("text");
+        for (const QString& path : shippedScenes())
+            QTest::newRow(qPrintable(path)) << QString::fromStdString(textOfScene(path));
+    }
+    void theReasonsOfEffectsAreGerman() {
+        QFETCH(QString, text);
+        installTranslation(*qApp, QStringLiteral("de"));
+        const Scene scene = build(text.toStdString()).pipeline->scene();
+        for (const SolverRow& method : solvers()) {
+            SimulationSettings options;
+            options.method = std::string(method.name);
+            const Pipeline pipeline(scene, options);
+            for (const EffectDecision& decision : pipeline.effects())
+                for (const Reason::Part& part : decision.reason.parts()) {
+                    const QString english = QString::fromStdString(part.sentence.text());
+                    QVERIFY2(sentence(part.sentence) != english, qPrintable(english));
+                    for (const std::string& value : part.sentence.values)
+                        QVERIFY2(sentence(part.sentence).contains(QString::fromStdString(value)),
+                                 qPrintable(english));
+                }
+        }
     }
 
     void noTranslationLosesAPlaceThatIsFilledIn() {

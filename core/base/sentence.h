@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// What is said in words by core and shown by front ends in other languages as well: the words apart from the
+// names and figures in them.
+
+namespace carom {
+
+/// The English words, which last as long as the program, with %1, %2, ... where the values go.
+struct Sentence {
+    std::string_view pattern = {};
+    std::vector<std::string> values = {};
+
+    bool empty() const { return pattern.empty(); }
+    std::string text() const;
+    bool operator==(const Sentence&) const = default;
+};
+
+/// Sentences one behind the other.
+class Reason {
+  public:
+    struct Part {
+        std::string_view joint; ///< before it, but for the first
+        Sentence sentence;
+    };
+
+    Reason() = default;
+    Reason(Sentence first) { add(std::move(first)); }
+
+    void add(Sentence sentence, std::string_view joint = "; ");
+    const std::vector<Part>& parts() const { return m_parts; }
+    bool empty() const { return m_parts.empty(); }
+    std::string text() const;
+
+  private:
+    std::vector<Part> m_parts;
+};
+
+} // namespace carom
