@@ -389,7 +389,10 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
 void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     for (const Refinement::Choice& spent : m_crew.spent())
         m_refinement.spend(m_islands[spent.island], spent.budget);
-    for (const std::uint32_t island : m_crew.finished()) m_refinement.succeeded(m_islands[island]);
+    for (const std::uint32_t island : m_crew.finished()) {
+        m_refinement.succeeded(m_islands[island]);
+        m_found.removeManifolds(m_islands[island].pairs);
+    }
     m_work.unfinished = m_base.islands() + m_brief.islands() + m_crew.unfinished().size();
     for (BasePath* path : {&m_base, &m_brief})
         if (!path->isEmpty() && !report.loss)
@@ -419,6 +422,7 @@ void Contacts::take(const SteppedReport& stepped, SolverReport& report) {
 
 void Contacts::stepIsland(const SolverInput& input, const Island& island, double duration,
                           SolverReport& report) {
+    if (duration < input.substep) m_found.updateManifolds(here(input), island.pairs, m_work);
     m_found.makeManifolds(here(input), island.pairs, m_work);
     Manifolds& manifolds = m_found.manifolds();
     ContactCount count;

@@ -44,13 +44,21 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         const bool locating = events < most;
         m_rattles = 2 * events > most;
         m_left = left;
-        part(input, island);
-        loadBodies(input, island);
-        // What is not finished has not happened.
+        // What is not finished has not happened: bodies that are parted again and again, and sink again on
+        // the base path in between, would never come to rest.
         const Ledger booked = input.ledger != nullptr ? *input.ledger : Ledger{};
+        m_unparted.clear();
+        for (const BodyIndex i : island.bodies)
+            m_unparted.push_back({input.state.pose[i], input.state.velocity[i]});
         const auto giveUp = [&] {
+            for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+                input.state.pose[island.bodies[k]] = m_unparted[k].pose;
+                input.state.velocity[island.bodies[k]] = m_unparted[k].velocity;
+            }
             if (input.ledger != nullptr) *input.ledger = booked;
         };
+        part(input, island);
+        loadBodies(input, island);
         impacts(input, left, locating);
         if (remaining(input) <= 0) return giveUp();
         double duration = left;

@@ -177,10 +177,15 @@ class IslandMotion {
     ContactRow rowOf(const Bodies& bodies, const ContactPair& pair, const ContactConstraint& point) const;
     int localOf(BodyIndex body) const { return m_local[body]; }
 
-    double m_work = 0;                    // operations in this substep
-    double m_left = 0;                    // of the substep [s]
-    double m_residual = 0;                // of the last solve [m/s]
-    double m_overlap = 0;                 // the deepest in this substep, relative to the smaller body
+    double m_work = 0;     // operations in this substep
+    double m_left = 0;     // of the substep [s]
+    double m_residual = 0; // of the last solve [m/s]
+    double m_overlap = 0;  // the deepest in this substep, relative to the smaller body
+    struct Unparted {
+        Pose pose;
+        Vec3 velocity;
+    };
+    std::vector<Unparted> m_unparted;     // by body of the island: as it was before overlaps were parted
     bool m_parted = false;                // in this substep
     bool m_unsolved = false;              // the forces of this part were not found
     bool m_rattles = false;               // most of the events of this substep are used up

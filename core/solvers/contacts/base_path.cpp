@@ -6,7 +6,7 @@
 namespace carom {
 namespace {
 
-/// Islands of so few contact points are swept there and back, in steps of half the length.
+/// Islands of so few contact points are swept twice, in steps of half the length.
 constexpr std::size_t fewPoints = 192;
 /// Balls with more than so many take one step a look: their contacts turn with them.
 constexpr std::size_t manyPoints = 4 * fewPoints;

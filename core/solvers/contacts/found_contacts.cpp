@@ -5,6 +5,7 @@
 #include "core/dynamics/contact_memory.h"
 
 #include <limits>
+#include <utility>
 
 namespace carom {
 
@@ -105,8 +106,6 @@ void FoundContacts::makeExact(const ManifoldInput& here, std::span<const std::ui
         if (m_place[index] != Manifolds::none) {
             m_scratch.clear();
             appendTo(m_scratch, here, m_found.pairs[index], m_manifolds[m_place[index]]);
-            m_manifolds.remove(m_place[index]);
-            m_place[index] = Manifolds::none;
             m_memory[index] = m_scratch.points;
         } else if (m_isPending[index] == 0) {
             continue;
@@ -127,6 +126,20 @@ void FoundContacts::makeManifolds(const ManifoldInput& here, std::span<const std
         updateManifold(here, pair.margin, manifold);
         m_place[index] = m_manifolds.add(manifold);
     }
+}
+
+void FoundContacts::updateManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs,
+                                    WorkCounters& work) {
+    for (const std::uint32_t index : pairs)
+        if (m_place[index] != Manifolds::none)
+            work.pairsCollided +=
+                updateManifold(here, m_found.pairs[index].margin, m_manifolds[m_place[index]]) ? 1 : 0;
+}
+
+void FoundContacts::removeManifolds(std::span<const std::uint32_t> pairs) {
+    for (const std::uint32_t index : pairs)
+        if (m_place[index] != Manifolds::none)
+            m_manifolds.remove(std::exchange(m_place[index], Manifolds::none));
 }
 
 // Found and apart, ascending.

@@ -44,10 +44,15 @@ class FoundContacts {
     const Manifolds& manifolds() const { return m_manifolds; }
     void recall(const Manifolds& manifolds) { m_manifolds = manifolds; }
 
-    /// Some of the pairs, with points where they are now, found by the exact kernels.
+    /// Some of the pairs, with points where they are now, found by the exact kernels. Manifolds that they had
+    /// stay beside, for whom is left unfinished.
     void makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
     /// Some of the pairs, with manifolds.
     void makeManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
+    /// Brings those that some of the pairs have up to the present poses.
+    void updateManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
+    /// Some of the pairs go on without.
+    void removeManifolds(std::span<const std::uint32_t> pairs);
     /// The manifold of a pair, if it has one.
     std::uint32_t placeOf(std::uint32_t pair) const { return m_place[pair]; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/manifolds.h"
 
+#include "core/base/assert.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
@@ -76,8 +77,95 @@ void reduce(Manifold& manifold) {
         if (k == 0 || chosen[k] != chosen[k - 1]) manifold.add(points[chosen[k]]);
 }
 
-// Forces of old points to the new ones nearest to them.
-void inherit(const PersistentManifold& old, double within, PersistentManifold& fresh) {
+/// Passes of shareOut. The error of a square of points falls to a hundredth in four.
+constexpr int sharePasses = 8;
+/// Points belong to the same contact where the middle of all has moved by no more than this part of the size.
+constexpr double sameContactWithin = 0.5;
+
+using Point = PersistentManifold::Point;
+
+std::span<Point> pointsOf(PersistentManifold& manifold) {
+    return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
+}
+std::span<const Point> pointsOf(const PersistentManifold& manifold) {
+    return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
+}
+
+Vec3 middleOf(std::span<const Point> points) {
+    Vec3 sum = Vec3::Zero();
+    for (const Point& point : points) sum += point.onB;
+    return sum / static_cast<double>(points.size());
+}
+
+// What old points bore and no new one has taken over: the new ones share it so that the pair's force and its
+// moment stay what they were, by projected Gauss–Seidel on
+//
+//     Σ fₖ = N      Σ fₖ yₖ = M₁      Σ fₖ zₖ = M₂      fₖ ≥ 0
+//
+//     legend   fₖ  normal force of a new point      yₖ, zₖ  its place across the normal, in the frame of B
+//
+// Friction goes with the normal forces. Points change where edges line up or more than four cover each other;
+// a heap in which forces went with them would never come to rest.
+void shareOut(std::span<const Point> old, const Vec3& normal, const Tangents& across, double size,
+              std::span<Point> fresh) {
+    const Vec3 middle = middleOf(fresh);
+    if (!((middleOf(old) - middle).norm() <= sameContactWithin * size)) return;
+    const auto columnOf = [&](const Point& point) -> Vec3 {
+        const Vec3 arm = (point.onB - middle) / size;
+        return {1, across.first.dot(arm), across.second.dot(arm)};
+    };
+    Vec3 missing = Vec3::Zero(), force = Vec3::Zero(); // N, M₁, M₂; world [N]
+    for (const Point& point : old) {
+        missing += point.force.dot(normal) * columnOf(point);
+        force += point.force;
+    }
+    std::array<Vec3, manifoldPoints> columns;
+    std::array<double, manifoldPoints> bears{};
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+        columns[k] = columnOf(fresh[k]);
+        bears[k] = fresh[k].force.dot(normal);
+        missing -= bears[k] * columns[k];
+    }
+    for (int pass = 0; pass < sharePasses; ++pass)
+        for (std::size_t k = 0; k < fresh.size(); ++k) {
+            const double now = std::max(0.0, bears[k] + columns[k].dot(missing) / columns[k].squaredNorm());
+            missing -= (now - bears[k]) * columns[k];
+            bears[k] = now;
+        }
+    double sum = 0;
+    for (const double normalForce : bears) sum += normalForce;
+    if (!(sum > 0)) return;
+    const Vec3 friction = force - force.dot(normal) * normal;
+    for (std::size_t k = 0; k < fresh.size(); ++k)
+        fresh[k].force = bears[k] * normal + bears[k] / sum * friction;
+}
+
+/// The same for a contact of `pair`, whose places on B are in the frame of B, or in the world on a wall.
+void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
+              std::span<Point> fresh) {
+    Tangents across = tangentsOf(normal);
+    if (!isWall(input.bodies.shape[pair.b])) {
+        const Pose& pose = input.state.pose[pair.b];
+        across = {pose.directionToBody(across.first), pose.directionToBody(across.second)};
+    }
+    shareOut(old, normal, across, sizeOf(input.bodies, pair), fresh);
+}
+
+// Opposite points are solved one after the other: a stack rocks less than where neighbours are
+// (velocity_solve.h).
+void putOppositesFirst(Manifold& manifold) {
+    if (manifold.count < 3) return;
+    std::size_t furthest = 1;
+    const auto distanceOf = [&](std::size_t k) {
+        return (manifold.points[k].onB - manifold.points[0].onB).squaredNorm();
+    };
+    for (std::size_t k = 2; k < static_cast<std::size_t>(manifold.count); ++k)
+        if (distanceOf(k) > distanceOf(furthest)) furthest = k;
+    std::swap(manifold.points[1], manifold.points[furthest]);
+}
+
+// Forces of old points to the new ones nearest to them. False if some of them found none.
+bool inherit(const PersistentManifold& old, double within, PersistentManifold& fresh) {
     std::array<bool, manifoldPoints> taken{};
     for (int i = 0; i < fresh.count; ++i) {
         PersistentManifold::Point& point = fresh.points[static_cast<std::size_t>(i)];
@@ -95,6 +183,9 @@ void inherit(const PersistentManifold& old, double within, PersistentManifold& f
         taken[best] = true;
         point.force = old.points[best].force;
     }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k)
+        if (!taken[k] && old.points[k].force != Vec3::Zero()) return false;
+    return true;
 }
 
 /// Where two spheres will be when they meet within the substep, or when they are nearest.
@@ -155,6 +246,7 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
         collide(shapeA, shapeB, margin, found);
     }
     reduce(found);
+    putOppositesFirst(found);
     manifold.count = found.count;
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
     manifold.position = now.position;
@@ -189,7 +281,8 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
         manifold.points[k].onB = poseB.toBody(found.points[k].onB);
         manifold.points[k].force.setZero();
     }
-    inherit(old, sameWithin * size, manifold);
+    if (!inherit(old, sameWithin * size, manifold))
+        shareOut(input, pair, pointsOf(old), found.normal, pointsOf(manifold));
 }
 
 // Whether the balls about two bodies show that these cannot touch within the substep: then the manifold is
@@ -331,14 +424,21 @@ PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pai
     manifold.position = Vec3::Constant(std::numeric_limits<double>::infinity());
     const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
     const bool movesB = input.bodies.mobile[pair.b] != 0;
-    for (const ContactConstraint& from : points) {
-        if (manifold.count == static_cast<int>(manifoldPoints)) break;
-        PersistentManifold::Point& to = manifold.points[static_cast<std::size_t>(manifold.count++)];
+    std::array<Point, Manifold::capacity> all;
+    ASSERT(points.size() <= all.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const ContactConstraint& from = points[k];
         const Vec3 point = movesB ? Vec3(poseB.position + from.armB) : Vec3(poseA.position + from.armA);
-        to.onA = manifold.round ? Vec3(point - poseA.position) : poseA.toBody(point);
-        to.onB = manifold.round ? Vec3(point - poseB.position) : poseB.toBody(point);
-        to.force = from.frame.transpose() * from.force;
+        all[k].onA = manifold.round ? Vec3(point - poseA.position) : poseA.toBody(point);
+        all[k].onB = manifold.round ? Vec3(point - poseB.position) : poseB.toBody(point);
+        all[k].force = from.frame.transpose() * from.force;
     }
+    const std::size_t kept = std::min(points.size(), manifoldPoints);
+    std::copy_n(all.begin(), kept, manifold.points.begin());
+    manifold.count = static_cast<int>(kept);
+    if (points.size() > kept)
+        shareOut(input, manifold.pair, std::span(all).first(points.size()),
+                 points.front().frame.row(0).transpose(), pointsOf(manifold));
     return manifold;
 }
 

@@ -21,6 +21,17 @@ constexpr int mostRounds = 4;
 /// The body that cannot move.
 constexpr std::uint32_t immobile = 0;
 
+/// Passes go through the contacts backwards: bodies are numbered from the ground up
+/// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
+constexpr bool fromTop = true;
+
+/// Balls do not sway on faces: their contacts may be harder (velocity_solve.h).
+StepSettings forBalls(StepSettings settings) {
+    settings.hardness = 0.54;
+    settings.damping = 60;
+    return settings;
+}
+
 void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
     const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
     carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
@@ -257,9 +268,9 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
 // Passes with feedback.
 void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
-        const bool back = pass % 2 != 0;
-        m_balls.solve(m_bodies, m_moved, settings, back);
-        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings, back);
+        m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop);
+        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings,
+                        fromTop);
         resistRolling(m_rows, m_bodies);
         solveSprings(m_springs, m_bodies);
     }
@@ -294,9 +305,8 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     move(input, duration);
     report.work.rowsSwept += points(); // the warm start
     for (int pass = 0; pass < m_division.passes; ++pass) {
-        const bool back = pass % 2 != 0;
-        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, back);
-        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, m_moved, settings, back));
+        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop);
+        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, m_moved, settings, fromTop));
         resistRolling(m_rows, m_bodies);
         solveSprings(m_springs, m_bodies);
         report.work.rowsSwept += points();

@@ -116,8 +116,6 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
-// A pass goes through the groups there or back: what comes from above reaches the ground in the one, and what
-// the ground answers the top in the other.
 CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
     switch (pass) {
     case Pass::Relax:

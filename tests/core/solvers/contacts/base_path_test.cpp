@@ -387,6 +387,30 @@ class BasePathTest : public QObject {
         }
     }
 
+    // The mode in which a stack sways is the slowest to be solved, and the first that feedback makes grow:
+    // with contacts twice as hard, or passes that go there and back, these do (the head comment of
+    // velocity_solve.h).
+    void aStackThatSwaysComesToRest() {
+        for (const int count : {4, 6, 8}) {
+            Entered entered(stackOf(count));
+            for (int n = 0; n < 240; ++n) entered.step();
+            for (int k = 1; k <= count; ++k) {
+                const auto body = static_cast<std::size_t>(k);
+                entered.state.velocity[body] += 1e-4 * k * k * Vec3(1, 0, 0.7);
+            }
+            entered.leave();
+            const auto fastest = [&] {
+                double most = 0;
+                for (const Vec3& velocity : entered.state.velocity) most = std::max(most, velocity.norm());
+                return most;
+            };
+            const double before = fastest();
+            for (int n = 0; n < 480; ++n) entered.step();
+            qInfo("%d cubes: %.2g m/s, two seconds later %.2g", count, before, fastest());
+            QVERIFY(fastest() < 0.2 * before);
+        }
+    }
+
     void aHeapOfBallsLeavesAndEntersAgainWithItsForces() {
         Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
         for (int k = 0; k < 3; ++k)

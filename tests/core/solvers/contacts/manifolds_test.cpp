@@ -285,6 +285,45 @@ class ManifoldsTest : public QObject {
         QVERIFY(compared - chosen > 100);
     }
 
+    // Two faces cover each other in eight corners, of which four are taken; others after a little turn.
+    void forcesOfPointsThatAreGoneAreSharedByTheOthers() {
+        Random random(test::seed, 8);
+        int changed = 0;
+        double worst = 0;
+        for (int trial = 0; trial < 200; ++trial) {
+            Two two(cuboid({1, 1, 1}, 1, {0, 0.5, 0}),
+                    turnedBy(cuboid({1, 1, 1}, 2, {0, 1.5, 0}),
+                             Vec3(0, 0.7 + 0.1 * random.uniform(-1, 1), 0) + uniformIn(random, 0.001)));
+            two.update();
+            for (PersistentManifold::Point& point : two.manifold.points)
+                point.force = Vec3(0.1, random.uniform(0.5, 2), 0.2);
+            const auto momentOf = [&](const PersistentManifold& manifold) {
+                Vec3 sum = Vec3::Zero();
+                for (int k = 0; k < manifold.count; ++k) {
+                    const PersistentManifold::Point& point = manifold.points[static_cast<std::size_t>(k)];
+                    sum +=
+                        two.state.pose[1].directionToWorld(point.onB).cross(point.force.y() * Vec3::UnitY());
+                }
+                return sum;
+            };
+            const PersistentManifold old = two.manifold;
+            const Vec3 force = totalForce(old), moment = momentOf(old);
+            two.moveBy(1, Vec3::Zero(), uniformIn(random, 0.004));
+            if (!two.update() || two.manifold.count != 4) continue;
+            bool isSame = true;
+            for (int k = 0; k < 4; ++k) {
+                const auto at = static_cast<std::size_t>(k);
+                isSame = isSame && (two.manifold.points[at].onB - old.points[at].onB).norm() < 0.05;
+            }
+            changed += isSame ? 0 : 1;
+            worst = std::max({worst, (totalForce(two.manifold) - force).norm() / force.norm(),
+                              (momentOf(two.manifold) - moment).norm() / force.norm()});
+        }
+        qInfo("%d changed their points; force and moment by at most %.2g", changed, worst);
+        QVERIFY(changed > 20);
+        QVERIFY(worst < 0.02);
+    }
+
     void pointsElsewhereBeginWithoutForce() {
         Random random(test::seed, 6);
         Two two(cuboid({1, 1, 1}, 1, {0, 0.5, 0}), cuboid({0.1, 0.1, 0.1}, 1, {-0.4, 1.05, 0}));
