@@ -88,6 +88,7 @@ class Contacts final : public Solver {
 
         std::size_t bytes() const { return heldBytes(contacts, resting, manifolds, base, refinement, calm); }
     };
+    SolverReport rest(const SolverInput& input);
     void findMembers(const SolverInput& input);
     bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
@@ -166,7 +167,20 @@ class Contacts final : public Solver {
     WorkCounters m_work; // of this substep
 };
 
+// A later part of a frame in which everything rests: nothing gives anybody a velocity until it ends.
+SolverReport Contacts::rest(const SolverInput& input) {
+    SolverReport report;
+    report.resting = m_resting.bodies().size();
+    report.contacts = m_resting.contacts().pairs.size();
+    report.maxPenetration = m_resting.deepest();
+    if (input.ledger != nullptr) m_resting.book(input.bodies, input.gravity, input.substep, *input.ledger);
+    m_work = {};
+    m_refinement.pay(0, baseOperations());
+    return report;
+}
+
 SolverReport Contacts::advance(const SolverInput& input) {
+    if (input.part > 0 && m_members.empty()) return rest(input);
     SolverReport report;
     Stopwatch watch;
     const std::uint64_t searches = m_neighbours.searches();
