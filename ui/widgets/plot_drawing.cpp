@@ -272,7 +272,9 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         if (level.alwaysShown && (share > 1 || share < 0)) { // far away: an arrow shows where
             label->setText((share > 1 ? QStringLiteral("\u2191 ") : QStringLiteral("\u2193 ")) + level.label);
             label->position->setType(QCPItemPosition::ptAxisRectRatio);
-            label->position->setCoords(0.01, share > 1 ? 0.01 : 0.99);
+            // On the right, where the dearest settings are not.
+            label->setPositionAlignment(Qt::AlignRight | (below ? Qt::AlignTop : Qt::AlignBottom));
+            label->position->setCoords(0.99, share > 1 ? 0.01 : 0.99);
             continue;
         }
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
