@@ -62,8 +62,8 @@ struct AccuracyPoint {
     std::string reason{}; ///< of a status beyond Measured
     ErrorNorms errors{};
     Steadiness energy{}; ///< relative to a scale that cannot vanish (run_course.h)
-    /// How far the energy was from its course in the reference solution, beyond what that scatters itself,
-    /// relative to the same scale; where the reference solution has one.
+    /// How far the energy was from its course in the reference solution, relative to the same scale; where
+    /// the reference solution has one.
     std::optional<double> energyOff{};
     double momentumChange = 0; ///< relative, of scenes without gravity, walls and ends in the world; else 0
     double penetration = 0;    ///< the largest overlap, relative to half the thinnest mobile body

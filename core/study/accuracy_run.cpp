@@ -45,8 +45,7 @@ void fillIn(const AccuracyRun& run, const RunCourse& course, const World& world,
     const ReferenceSolution& reference = *run.study.reference;
     point.energy = course.energy();
     if (!reference.energy.empty())
-        point.energyOff = std::max(0.0, distanceOf(course.frames(), reference.energy, reference.energyScale) -
-                                            reference.energyScatter);
+        point.energyOff = distanceOf(course.frames(), reference.energy, reference.energyScale);
     point.momentumChange = course.momentumChange(world);
     point.penetration = course.overlap();
     point.residual = course.residual();

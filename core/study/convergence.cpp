@@ -81,7 +81,8 @@ const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error) {
 }
 
 const AccuracyPoint* recommended(const AccuracyStudy& study) {
-    if (const AccuracyPoint* best = cheapestWithin(study, study.plan.target)) return best;
+    const double enough = std::max(study.plan.target, equalErrorsOf(study));
+    if (const AccuracyPoint* best = cheapestWithin(study, enough)) return best;
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
     return front.empty() ? nullptr : front.front();
 }
@@ -97,9 +98,7 @@ namespace {
 /// The cheapest setting that is no worse than the scene's own: errors below the reference solution's own are
 /// equal.
 const AccuracyPoint* cheapestNoWorse(const AccuracyStudy& study, const AccuracyPoint& own) {
-    constexpr double resolutionByError = 100; // of trajectories: AccuracyStudy::resolution
-    const double least = std::max(leastError, study.resolution() / resolutionByError);
-    const AccuracyPoint* best = cheapestWithin(study, std::max(study.errorOf(own), least));
+    const AccuracyPoint* best = cheapestWithin(study, std::max(study.errorOf(own), equalErrorsOf(study)));
     return best != nullptr && best->cost() < own.cost() ? best : nullptr;
 }
 
@@ -167,8 +166,11 @@ std::string recommendation(const AccuracyStudy& study) {
     const AccuracyPoint* best = recommended(study);
     if (best == nullptr) return "Nothing can be recommended: no setting ran with its invariants whole.";
     std::string text(study.measure->noun);
-    if (study.errorOf(*best) <= study.plan.target)
+    const double equal = equalErrorsOf(study);
+    if (study.errorOf(*best) <= study.plan.target && equal <= study.plan.target)
         text += " below " + figure(study.plan.target);
+    else if (study.errorOf(*best) <= equal)
+        text += " below " + figure(equal, 2) + ", what chance makes of it here,";
     else
         text += " below " + figure(study.plan.target) + " was reached by no setting; the least, " +
                 figure(study.errorOf(*best)) + ",";

@@ -143,8 +143,7 @@ bool measureEngine(const AccuracyRun& run, AccuracyPoint& point, std::vector<std
     point.errors = meter.norms();
     point.energy = course.energy();
     if (!reference.energy.empty())
-        point.energyOff = std::max(0.0, distanceOf(course.frames(), reference.energy, reference.energyScale) -
-                                            reference.energyScatter);
+        point.energyOff = distanceOf(course.frames(), reference.energy, reference.energyScale);
     if (reference.outcome)
         point.outcome = differenceOf(course.outcome(pipeline, last), *reference.outcome, reference.size,
                                      run.study.duration);

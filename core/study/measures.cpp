@@ -60,6 +60,11 @@ std::optional<double> energyError(const AccuracyPoint& point, const AccuracyStud
     return study.conservative ? point.energy.worst : std::max(point.energy.gain, point.energyOff.value_or(0));
 }
 
+/// What the runs of the reference solution differ by among themselves is chance.
+double energyResolution(const AccuracyStudy& study) {
+    return study.conservative || !study.reference ? 0 : study.reference->energyScatter;
+}
+
 std::optional<double> overlapError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
     if (!point.setting.engine.empty()) return std::nullopt; // it does not tell
     return point.penetration;
@@ -90,28 +95,28 @@ std::span<const MeasureRow> measures() {
         MeasureRow{"trajectory", "Error", "error: distance by scene size, or angle in rad",
                    "The largest distance from the reference solution, relative to the scene's size, or the "
                    "largest angle in rad; of each body as long as it can be followed.",
-                   trajectoryError, trajectoryResolution, trajectoryObjection},
+                   trajectoryError, trajectoryResolution, 0.01, trajectoryObjection},
         MeasureRow{"impacts", "Error of impacts", "impacts: missed, or time off by duration",
                    "The part of the impacts that is missed, or how much too early or late the others come, "
                    "relative to the duration.",
-                   impactError, noResolution, impactObjection},
+                   impactError, noResolution, 1, impactObjection},
         MeasureRow{"energy", "Error of energy", "error of energy, relative to what is exchanged",
                    "How far the energy is off, up or down: from its start in a scene that loses none, else "
                    "from its course in the reference solution as far as that is certain; relative to the "
                    "largest exchanged in the run, at least to a thousandth of weight times size.",
-                   energyError, noResolution, noObjection},
+                   energyError, energyResolution, 1, noObjection},
         MeasureRow{"overlap", "Largest overlap", "largest overlap by half thickness",
                    "The deepest overlap of two bodies, relative to half the thickness of the thinnest.",
-                   overlapError, noResolution, noObjection},
+                   overlapError, noResolution, 1, noObjection},
         MeasureRow{
             "residual", "Residual", "residual of contacts, relative",
             "How far the worst contact problem was from solved, relative to the speed that the largest "
             "energy exchanged would give all bodies.",
-            residualError, noResolution, noObjection},
+            residualError, noResolution, 1, noObjection},
         MeasureRow{"rest", "Error at the end", "what is left at the end: deviation",
                    "What is left at the end: height and centre of mass relative to the scene's size, time to "
                    "rest relative to the duration, energy lost relative to the largest exchanged.",
-                   restError, restResolution, restObjection},
+                   restError, restResolution, 1, restObjection},
     };
     return rows;
 }
@@ -160,5 +165,9 @@ double AccuracyStudy::errorOf(const AccuracyPoint& point) const {
 }
 
 double AccuracyStudy::resolution() const { return measure->resolution(*this); }
+
+double equalErrorsOf(const AccuracyStudy& study) {
+    return std::max(rounding, study.measure->equalBelow * study.resolution());
+}
 
 } // namespace carom

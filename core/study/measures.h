@@ -22,11 +22,16 @@ struct MeasureRow {
     std::optional<double> (*value)(const AccuracyPoint& point, const AccuracyStudy& study) = nullptr;
     /// What can be told from none.
     double (*resolution)(const AccuracyStudy& study) = nullptr;
+    /// The part of that below which errors are equal: the reference solution's own error, or chance.
+    double equalBelow = 1;
     /// A clause, why it says nothing of the scene whatever the settings do; empty: it may.
     std::string (*objection)(const AccuracyStudy& study) = nullptr;
 };
 
 std::span<const MeasureRow> measures();
+
+/// Errors of the study up to this are equal, as far as it can tell.
+double equalErrorsOf(const AccuracyStudy& study);
 const MeasureRow* findMeasure(std::string_view name);
 
 /// Why the measure says nothing of the study as far as it is, a clause; empty: it does.
