@@ -530,6 +530,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>stopped after %1 s</source>
         <translation>nach %1 s angehalten</translation>
     </message>
+    <message>
+        <source>Other engines</source>
+        <translation>Andere Engines</translation>
+    </message>
+    <message>
+        <source>Run the scene in this engine, too, with its own rules and tuned to ours</source>
+        <translation>Die Szene auch in dieser Engine rechnen, mit deren Regeln und auf unsere abgestimmt</translation>
+    </message>
 </context>
 <context>
     <name>carom::Actions</name>

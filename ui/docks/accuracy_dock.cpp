@@ -5,6 +5,7 @@
 #include "core/integrators/integrator.h"
 #include "core/study/accuracy_csv.h"
 #include "core/study/measures.h"
+#include "ui/docks/engine_programs.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/export_menu.h"
 #include "ui/widgets/panel_parts.h"
@@ -197,6 +198,15 @@ QMenu* AccuracyDock::knobsMenu() {
     m_methods = choices(*menu, solvers());
     menu->addSection(tr("Integrators"));
     m_integrators = choices(*menu, integrators());
+    const QStringList engines = installedEngines();
+    if (!engines.isEmpty()) menu->addSection(tr("Other engines"));
+    for (const QString& engine : engines) {
+        QAction* action = menu->addAction(engine);
+        action->setToolTip(tr("Run the scene in this engine, too, with its own rules and tuned to ours"));
+        action->setData(engine);
+        action->setCheckable(true);
+        m_engines.push_back(action);
+    }
     return menu;
 }
 
@@ -222,8 +232,9 @@ void AccuracyDock::updateControls() {
     m_empty->setEmpty(!figures);
     m_keep->setVisible(figures);
     m_export->setVisible(figures);
-    m_run->setEnabled(m_chosen.has_value());
-    m_use->setEnabled(m_chosen && m_build == m_studied);
+    const bool isOurs = m_chosen && m_chosen->setting.engine.empty();
+    m_run->setEnabled(isOurs);
+    m_use->setEnabled(isOurs && m_build == m_studied);
 }
 
 AccuracyPlan AccuracyDock::chosenPlan() const {
@@ -234,6 +245,12 @@ AccuracyPlan AccuracyDock::chosenPlan() const {
     });
     plan.duration = m_duration->value();
     plan.budget = m_budget->value();
+    std::vector<std::string> engines;
+    for (const QAction* action : m_engines)
+        if (action->isChecked()) engines.push_back(action->data().toString().toStdString());
+    addEngines(plan, engines);
+    plan.runEngine = [text = QByteArray::fromStdString(std::string(m_build->build.analysis.text))](
+                         const EngineRequest& request) { return runEngineOn(text, request); };
     return plan;
 }
 
@@ -310,6 +327,8 @@ void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
     QString words = QString::fromStdString(yardstickOf(*m_result));
     if (const std::string omissions = omissionsOf(*m_result); !omissions.empty())
         words += QStringLiteral("\n\n") + QString::fromStdString(omissions);
+    if (const std::string engines = enginesIn(*m_result); !engines.empty())
+        words += QStringLiteral("\n\n") + QString::fromStdString(engines);
     m_point->setText(words + tr("\n\nClick a point to choose it."));
     Q_EMIT reported(tr("accuracy of %1 studied in %2 s: %3")
                         .arg(m_studiedName, QString::number(seconds, 'f', 1), m_verdict->text()));

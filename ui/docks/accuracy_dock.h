@@ -71,7 +71,8 @@ class AccuracyDock : public Panel {
     std::optional<AccuracyStudy> m_result, m_kept;
     AccuracyChart m_chart;
     std::optional<AccuracyPoint> m_chosen;
-    std::vector<QAction*> m_methods, m_integrators; ///< checked: part of the study; the data is the name
+    /// Checked: part of the study; the data is the name.
+    std::vector<QAction*> m_methods, m_integrators, m_engines;
     QPushButton* m_start;
     QToolButton* m_knobs;
     QDoubleSpinBox* m_duration; ///< [s]

@@ -100,6 +100,32 @@ class AccuracyDockTest : public QObject {
         QVERIFY(m_dock->result()->points.size() > 5);
     }
 
+    void anotherEngineThatIsInstalledCanBeComparedWith() {
+        const QString program = m_folder.filePath(QStringLiteral("carom-engine-still"));
+        test::writeFile(program, "#!/bin/sh\necho lacks,motion\n");
+        QFile::setPermissions(program, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", m_folder.path().toUtf8() + ":" + path);
+        init(); // a panel that finds it
+        m_dock->setScene(built(swinging), QStringLiteral("swing"));
+        tryOnly({QStringLiteral("contacts"), QStringLiteral("verlet")});
+        study();
+        const auto ofEngine = [&] {
+            return std::ranges::count_if(m_dock->result()->points, [](const AccuracyPoint& point) {
+                return point.setting.engine == "still" && point.reason == "it has no motion";
+            });
+        };
+        QCOMPARE(ofEngine(), 0);
+        for (QAction* action : child<QToolButton>("accuracyKnobs")->menu()->actions())
+            if (action->data().toString() == QStringLiteral("still")) action->trigger();
+        study();
+        qputenv("PATH", path);
+        QCOMPARE(ofEngine(), 10); // 1 to 16 steps, its own rules and tuned
+        QVERIFY(child<QLabel>("accuracyPoint")
+                    ->text()
+                    .contains(QStringLiteral("Engine still, tuned: it has no motion.")));
+    }
+
     void aClickOnAPointChoosesItRunsItAndPutsItIntoTheText() {
         m_dock->setScene(built(bouncing), QStringLiteral("ball"));
         tryOnly(aFew);
