@@ -2920,6 +2920,13 @@ Strg+J fügt eine Deklaration ein.</translation>
     </message>
 </context>
 <context>
+    <name>carom::Panel</name>
+    <message>
+        <source>there is nothing to export here</source>
+        <translation>Hier gibt es nichts zum Ausgeben</translation>
+    </message>
+</context>
+<context>
     <name>carom::PictureCommands</name>
     <message>
         <source>Save the view</source>

@@ -7,7 +7,7 @@
 #include "core/study/measures.h"
 #include "ui/docks/engine_programs.h"
 #include "ui/widgets/empty_state.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
@@ -75,7 +75,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
       m_duration(new QDoubleSpinBox), m_budget(new QSpinBox), m_measure(new QComboBox),
       m_progress(new QProgressBar), m_state(new QLabel), m_verdict(new QLabel),
       m_keep(wordButton("accuracyKeep", tr("Keep"), tr("Show this study together with the next one"))),
-      m_export(new ExportMenu), m_plot(new PlotWidget), m_point(new QLabel),
+      m_export(makeExportMenu(QStringLiteral("accuracy"))), m_plot(new PlotWidget), m_point(new QLabel),
       m_run(new QPushButton(tr("Run it"))), m_use(new QPushButton(tr("Use this setting"))) {
     setObjectName(QStringLiteral("accuracy"));
     m_start->setObjectName(QStringLiteral("accuracyStart"));
@@ -113,7 +113,6 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_keep->setCheckable(true);
-    connect(m_export, &ExportMenu::chosen, this, &AccuracyDock::askForExport);
 
     QHBoxLayout* top = new QHBoxLayout;
     QLabel* simulated = new QLabel(tr("over"));
@@ -366,11 +365,6 @@ QString AccuracyDock::exportTo(const QString& path) const {
             .toStdString()};
     return saveFile(path, QByteArray::fromStdString(
                               pointsAsCsv(*m_result, hashOfScene(m_studied->build.analysis.text), origin)));
-}
-
-void AccuracyDock::askForExport(const QString& ending) {
-    const QString path = askForExportPath(this, QStringLiteral("accuracy"), ending);
-    if (!path.isEmpty()) Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

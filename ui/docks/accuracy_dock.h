@@ -40,7 +40,7 @@ class AccuracyDock : public Panel {
     const std::optional<AccuracyStudy>& result() const { return m_result; }
     /// Writes .png, .svg, .pdf (the diagram) or .csv (a row a point) by the path's ending. Returns what went
     /// wrong, or an empty text.
-    QString exportTo(const QString& path) const;
+    QString exportTo(const QString& path) const override;
 
   Q_SIGNALS:
     /// Run the scene so, from its start.
@@ -64,7 +64,6 @@ class AccuracyDock : public Panel {
     void choose(int series, int point);
     void updateControls();
     QMenu* knobsMenu();
-    void askForExport(const QString& ending);
 
     SharedBuild m_build, m_studied, m_keptBuild;
     QString m_name, m_studiedName, m_keptName;

@@ -5,7 +5,7 @@
 #include "core/study/benchmark_report.h"
 #include "ui/docks/comparison_charts.h"
 #include "ui/widgets/empty_state.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 #include "ui/widgets/value_table.h"

@@ -6,7 +6,7 @@
 #include "ui/widgets/body_box.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/expect_menu.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
@@ -79,9 +79,7 @@ void PlotsDock::layOut() {
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
     buttons->addStretch();
-    ExportMenu* save = new ExportMenu;
-    connect(save, &ExportMenu::chosen, this, &PlotsDock::askForExport);
-    buttons->addWidget(save);
+    buttons->addWidget(makeExportMenu(QStringLiteral("plot")));
     QVBoxLayout* column = new QVBoxLayout;
     column->addWidget(m_bodies);
     column->addWidget(m_quantities);
@@ -301,12 +299,6 @@ QString PlotsDock::exportTo(const QString& path) const {
     if (m_curves.empty()) return tr("there are no curves yet; add one first");
     if (isCsv(path)) return writeCsv(path);
     return writeChart(m_chart, path);
-}
-
-void PlotsDock::askForExport(const QString& ending) {
-    const QString path = askForExportPath(this, QStringLiteral("plot"), ending);
-    if (path.isEmpty()) return;
-    Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

@@ -50,7 +50,7 @@ class PlotsDock : public Panel {
     std::size_t bytes() const;
     /// Writes .png, .svg, .pdf (the chart) or .csv (every frame, or in a long run the least and greatest of
     /// each stretch) by the path's ending. Returns what went wrong, or an empty text.
-    QString exportTo(const QString& path) const;
+    QString exportTo(const QString& path) const override;
 
   Q_SIGNALS:
     /// A click in the chart, at the time of this frame.
@@ -83,7 +83,6 @@ class PlotsDock : public Panel {
     std::int64_t measured() const;
     QString titleOf(const Curve& curve) const;
     QString writeCsv(const QString& path) const;
-    void askForExport(const QString& ending);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::vector<Curve> m_curves;

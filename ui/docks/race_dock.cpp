@@ -7,7 +7,7 @@
 #include "ui/base/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/empty_state.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/widgets/text_of.h"
 
@@ -87,7 +87,7 @@ std::optional<std::string> chosen(const QComboBox& box) {
 RaceDock::RaceDock(QWidget* parent)
     : Panel(tr("Race"), parent), m_start(new QPushButton), m_duration(new QDoubleSpinBox),
       m_other(wordButton("raceOther", tr("Same text"), tr("Which text the second run is of"))),
-      m_state(new QLabel), m_first(new QPushButton), m_export(new ExportMenu),
+      m_state(new QLabel), m_first(new QPushButton), m_export(makeExportMenu(QStringLiteral("race"))),
       m_play(wordButton("racePlay", tr("Play"), tr("Play both runs in real time"))),
       m_slider(new QSlider(Qt::Horizontal)), m_sides{makeSide(QStringLiteral("A"), QStringLiteral("A")),
                                                      makeSide(QStringLiteral("B"), QStringLiteral("B"))},
@@ -227,7 +227,6 @@ void RaceDock::connectControls() {
     m_play->setCheckable(true);
     m_clock.setInterval(tick);
     connect(m_start, &QPushButton::clicked, this, &RaceDock::startOrStop);
-    connect(m_export, &ExportMenu::chosen, this, &RaceDock::askForExport);
     connect(m_play, &QToolButton::toggled, this, &RaceDock::play);
     connect(&m_clock, &QTimer::timeout, this, &RaceDock::follow);
     connect(m_slider, &QSlider::valueChanged, this, [this](int frame) {
@@ -472,11 +471,6 @@ QString RaceDock::exportTo(const QString& path) const {
     CsvTable table(raceColumns);
     for (const RacePoint& point : m_recording->pointsFrom(0)) addRow(table, point, m_raced[0]->scene());
     return saveFile(path, table.take());
-}
-
-void RaceDock::askForExport(const QString& ending) {
-    const QString path = askForExportPath(this, QStringLiteral("race"), ending);
-    if (!path.isEmpty()) Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

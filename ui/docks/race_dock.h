@@ -53,7 +53,7 @@ class RaceDock : public Panel {
     Viewport& viewport(std::size_t side) const { return *m_views[side]; }
     /// Writes .png, .svg, .pdf (the chart) or .csv (a row a frame) by the path's ending. Returns what went
     /// wrong, or an empty text.
-    QString exportTo(const QString& path) const;
+    QString exportTo(const QString& path) const override;
 
   private:
     /// What one of the two runs is made with.
@@ -96,7 +96,6 @@ class RaceDock : public Panel {
     void showPoints();
     void showDifference();
     void askForOtherFile();
-    void askForExport(const QString& ending);
     void updateControls();
     ChartSpec chart() const;
 

@@ -3,7 +3,7 @@
 
 #include "core/base/csv.h"
 #include "core/math/statistics.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/timing_strip.h"

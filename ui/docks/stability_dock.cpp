@@ -2,7 +2,7 @@
 #include "ui/docks/stability_dock.h"
 
 #include "core/study/stability_report.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/text_of.h"
 
@@ -79,7 +79,8 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
         m_state->setText(sentence);
         Q_EMIT reported(sentence);
     });
-    connect(m_export, &QPushButton::clicked, this, &StabilityDock::askForExport);
+    connect(m_export, &QPushButton::clicked, this,
+            [this] { askForExport(QStringLiteral("stability"), QStringLiteral("csv")); });
     connect(m_table, &QTreeWidget::itemSelectionChanged, this, &StabilityDock::updateControls);
     connect(m_table, &QTreeWidget::itemActivated, this, &StabilityDock::open);
     updateControls();
@@ -219,11 +220,6 @@ QString StabilityDock::exportTo(const QString& path) const {
     const QString machine =
         QSysInfo::prettyProductName() + QLatin1Char(' ') + QSysInfo::currentCpuArchitecture();
     return saveFile(path, figuresAsCsv(m_study, {"carom, Stability panel", version, machine.toStdString()}));
-}
-
-void StabilityDock::askForExport() {
-    const QString path = askForExportPath(this, QStringLiteral("stability"), QStringLiteral("csv"));
-    if (!path.isEmpty()) Q_EMIT reported(exportSentence(path, exportTo(path)));
 }
 
 } // namespace carom

@@ -30,7 +30,7 @@ class StabilityDock : public Panel {
     void run(std::vector<const HardCase*> cases);
     bool isRunning() const { return m_runner.isRunning(); }
     /// Every trial so far, a row a figure (figuresAsCsv). Returns what went wrong, or an empty text.
-    QString exportTo(const QString& path) const;
+    QString exportTo(const QString& path) const override;
 
   Q_SIGNALS:
     /// A case is to be looked at: the text of its scene.
@@ -44,7 +44,6 @@ class StabilityDock : public Panel {
     void showResult(const TrialResult& result);
     void finish(bool complete);
     void updateControls();
-    void askForExport();
     QTreeWidgetItem* itemOf(const HardCase& hardCase) const;
     void open(QTreeWidgetItem* item, int column);
 

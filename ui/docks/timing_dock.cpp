@@ -4,7 +4,7 @@
 #include "core/base/text.h"
 #include "core/math/statistics.h"
 #include "ui/docks/run_comparison.h"
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/value_table.h"
@@ -123,7 +123,12 @@ QWidget* TimingDock::makeBar() {
     });
     ExportMenu* save = new ExportMenu;
     save->setObjectName(QStringLiteral("timingExport"));
-    connect(save, &ExportMenu::chosen, this, &TimingDock::askForExport);
+    connect(save, &ExportMenu::chosen, this, [this](const QString& ending) {
+        const QString sentence = askForExport(QStringLiteral("timing"), ending);
+        if (sentence.isEmpty()) return;
+        m_report->setText(sentence);
+        m_report->show();
+    });
 
     QWidget* bar = new QWidget;
     QHBoxLayout* row = new QHBoxLayout(bar);
@@ -257,15 +262,6 @@ QString TimingDock::exportTo(const QString& path) const {
     if (m_strip->samples().empty()) return tr("there are no frames yet; run the simulation first");
     if (isCsv(path)) return writeCsv(path);
     return writeChart(chart(), path);
-}
-
-void TimingDock::askForExport(const QString& ending) {
-    const QString path = askForExportPath(this, QStringLiteral("timing"), ending);
-    if (path.isEmpty()) return;
-    const QString sentence = exportSentence(path, exportTo(path));
-    m_report->setText(sentence);
-    m_report->show();
-    Q_EMIT reported(sentence);
 }
 
 } // namespace carom

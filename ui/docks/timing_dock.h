@@ -38,7 +38,7 @@ class TimingDock : public Panel {
     const TimingStrip& strip() const { return *m_strip; }
     /// Writes .png, .svg, .pdf (the stacked graph) or .csv (every figure of every frame) by the path's
     /// ending; of the two runs where they are compared. Returns what went wrong, or an empty text.
-    QString exportTo(const QString& path) const;
+    QString exportTo(const QString& path) const override;
 
   Q_SIGNALS:
     /// A frame of the run was picked in the graph.
@@ -50,7 +50,6 @@ class TimingDock : public Panel {
     void keepRun();
     bool compares() const;
     void showPicked(std::ptrdiff_t index);
-    void askForExport(const QString& ending);
     ChartSpec chart() const;
     QString writeCsv(const QString& path) const;
 

@@ -3,7 +3,7 @@
 
 #include "ui/base/file_output.h"
 #include "ui/editor/scene_editor.h"
-#include "ui/widgets/save_dialog.h"
+#include "ui/base/save_dialog.h"
 #include "ui/base/actions.h"
 #include "ui/window/main_window.h"
 #include "ui/window/new_scene_dialog.h"

@@ -7,7 +7,7 @@
 #include "ui/player/simulation.h"
 #include "ui/viewport/video.h"
 #include "ui/viewport/viewport.h"
-#include "ui/widgets/save_dialog.h"
+#include "ui/base/save_dialog.h"
 #include "ui/base/actions.h"
 #include "ui/window/live_preview.h"
 #include "ui/window/main_window.h"

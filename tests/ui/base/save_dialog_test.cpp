@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
 
-#include "ui/widgets/save_dialog.h"
+#include "ui/base/save_dialog.h"
 
 #include <QApplication>
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/widgets/export_menu.h"
+#include "ui/base/export_menu.h"
 
-#include "ui/widgets/save_dialog.h"
+#include "ui/base/save_dialog.h"
 
 #include <QCoreApplication>
 #include <QDir>
