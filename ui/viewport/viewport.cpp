@@ -19,7 +19,6 @@ namespace carom {
 
 namespace {
 
-constexpr int restAfter = 250;       ///< [ms] without a change
 constexpr double selectionRadii = 5; ///< a framed body is shown with this much around it
 
 bool same(const CameraSettings& a, const CameraSettings& b) {
@@ -49,19 +48,9 @@ Viewport::Viewport(QWidget* parent)
         showLegend();
         redraw();
     });
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(restAfter);
-    connect(&m_rest, &QTimer::timeout, this, [this] {
-        m_atRest = m_stale = true;
-        schedule();
-    });
-    m_pause.setSingleShot(true);
-    connect(&m_pause, &QTimer::timeout, this, &Viewport::drawForScreen);
-    connect(&m_drawing, &DrawingThread::ready, this, [this](bool software) {
-        m_ready = true;
-        m_software = software;
-        redraw();
-    });
+    connect(&m_schedule, &PictureSchedule::due, this, &Viewport::drawForScreen);
+    connect(&m_drawing, &DrawingThread::ready, this,
+            [this](bool software) { m_schedule.setReady(software); });
     connect(&m_drawing, &DrawingThread::drawn, this, &Viewport::takePicture);
     connect(&m_drawing, &DrawingThread::failed, this, &Viewport::failed);
 }
@@ -90,7 +79,7 @@ void Viewport::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     m_moved = false;
     m_explanations.clear();
     m_lines.reset();
-    m_pace.forget();
+    m_schedule.forgetCosts();
     m_stage = stage;
     redraw();
     if (!hasScene()) {
@@ -188,18 +177,7 @@ void Viewport::setCamera(const Camera& camera) {
     moveCamera();
 }
 
-void Viewport::redraw() {
-    m_atRest = false;
-    m_stale = true;
-    if (m_software) m_rest.start();
-    schedule();
-}
-
-/// At once would draw every change of several that come together.
-void Viewport::schedule() {
-    if (!m_ready || m_underWay || m_pause.isActive() || !isVisible()) return;
-    m_pause.start(std::max(0, static_cast<int>(m_pace.pause() - m_sincePicture.elapsed())));
-}
+void Viewport::redraw() { m_schedule.changed(); }
 
 PictureJob Viewport::job(const PictureSize& pixels) const {
     return {.stage = m_stage,
@@ -223,17 +201,14 @@ PictureJob Viewport::screenJob() {
                        : std::vector<LineVertex>());
     made.lines = m_lines;
     made.options.lineWidth *= scale;
-    made.options.smooth = !isMoving();
+    made.options.smooth = m_schedule.isSmooth();
     return made;
 }
 
 void Viewport::drawForScreen() {
-    if (m_underWay || !m_stale || !isVisible()) return;
+    if (!m_schedule.begin()) return;
     PictureJob next = screenJob();
-    m_hurried = isMoving() && m_pace.leavesShadowsOut();
-    next.options.shadows = !m_hurried;
-    m_stale = false;
-    m_underWay = true;
+    next.options.shadows = m_schedule.hasShadows();
     if (m_screen)
         m_screen->post(std::move(next));
     else
@@ -241,17 +216,15 @@ void Viewport::drawForScreen() {
 }
 
 void Viewport::takePicture(const DrawnPicture& picture) {
-    m_underWay = false;
-    m_sincePicture.lap();
-    if (m_screen || !picture.image.isNull()) {
+    const bool isThere = m_screen || !picture.image.isNull();
+    if (isThere) {
         m_shown = picture;
         m_shown.image.setDevicePixelRatio(devicePixelRatioF());
-        if (!picture.job.options.smooth) m_pace.note(picture.milliseconds, !m_hurried);
         ++m_framesRendered;
         if (!m_screen) update();
         Q_EMIT frameRendered(picture.milliseconds);
     }
-    if (m_stale) schedule();
+    m_schedule.ended(isThere ? picture.milliseconds : 0);
 }
 
 void Viewport::moveCamera() {

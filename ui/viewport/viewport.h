@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/clock.h"
 #include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/drawing_place.h"
@@ -9,12 +8,11 @@
 #include "ui/viewport/explanations.h"
 #include "ui/viewport/gizmo.h"
 #include "ui/viewport/picking.h"
-#include "ui/viewport/picture_pace.h"
+#include "ui/viewport/picture_schedule.h"
 #include "ui/viewport/view_cube.h"
 
 #include <QImage>
 #include <QPointF>
-#include <QTimer>
 #include <QWidget>
 
 #include <functional>
@@ -163,10 +161,8 @@ class Viewport : public QWidget {
     const Scene& scene() const { return m_stage->pipeline->scene(); }
     /// Something to be seen has changed.
     void redraw();
-    void schedule();
     PictureJob job(const PictureSize& pixels) const;
     PictureJob screenJob();
-    bool isMoving() const { return m_software && !m_atRest; }
     void drawForScreen();
     void takePicture(const DrawnPicture& picture);
     void paintLabelsOf(QPainter& painter, const PictureJob& job) const;
@@ -183,20 +179,11 @@ class Viewport : public QWidget {
     DrawnPicture m_shown;
     Camera m_camera;
     CameraSettings m_declaredCamera;
-    bool m_ready = false;    ///< pictures can be drawn
-    bool m_software = false; ///< by the processor: smooth ones cost twice as much, and are for scenes at rest
-    bool m_underWay = false; ///< a picture is being drawn
-    bool m_stale = true;     ///< what is drawn or on screen is no longer true
-    bool m_hurried = false;  ///< the picture under way has no shadows
+    PictureSchedule m_schedule{[this] { return isVisible(); }};
     bool m_cameraMoved = false; ///< by the user: resizing no longer frames the scene anew
     bool m_dark = true;
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;
-    bool m_atRest = false; ///< nothing has changed for a moment: worth a smooth picture
-    QTimer m_rest;
-    PicturePace m_pace;
-    Stopwatch m_sincePicture;
-    QTimer m_pause; ///< a picture is due when it ends
     QLabel* m_badge = nullptr;
     QPointF m_pressedAt, m_lastAt;
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
