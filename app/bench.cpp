@@ -5,12 +5,14 @@
 #include "app/files.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/shard_files.h"
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
 #include "core/scene/schema.h"
 #include "core/study/benchmark_report.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -50,7 +52,7 @@ std::vector<std::int64_t> countsFrom(const std::string& list) {
 }
 
 /// What the command line asks for; what it leaves open is the standard benchmark's.
-BenchmarkPlan planFrom(const Arguments& arguments) {
+BenchmarkPlan planFrom(const Arguments& arguments, const Shard& shard) {
     BenchmarkPlan plan = standardBenchmark();
     std::vector<std::string> scenes = arguments.operands;
     if (const std::optional<std::string> list = arguments.text("scene")) {
@@ -80,19 +82,27 @@ BenchmarkPlan planFrom(const Arguments& arguments) {
         for (const std::int64_t n : plan.counts)
             if (const std::optional<std::string> reason = checkRequest(*scene, requestFor(*scene, n)))
                 throw UsageError(std::string(scene->name) + ": " + *reason);
+    // Numbers of one scene stay together: an algorithm that is too slow is left out at the larger ones.
+    plan.scenes = partOf(shard, plan.scenes);
+    if (std::ranges::count(plan.scenes, plan.traceScene) == 0) plan.traceScene = nullptr;
     return plan;
 }
 
 int runBench(const Arguments& arguments) {
-    const BenchmarkPlan plan = planFrom(arguments);
+    if (const std::optional<std::string> parts = arguments.text("merge")) {
+        mergeParts(*parts, std::array<std::string_view, 2>{"performance.csv", "trace.csv"});
+        return exitcode::done;
+    }
+    const Shard shard = shardFrom(arguments);
+    const BenchmarkPlan plan = planFrom(arguments, shard);
     catchInterrupts();
     const std::optional<std::string> folder = arguments.text("output");
     if (folder) makeFolder(*folder);
-    const auto writeFigures = [&folder](const Benchmark& benchmark) {
+    const auto writeFigures = [&](const Benchmark& benchmark) {
         if (!folder) return;
-        writeFile(*folder, "performance.csv", pointsAsCsv(benchmark));
-        writeFile(*folder, "trace.csv", tracesAsCsv(benchmark));
-        writeFile(*folder, "summary.txt", summaryOf(benchmark));
+        writeFile(*folder, nameOfPart("performance.csv", shard), pointsAsCsv(benchmark));
+        writeFile(*folder, nameOfPart("trace.csv", shard), tracesAsCsv(benchmark));
+        writeFile(*folder, nameOfPart("summary.txt", shard), summaryOf(benchmark));
     };
     std::unique_ptr<Progress> progress;
     Benchmark benchmark; // as far as it is
@@ -117,7 +127,7 @@ int runBench(const Arguments& arguments) {
 
     printOut(summaryOf(benchmark));
     writeFigures(benchmark);
-    if (folder && chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
+    if (folder && shard.isWhole() && chartDrawer().benchmark) chartDrawer().benchmark(benchmark, *folder);
     return benchmark.complete ? exitcode::done : exitcode::interrupted;
 }
 
@@ -140,8 +150,11 @@ CommandRow benchCommand() {
                 {"method", 0, "M", "method of motion (default microcollisions, the reference's)"},
                 {"boxes", 0, "B", "boxes the algorithms work on: tight (default) or cube, the reference's"},
                 {"frames", 0, "F", "frames of each run (default 120, and 600 for the trace)"},
+                shardOption(),
+                mergeOption(),
                 {"output", 'o', "DIR",
-                 "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there"},
+                 "write performance.csv, trace.csv, summary.txt and the charts (SVG and PNG) there; with "
+                 "`--shard`, which shares the scenes, performance-I-of-N.csv and so on"},
             },
         .details =
             "The worlds of one scene and number take turns, so a disturbance falls on all of them; times are "

@@ -7,6 +7,7 @@
 #include "app/instructions.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/shard_files.h"
 #include "app/scene_options.h"
 #include "app/study_origin.h"
 #include "core/base/csv.h"
@@ -19,6 +20,7 @@
 #include "core/study/measures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -252,6 +254,7 @@ int studyOne(const Arguments& arguments) {
 
 /// Several scenes: a line each, as soon as it is known, and the same as a file.
 int studyMany(const Arguments& arguments) {
+    const Shard shard = shardFrom(arguments);
     for (const char* option : {"chart", "instructions", "resume"})
         if (arguments.has(option))
             throw UsageError("`--" + std::string(option) + "` is for one scene; there are " +
@@ -261,7 +264,7 @@ int studyMany(const Arguments& arguments) {
     catchInterrupts();
     CsvTable table(comparisonColumns());
     printOut(comparisonHeading(width));
-    for (const std::string& path : arguments.operands) {
+    for (const std::string& path : partOf(shard, arguments.operands)) {
         PlannedStudy one = planned(arguments, path);
         openResults(arguments, one);
         const AccuracyStudy study = run(one, {});
@@ -269,13 +272,20 @@ int studyMany(const Arguments& arguments) {
         if (one.results) one.results->writeAll(study, titleOf(path));
         addComparison(titleOf(path), study, table);
         if (const std::optional<std::string> folder = arguments.text("output"))
-            writeFile(*folder, comparisonFile, CsvTable(table).take());
+            writeFile(*folder, nameOfPart(comparisonFile, shard), CsvTable(table).take());
         if (!study.complete) return exitcode::interrupted;
     }
     return exitcode::done;
 }
 
 int runStudy(const Arguments& arguments) {
+    if (const std::optional<std::string> parts = arguments.text("merge")) {
+        mergeParts(*parts, std::array<std::string_view, 1>{comparisonFile});
+        return exitcode::done;
+    }
+    if (arguments.operands.empty()) throw UsageError("missing SCENE...");
+    if (arguments.operands.size() == 1 && arguments.has("shard"))
+        throw UsageError("`--shard` shares scenes, and there is one");
     return arguments.operands.size() == 1 ? studyOne(arguments) : studyMany(arguments);
 }
 
@@ -312,6 +322,8 @@ CommandRow studyAccuracyCommand() {
                  "runs of a scene of many balls beyond the chaos horizon, at most; 0: none (default 20)"},
                 {"instructions", 0, "", "count the instructions of every setting, too; needs valgrind"},
                 {"resume", 0, "", "go on with the study in the folder of `--output`, with a new budget"},
+                {"shard", 0, "I/N", "of several scenes only the I-th of N parts (the first is 1)"},
+                mergeOption(),
                 {"output", 'o', "DIR",
                  "write accuracy.csv, summary.txt and the chart (SVG, PNG and PDF) there; of several scenes "
                  "each into a folder of its name, and scenes.csv"},
@@ -343,7 +355,7 @@ CommandRow studyAccuracyCommand() {
             "not depend on what else the machine does.\n\n"
             "Of several scenes a line each is printed: seconds taken, measure, reference solution, how many "
             "times the cheapest setting that is no worse is cheaper than the scene's own, the sentence.",
-        .leastOperands = 1,
+        .leastOperands = 0,
         .mostOperands = std::numeric_limits<std::size_t>::max(),
         .run = runStudy};
 }

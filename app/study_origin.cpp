@@ -35,7 +35,8 @@ StudyOrigin studyOrigin(std::string_view command, const Arguments& arguments) {
     StudyOrigin origin{"carom " + std::string(command), std::string(version()), processorName()};
     for (const std::string& operand : arguments.operands) origin.command += " " + shellWord(operand);
     for (const auto& [option, value] : arguments.values)
-        origin.command += " --" + option + (value.empty() ? "" : "=" + shellWord(value));
+        if (option != "shard") // its rows are those of the whole
+            origin.command += " --" + option + (value.empty() ? "" : "=" + shellWord(value));
     utsname system{};
     if (uname(&system) == 0)
         origin.machine += std::string(", ") + system.sysname + " " + system.release + " " + system.machine;

@@ -4,10 +4,12 @@
 #include "app/files.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/shard_files.h"
 #include "app/study_origin.h"
 #include "core/base/catalogue.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -18,6 +20,7 @@ CommandRow studyStabilityCommand();
 namespace {
 
 constexpr std::string_view command = "study stability";
+constexpr const char* figuresFile = "stability.csv";
 
 const HardCase* caseNamed(const std::string& name) {
     if (const HardCase* row = findHardCase(name)) return row;
@@ -36,6 +39,7 @@ StabilityPlan planFrom(const Arguments& arguments) {
     if (const std::optional<std::string> wanted = arguments.word("column", names))
         std::erase_if(plan.columns, [&](StudyColumn column) { return nameOf(column) != *wanted; });
     if (arguments.has("long")) plan.length = StudyLength::Long;
+    plan.shard = shardFrom(arguments);
     return plan;
 }
 
@@ -55,6 +59,10 @@ int runStudy(const Arguments& arguments) {
         printOut(listOfCases());
         return exitcode::done;
     }
+    if (const std::optional<std::string> parts = arguments.text("merge")) {
+        mergeParts(*parts, std::array<std::string_view, 1>{figuresFile});
+        return exitcode::done;
+    }
     const StabilityPlan plan = planFrom(arguments);
     if (const std::optional<std::string> name = arguments.text("scene")) {
         printOut(sceneOf(*caseNamed(*name), plan.columns.front()));
@@ -64,7 +72,7 @@ int runStudy(const Arguments& arguments) {
     if (folder) makeFolder(*folder);
     catchInterrupts();
 
-    const auto total = static_cast<std::int64_t>(plan.cases.size() * plan.columns.size());
+    const auto total = static_cast<std::int64_t>(plan.trials().size());
     auto progress = std::make_unique<Progress>(total, "trials");
     std::int64_t done = 0;
     std::string report;
@@ -73,8 +81,9 @@ int runStudy(const Arguments& arguments) {
     const auto conclusion = [&] { return "\n" + summaryOf(study); };
     const auto writeFigures = [&] {
         if (!folder) return;
-        writeFile(*folder, "stability.csv", figuresAsCsv(study, studyOrigin(command, arguments)));
-        writeFile(*folder, "summary.txt", report + conclusion());
+        writeFile(*folder, nameOfPart(figuresFile, plan.shard),
+                  figuresAsCsv(study, studyOrigin(command, arguments)));
+        writeFile(*folder, nameOfPart("summary.txt", plan.shard), report + conclusion());
     };
     {
         InterruptibleWork work([&] { printOut(conclusion()); });
@@ -121,7 +130,10 @@ CommandRow studyStabilityCommand() {
                  "only one of `default`, `accurate` (its preset) and `exact` (method events)"},
                 {"list", 0, "", "list the cases by number and name, with the right answer of each"},
                 {"scene", 0, "CASE", "print a scene of the case, for `--column`, and run nothing"},
-                {"output", 'o', "DIR", "write stability.csv and summary.txt there"},
+                shardOption(),
+                mergeOption(),
+                {"output", 'o', "DIR",
+                 "write stability.csv and summary.txt there; with `--shard` stability-I-of-N.csv"},
             },
         .details =
             "A case is given by name or number; without any, all of them run. Each has a closed-form answer "

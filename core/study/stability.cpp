@@ -105,15 +105,21 @@ std::optional<TrialResult> runTrial(const HardCase& hardCase, StudyColumn column
     return result;
 }
 
+std::vector<std::pair<const HardCase*, StudyColumn>> StabilityPlan::trials() const {
+    std::vector<std::pair<const HardCase*, StudyColumn>> all;
+    for (const HardCase* hardCase : cases)
+        for (const StudyColumn column : columns) all.emplace_back(hardCase, column);
+    return partOf(shard, all);
+}
+
 StabilityStudy runStability(const StabilityPlan& plan, const StabilityListener& listener) {
     StabilityStudy study{.plan = plan, .results = {}};
-    for (const HardCase* hardCase : plan.cases)
-        for (const StudyColumn column : plan.columns) {
-            std::optional<TrialResult> result = runTrial(*hardCase, column, plan.length, listener);
-            if (!result) return study;
-            if (listener.ends) listener.ends(*result);
-            study.results.push_back(std::move(*result));
-        }
+    for (const auto& [hardCase, column] : plan.trials()) {
+        std::optional<TrialResult> result = runTrial(*hardCase, column, plan.length, listener);
+        if (!result) return study;
+        if (listener.ends) listener.ends(*result);
+        study.results.push_back(std::move(*result));
+    }
     study.complete = true;
     return study;
 }

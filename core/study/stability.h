@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/shard.h"
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -8,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // The hard cases: scenes that are hard to simulate and have a right answer in closed form, or a quantity that
@@ -97,6 +100,10 @@ struct StabilityPlan {
     std::vector<const HardCase*> cases;
     std::vector<StudyColumn> columns{studyColumns.begin(), studyColumns.end()};
     StudyLength length = StudyLength::Short;
+    Shard shard = {}; ///< of the list of cases, each in its columns
+
+    /// The cases and columns that are run, in order.
+    std::vector<std::pair<const HardCase*, StudyColumn>> trials() const;
 };
 
 struct StabilityStudy {

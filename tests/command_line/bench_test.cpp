@@ -45,6 +45,30 @@ class BenchTest : public QObject {
     }
 #endif
 
+    // Two scenes in three parts, one of which is left with none: the same rows, but for the times.
+    void scenesAreSharedByShards() {
+        const QTemporaryDir folder;
+        const auto bench = [](const QString& into, const QStringList& more) {
+            return carom(
+                QStringList{"bench", "--scene=pyramid,brownian", "-n", "10,20", "--frames=4", "-o", into} +
+                more);
+        };
+        const auto rowsOf = [](const QString& file) {
+            QStringList rows = linesOf(QString::fromUtf8(readFile(file)));
+            for (QString& row : rows) row = row.split(',').mid(0, 4).join(',');
+            return rows;
+        };
+        const QString parts = folder.filePath("parts"), whole = folder.filePath("whole");
+        QCOMPARE(bench(whole, {}).exitCode, 0);
+        for (const char* shard : {"--shard=1/3", "--shard=2/3", "--shard=3/3"})
+            QCOMPARE(bench(parts, {shard}).exitCode, 0);
+        QCOMPARE(carom({"bench", "--merge", parts}).exitCode, 0);
+        for (const char* table : {"/performance.csv", "/trace.csv"}) {
+            QVERIFY(rowsOf(whole + table).size() > 4);
+            QCOMPARE(rowsOf(parts + table), rowsOf(whole + table));
+        }
+    }
+
     void aWrongWordIsNamedWithTheNearestRightOne() {
         const auto refused = [](const QStringList& words, const char* message) {
             const Ended ended = carom(QStringList{"bench"} + words);

@@ -153,6 +153,17 @@ class StudyAccuracyTest : public QObject {
         QVERIFY(refused.err.contains("`--resume` is for one scene; there are 2"));
     }
 
+    void scenesAreSharedByShards() {
+        const QString other = m_folder.filePath("third.sdl"), folder = m_folder.filePath("shared");
+        writeFile(other, bounce + "// one more\n");
+        for (const char* shard : {"--shard=1/2", "--shard=2/2"})
+            QCOMPARE(study({other, "-o", folder, shard}).exitCode, 0);
+        QCOMPARE(carom({"study", "accuracy", "--merge", folder}).exitCode, 0);
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(folder + "/scenes.csv")));
+        QCOMPARE(column(rows, "scene"), (QStringList{"ball", "third"}));
+        QCOMPARE(study({"--shard=1/2"}).exitCode, 2);
+    }
+
     void figuresOfOtherSettingsAreNotGoneOnWith() {
         const QString folder = m_folder.filePath("other");
         QCOMPARE(study({"-o", folder, "--substeps", "1,2"}).exitCode, 0);

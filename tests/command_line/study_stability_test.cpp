@@ -39,6 +39,38 @@ class StudyStabilityTest : public QObject {
                      row.name.data());
     }
 
+    // Three cases in two parts, and the same in one: nothing differs but the time taken.
+    void partsTogetherAreTheWhole() {
+        const QTemporaryDir folder;
+        const QString parts = folder.filePath("parts"), whole = folder.filePath("whole");
+        const auto study = [](const QString& into, const QStringList& more) {
+            return carom(QStringList{"study", "stability", "1", "13", "43", "--column=default", "-o", into} +
+                         more);
+        };
+        const auto rowsOf = [](const QString& into) {
+            QStringList rows = linesOf(QString::fromUtf8(readFile(into + "/stability.csv")));
+            for (QString& row : rows) { // without the time, and without the folder that the command names
+                QStringList cells = row.split(',');
+                cells.removeAt(8);
+                row = cells.mid(0, 8).join(',');
+            }
+            return rows;
+        };
+        QCOMPARE(study(whole, {}).exitCode, 0);
+        QCOMPARE(study(parts, {"--shard=2/2"}).exitCode, 0);
+        const Ended early = carom({"study", "stability", "--merge", parts});
+        QCOMPARE(early.exitCode, 3);
+        QVERIFY2(early.err.contains("these parts are missing: 1/2"), qPrintable(early.err));
+        QCOMPARE(study(parts, {"--shard=1/2"}).exitCode, 0);
+        QCOMPARE(carom({"study", "stability", "--merge", parts}).exitCode, 0);
+        QVERIFY(rowsOf(whole).size() > 3);
+        QCOMPARE(rowsOf(parts), rowsOf(whole));
+        QVERIFY(!readFile(parts + "/stability.csv").contains("--shard"));
+        QCOMPARE(carom({"study", "stability", "--merge", whole}).exitCode, 2);
+        QCOMPARE(study(parts, {"--shard=1/3"}).exitCode, 0);
+        QVERIFY(carom({"study", "stability", "--merge", parts}).err.contains("has parts of"));
+    }
+
     void aCaseComesAsAScene() {
         const QTemporaryDir folder;
         const Ended ended = carom({"study", "stability", "--scene=sliding_cube", "--column=accurate"});
