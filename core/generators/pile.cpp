@@ -24,7 +24,7 @@ constexpr double elastic = 0.2, friction = 0.5;
 constexpr double cell = 0.22;          ///< edge of the room each sphere has at the start [m]
 constexpr double settledPacking = 0.6; ///< of spheres poured into a box, about
 
-constexpr std::array<GeneratorOption, 2> options = {{
+constexpr std::array<GeneratorOption, 3> options = {{
     jitterOption(0.006, 0.009, "how far a sphere may be off the middle of its cell, per component"),
     {.name = "height",
      .unit = "",
@@ -32,6 +32,12 @@ constexpr std::array<GeneratorOption, 2> options = {{
      .minimum = 0.1,
      .maximum = 10,
      .help = "height of the settled pile, in widths of the box"},
+    {.name = "walls",
+     .unit = "",
+     .defaultValue = 1,
+     .minimum = 0,
+     .maximum = 1,
+     .help = "1: in a box; 0: on the open floor, where they slide and roll apart into a heap"},
 }};
 
 /// Cells along one side of the box in which n spheres settle to `height` times its width.
@@ -50,14 +56,21 @@ std::string generatePile(const GeneratorRequest& request) {
     const double half = toMillionths(static_cast<double>(columns) * cell / 2);
     const double top = static_cast<double>(layers) * cell;
 
+    const bool inBox = optionOf(row, request, "walls") >= 0.5;
     SceneWriter scene =
-        sceneFor(row, request, "Pile: " + std::to_string(n) + " spheres are poured into a box.",
-                 "the spheres settle within a few seconds and then rest: nothing creeps, and none\n"
-                 "is pressed into another, however many lie on top of it.");
+        inBox ? sceneFor(row, request, "Pile: " + std::to_string(n) + " spheres are poured into a box.",
+                         "the spheres settle within a few seconds and then rest: nothing creeps, and none\n"
+                         "is pressed into another, however many lie on top of it.")
+              : sceneFor(row, request, "Pile: " + std::to_string(n) + " spheres are poured on a floor.",
+                         "the block falls apart into a heap. How steep it is depends on friction and\n"
+                         "rolling resistance: without either one layer is left.");
     scene.camera(toMillionths(Vec3(2.2 * half, 0.8 * top, 1.4 * top + 4 * half)),
                  toMillionths(Vec3(0, 0.4 * top, 0)), 40);
     scene.blankLine();
-    scene.openBox(half, elastic, friction);
+    if (inBox)
+        scene.openBox(half, elastic, friction);
+    else
+        scene.wall(Vec3::UnitY(), 0, elastic, "gray", friction);
     scene.blankLine();
     Random random(request.seed);
     for (std::int64_t i = 0; i < n; ++i) {

@@ -169,6 +169,26 @@ Vec3 centreOfMassOf(const Moment& moment, BodyIndex) {
     return mass > 0 ? Vec3(sum / mass) : Vec3::Constant(undefined);
 }
 
+/// Of the cone that has the bodies' mean height above the lowest of them and their mean square distance from
+/// its axis: tan α = h/R with z̄ = h/4, ⟨r²⟩ = 3 R²/10 [rad]. It is the slope of a heap, and near a right
+/// angle for a tower. Heights are along gravity, or along y without it.
+double slopeOf(const Moment& moment, BodyIndex) {
+    const Vec3 fall = moment.pipeline.gravity();
+    const Vec3 up = fall.norm() > 0 ? Vec3(-fall / fall.norm()) : Vec3(Vec3::UnitY());
+    const Vec3 centre = centreOfMassOf(moment, noBody);
+    double lowest = std::numeric_limits<double>::infinity(), mass = 0, square = 0;
+    for (const BodyIndex i : bodiesOf(moment).mobileBodies) {
+        const Vec3 from = moment.pose[i].position - centre;
+        const double height = from.dot(up);
+        lowest = std::min(lowest, height);
+        mass += bodiesOf(moment).mass[i];
+        square += bodiesOf(moment).mass[i] * (from - height * up).squaredNorm();
+    }
+    if (!(mass > 0)) return undefined;
+    const double height = -4 * lowest, radius = std::sqrt(10.0 / 3 * square / mass);
+    return std::atan2(height, radius);
+}
+
 Vec3 totalMomentumOf(const Moment& moment, BodyIndex) { return moment.statistics.momentum; }
 double totalKineticOf(const Moment& moment, BodyIndex) { return moment.statistics.kinetic; }
 double totalPotentialOf(const Moment& moment, BodyIndex) { return moment.statistics.potential; }
@@ -208,6 +228,7 @@ constexpr std::array wholeRows = {
     QuantityRow{"centre of mass x", "centre_of_mass_x", "m", component<centreOfMassOf, 0>, largestOf},
     QuantityRow{"centre of mass y", "centre_of_mass_y", "m", component<centreOfMassOf, 1>, largestOf},
     QuantityRow{"centre of mass z", "centre_of_mass_z", "m", component<centreOfMassOf, 2>, largestOf},
+    QuantityRow{"slope", "slope", "rad", slopeOf, oneRadian},
     QuantityRow{"deepest penetration", "penetration", "m", deepestOf, largestOf},
     QuantityRow{"contact residual", "contact_residual", "m/s", residualOf},
     QuantityRow{"contacts", "contacts", "", contactsOf},

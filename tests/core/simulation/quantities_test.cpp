@@ -132,6 +132,25 @@ class QuantitiesTest : public QObject {
         QCOMPARE(depth.measure(moment, 3), 0.0);
     }
 
+    // Three balls on a ring of radius r and one above its middle at height h: the mean height is h/4, the
+    // mean square distance 3 r²/4, so tan α = h / √(10/3 · 3/4 r²). Where "up" is does not matter.
+    void theSlopeIsThatOfTheConeWithTheSameMeans() {
+        constexpr double r = 2, h = 1.5;
+        const double expected = std::atan2(h, r * std::sqrt(2.5));
+        for (const Vec3& up : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0.6, 0.8)}) {
+            const Quat turn = Quat::FromTwoVectors(Vec3::UnitY(), up);
+            const auto at = [&](const Vec3& place) {
+                return test::sphere(0.1, 2, Vec3(7, 8, 9) + turn * place);
+            };
+            World world =
+                test::worldOf(test::sceneOf({at(Vec3(r, 0, 0)), at(Vec3(-r / 2, 0, r * std::sqrt(0.75))),
+                                             at(Vec3(-r / 2, 0, -r * std::sqrt(0.75))), at(Vec3(0, h, 0))},
+                                            -9.8 * up));
+            const Moment moment = momentOf(world.pipeline(), world.state(), world.statistics());
+            QVERIFY(std::abs(wholeQuantity("slope").measure(moment, noBody) - expected) < rounding);
+        }
+    }
+
     void whatTheLedgerHasAddsUpToTheChangeOfEnergy() {
         // A ball that is thrown along a rough floor bounces with losses, slides, and rolls on.
         Scene scene = test::sceneOf(
