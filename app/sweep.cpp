@@ -22,29 +22,33 @@ namespace {
 
 constexpr std::int64_t many = 100'000'000;
 
-SweepDefinition definitionFrom(const Arguments& arguments) {
+/// What the scene's `sweep` declaration says, but where the command line says something else.
+SweepDefinition definitionFrom(const Arguments& arguments, const std::string& text) {
     SweepDefinition definition;
-    definition.vary = arguments.texts("vary");
-    definition.measures = arguments.texts("measure");
-    definition.zip = arguments.has("zip");
-    definition.random = arguments.wholeNumber("random", 1, many).value_or(0);
+    if (const std::optional<SweepRequest> declared = analyse(text).scene.sweep)
+        definition = definitionOf(*declared);
+    if (arguments.has("vary")) definition.vary = arguments.texts("vary");
+    if (arguments.has("measure")) definition.measures = arguments.texts("measure");
+    if (arguments.has("zip")) definition.zip = true;
+    definition.random = arguments.wholeNumber("random", 1, many).value_or(definition.random);
     definition.randomSeed =
         static_cast<std::uint64_t>(arguments.wholeNumber("random-seed", 0, many).value_or(1));
-    definition.seeds = arguments.wholeNumber("seeds", 1, many).value_or(0);
-    definition.frames = arguments.wholeNumber("frames", 1, std::numeric_limits<std::int64_t>::max());
+    definition.seeds = arguments.wholeNumber("seeds", 1, many).value_or(definition.seeds);
+    if (const auto frames = arguments.wholeNumber("frames", 1, std::numeric_limits<std::int64_t>::max()))
+        definition.frames = *frames;
     definition.generate = arguments.text("generate").value_or("");
     return definition;
 }
 
 std::shared_ptr<const Sweep> sweepFrom(const Arguments& arguments) {
-    SweepDefinition definition = definitionFrom(arguments);
     const bool generates = arguments.has("generate");
     if (generates && !arguments.operands.empty())
         throw UsageError("`--generate` makes the scene; `" + arguments.operands.front() +
                          "` is one too many");
     if (!generates && arguments.operands.empty()) throw UsageError("missing SCENE (or `--generate`)");
-    ReadSweep read =
-        readSweep(std::move(definition), generates ? std::string() : readText(arguments.operands.front()));
+    std::string text = generates ? std::string() : readText(arguments.operands.front());
+    SweepDefinition definition = definitionFrom(arguments, text);
+    ReadSweep read = readSweep(std::move(definition), std::move(text));
     if (!read.sweep) throw UsageError(read.objection);
     return read.sweep;
 }
@@ -158,6 +162,7 @@ CommandRow sweepCommand() {
                  "`--shard` shard-I.csv"},
             },
         .details =
+            "What the command line leaves open is that of the scene's `sweep` declaration, if it has one.\n\n"
             "A path names a label (`cue`), `body 7`, a family (`log` for log1, log2, ...), `bodies` (each "
             "that "
             "has it), `spring 2`, `simulation`, `gravity`, `air` or `generate`; then a parameter, and of a "

@@ -4,6 +4,7 @@
 #include "core/base/diagnostic_list.h"
 #include "core/language/lexer.h"
 #include "core/language/parser.h"
+#include "core/language/sweep_check.h"
 #include "core/language/validator.h"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ Analysis analyse(std::string text, const WorkStage& stage) {
         analysis.tree =
             parse(analysis.text, analysis.tokens, list, largestDeclarationCount, stage.part(lexed, parsed));
         analysis.scene = validate(analysis.text, analysis.tree, list, stage.part(parsed, 1));
+        if (analysis.scene.sweep && !checkSweep(analysis, list)) analysis.scene.sweep.reset();
     }
     analysis.mistakes = list.total();
     analysis.diagnostics = inOrder(list, analysis.tokens.back().range.offset);

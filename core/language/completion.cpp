@@ -57,7 +57,8 @@ class Completer {
         for (; token(m_next).range.offset < m_offset && m_next + 1 < tokens.size(); ++m_next) {
             if (isWord(m_next)) break;
             const TokenKind kind = token(m_next).kind;
-            if (kind == TokenKind::Comment || kind == TokenKind::Number) return std::move(m_list);
+            if (kind == TokenKind::Comment || kind == TokenKind::Number || kind == TokenKind::Text)
+                return std::move(m_list);
         }
         if (isWord(m_next) && token(m_next).range.offset <= m_offset) m_list.replaced = token(m_next++).range;
         complete();
@@ -101,7 +102,7 @@ class Completer {
         for (const bool required : {true, false})
             for (std::size_t i = 0; i < given.size(); ++i) {
                 const ParameterRow& parameter = row.parameters[i];
-                if (given[i] || parameter.required != required) continue;
+                if ((given[i] && !parameter.repeats) || parameter.required != required) continue;
                 const std::string name(parameter.name);
                 m_list.entries.push_back({CompletionKind::Parameter, name,
                                           name + " " + std::string(parameter.example), summaryOf(parameter),

@@ -14,6 +14,8 @@ std::string kindOf(const ParameterRow& row) {
         return "vector";
     case ValueKind::Label:
         return "label of a body, or world";
+    case ValueKind::Text:
+        return "text";
     case ValueKind::Colour:
         return "colour";
     case ValueKind::Word:

@@ -21,6 +21,7 @@ enum class ByteClass : std::uint8_t {
     Dot,
     Slash,
     Hash,
+    Quote,
     Punctuation
 };
 
@@ -37,6 +38,7 @@ constexpr std::array<ByteClass, 256> byteClasses = [] {
     classes['.'] = ByteClass::Dot;
     classes['/'] = ByteClass::Slash;
     classes['#'] = ByteClass::Hash;
+    classes['"'] = ByteClass::Quote;
     return classes;
 }();
 
@@ -111,6 +113,8 @@ class Lexer {
             if (classAt(m_at + 1) == ByteClass::Slash) return lexComment();
             if (m_text.substr(m_at, 2) == "/*" && lexForeignComment()) return;
             return lexUnexpected();
+        case ByteClass::Quote:
+            return lexText();
         case ByteClass::Punctuation:
             ++m_at;
             return add(punctuationKind(m_text[m_begin]));
@@ -123,6 +127,22 @@ class Lexer {
     void lexComment() {
         m_at = std::min(m_text.find_first_of("\r\n", m_at), m_text.size());
         add(TokenKind::Comment);
+    }
+
+    // To the mark that closes it. One that its line does not have is a mistake that costs the rest of the
+    // line, but for the braces at its end.
+    void lexText() {
+        m_at = std::min(m_text.find_first_of("\"\r\n", m_at + 1), m_text.size());
+        if (m_at < m_text.size() && m_text[m_at] == '"') {
+            ++m_at;
+            return add(TokenKind::Text);
+        }
+        const auto isEnd = [](char c) { return c == '}' || c == ' ' || c == '\t'; };
+        while (m_at > m_begin + 1 && isEnd(m_text[m_at - 1])) --m_at;
+        add(TokenKind::Faulty);
+        const SourceRange open = {static_cast<std::uint32_t>(m_begin), 1};
+        if (Diagnostic* diagnostic = m_diagnostics.report(DiagnosticCode::UnclosedText, open))
+            diagnostic->message = "this `\"` is not closed; a text ends with another `\"` in the same line";
     }
 
     // A comment of another language is one mistake, whatever stands in it. False where it is never closed.

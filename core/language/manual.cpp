@@ -26,10 +26,12 @@ points up.
 * A **declaration** is the name of its type, for bodies a label if you like, and its parameters in braces; `;` in
   place of the braces means no parameters: `gravity;`.
 * A **parameter** is a name and a value; a colon between them is allowed: `radius: 0.5`. Parameters stand in any
-  order, separated by white space. A parameter given twice is a mistake; the first value holds.
+  order, separated by white space. A parameter given twice is a mistake, and the first value
+  holds, but where a list is asked for (`vary` and `measure`).
 * A **number** is written `10`, `3.5`, `.5` or `1e-3`. A minus belongs to the one number behind it.
 * A **vector** is three numbers separated by commas: `-1, 2, 3` is (-1, 2, 3).
 * A **name** is a letter, then letters, digits and `_`. Upper and lower case differ.
+* A **text** stands between quotation marks, `"max speed"`, and ends in the line in which it begins.
 * A **comment** begins with `//` or `#` and ends with the line.
 * A **label** names a body so that springs and expectations can refer to it, or an expectation. Labels are unique; `world` is reserved.
 
@@ -61,6 +63,8 @@ std::string valueCell(const ParameterRow& row) {
         return "vector";
     case ValueKind::Label:
         return "label or `world`";
+    case ValueKind::Text:
+        return "text";
     case ValueKind::Colour:
         return "vector or colour name";
     case ValueKind::Word:

@@ -23,16 +23,6 @@ constexpr std::array kinds = {KindRow{"final", MeasureKind::Final}, KindRow{"max
                               KindRow{"min", MeasureKind::Min}, KindRow{"mean", MeasureKind::Mean},
                               KindRow{"first", MeasureKind::First}};
 
-std::vector<std::string> wordsIn(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t begin = text.find_first_not_of(" \t\r\n"); begin != text.npos;) {
-        const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
-        words.emplace_back(text.substr(begin, end - begin));
-        begin = text.find_first_not_of(" \t\r\n", end);
-    }
-    return words;
-}
-
 std::string joined(std::span<const std::string> words, std::string_view separator) {
     std::string text;
     for (const std::string& word : words) text.append(text.empty() ? "" : separator).append(word);
@@ -131,6 +121,16 @@ class MeasureReader {
 };
 
 } // namespace
+
+std::vector<std::string> wordsIn(std::string_view text) {
+    std::vector<std::string> words;
+    for (std::size_t begin = text.find_first_not_of(" \t\r\n"); begin != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(" \t\r\n", begin), text.size());
+        words.emplace_back(text.substr(begin, end - begin));
+        begin = text.find_first_not_of(" \t\r\n", end);
+    }
+    return words;
+}
 
 ReadMeasure readMeasure(std::string_view text) { return MeasureReader(text).read(); }
 

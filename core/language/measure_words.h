@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // What a sweep takes from each run: one figure, from the quantities of plots and expectations.
 //
@@ -39,5 +40,8 @@ struct ReadMeasure {
     std::string objection; ///< where there is none: what was seen, and what would be right
 };
 ReadMeasure readMeasure(std::string_view text);
+
+/// What stands between blanks and line ends.
+std::vector<std::string> wordsIn(std::string_view text);
 
 } // namespace carom

@@ -37,6 +37,7 @@ const std::optional<DeclarationSource>& onlySource(const Scene& scene, std::stri
     if (name == "air") return scene.air.source;
     if (name == "simulation") return scene.simulation.source;
     if (name == "camera") return scene.camera.source;
+    if (name == "sweep" && scene.sweep) return scene.sweep->source;
     if (name == "generate" && scene.generated) return scene.generated->source;
     return none;
 }
@@ -148,6 +149,8 @@ class Finder {
             m_place.objection = quoted(row.name) + " is no vector and has no component";
         else if (row.kind == ValueKind::Label)
             m_place.objection = quoted(row.name) + " names a body, which cannot be varied";
+        else if (row.kind == ValueKind::Text)
+            m_place.objection = quoted(row.name) + " is a text, which cannot be varied";
         if (!m_place.objection.empty()) m_place.parameter = nullptr;
     }
 

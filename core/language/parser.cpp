@@ -215,8 +215,10 @@ class Parser : private TokenCursor {
         m_expected = faulty ? nullptr : parameterRow(parameter.name);
         if (atScalar())
             parseScalars(parameter);
+        else if (at(TokenKind::Text))
+            parseWord(parameter, SyntaxValueKind::Text);
         else if (at(TokenKind::Name) && !isNextParameter())
-            parseWord(parameter);
+            parseWord(parameter, SyntaxValueKind::Word);
         else
             reportNoValue(parameter.name, faulty);
         if (!faulty) m_tree.parameters.push_back(parameter);
@@ -254,8 +256,8 @@ class Parser : private TokenCursor {
         }
     }
 
-    void parseWord(ParameterSyntax& parameter) {
-        parameter.kind = SyntaxValueKind::Word;
+    void parseWord(ParameterSyntax& parameter, SyntaxValueKind kind) {
+        parameter.kind = kind;
         parameter.value = here();
         advance();
     }

@@ -57,7 +57,8 @@ class SweepCheck {
         const ReadMeasure read = readMeasure(text);
         if (!read.measure) return read.objection;
         for (const std::string* owner : {&read.measure->of, &read.measure->to})
-            if (!owner->empty() && !isThere(*owner)) return "there is no body " + quoted(*owner);
+            if (!owner->empty() && !isThere(*owner))
+                return "there is no body " + quoted(*owner) + "; give a label, `body 7` or a family";
         return {};
     }
 

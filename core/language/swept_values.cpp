@@ -22,13 +22,6 @@ std::vector<std::string> partsOf(std::string_view text, char separator) {
     return parts;
 }
 
-/// A number as people write it: `.5` and `-.5`, too.
-std::optional<double> looseNumberIn(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const std::string_view digits = text.substr(negative ? 1 : 0);
-    return digits.starts_with('.') ? numberIn((negative ? "-0" : "0") + std::string(digits)) : numberIn(text);
-}
-
 /// "4:12:17", or with `logarithmic` "1e-3:1:7".
 std::string readRange(std::string_view text, bool logarithmic, SweptParameter& parameter) {
     const std::vector<std::string> parts = partsOf(text, ':');
@@ -66,6 +59,12 @@ std::string readLaw(std::string_view text, SweptParameter::Law law, SweptParamet
 }
 
 } // namespace
+
+std::optional<double> looseNumberIn(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    const std::string_view digits = text.substr(negative ? 1 : 0);
+    return digits.starts_with('.') ? numberIn((negative ? "-0" : "0") + std::string(digits)) : numberIn(text);
+}
 
 std::string sweepNumber(double value) {
     constexpr int digits = 12;

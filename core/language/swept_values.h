@@ -4,6 +4,7 @@
 #include "core/language/parameter_change.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ struct SweptParameter {
 /// A computed value as it stands in a text and in the table: 12 digits, because logarithms and draws may
 /// differ in the last ones from machine to machine.
 std::string sweepNumber(double value);
+
+/// A number as people write it: `.5` and `-.5`, too.
+std::optional<double> looseNumberIn(std::string_view text);
 
 /// "4:12:17", "log 1e-3:1:7", "0,.1,.3", "contacts,events", "uniform 0:1", "normal 8:0.5" into the values or
 /// law of `parameter`; the objection, or an empty text.

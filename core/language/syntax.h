@@ -11,7 +11,7 @@
 
 namespace carom {
 
-enum class SyntaxValueKind : std::uint8_t { Missing, Scalar, Vector, Word };
+enum class SyntaxValueKind : std::uint8_t { Missing, Scalar, Vector, Word, Text };
 
 struct ParameterSyntax {
     SourceRange name;

@@ -163,6 +163,11 @@ class Validator {
         m_scene.generated = std::move(generated);
     }
 
+    void add(SweepRequest& sweep, const DeclarationSource& source) {
+        sweep.source = source;
+        m_scene.sweep = std::move(sweep);
+    }
+
     bool claimLabel(const DeclarationSyntax& syntax, const DeclarationRow& row) {
         if (syntax.label.length == 0) return true;
         if (row.isBody) return m_labels.claim(syntax.label);
@@ -207,7 +212,7 @@ class Validator {
             return;
         }
         const std::size_t place = static_cast<std::size_t>(parameterRow - row.parameters.data());
-        if (given.parameters[place] != nullptr) {
+        if (given.parameters[place] != nullptr && !parameterRow->repeats) {
             reportDuplicate(parameter, *given.parameters[place]);
             return;
         }

@@ -21,6 +21,8 @@ std::string_view seenAs(SyntaxValueKind kind) {
         return "a vector";
     case SyntaxValueKind::Word:
         return "a word";
+    case SyntaxValueKind::Text:
+        return "a text";
     case SyntaxValueKind::Missing:
         return "nothing";
     }
@@ -37,6 +39,8 @@ bool accepts(ValueKind wanted, SyntaxValueKind seen) {
     case ValueKind::Word:
     case ValueKind::Label:
         return seen == SyntaxValueKind::Word;
+    case ValueKind::Text:
+        return seen == SyntaxValueKind::Text;
     case ValueKind::Colour:
         return seen == SyntaxValueKind::Vector || seen == SyntaxValueKind::Word;
     }
@@ -59,6 +63,7 @@ class Check {
             return std::nullopt;
         }
         if (m_parameter.kind == SyntaxValueKind::Word) return word();
+        if (m_parameter.kind == SyntaxValueKind::Text) return text();
         const double* scalars = m_input.tree.scalars.data() + m_parameter.firstScalar;
         CheckedValue value;
         if (m_parameter.kind == SyntaxValueKind::Scalar)
@@ -84,6 +89,13 @@ class Check {
         diagnostic->message = name() + " is " + std::string(seenAs(m_parameter.kind)) + "; it takes " +
                               std::string(phraseOf(m_row.kind));
         if (m_row.kind == ValueKind::Word) diagnostic->message += ", one of " + listed(m_row.words, "or");
+    }
+
+    CheckedValue text() const {
+        CheckedValue value;
+        value.word = m_word.substr(1, m_word.size() - 2);
+        value.place = m_parameter.value;
+        return value;
     }
 
     std::optional<CheckedValue> word() {

@@ -144,6 +144,20 @@ struct Generated {
     std::optional<DeclarationSource> source;
 };
 
+/// A text in quotation marks, and where it stands.
+struct QuotedText {
+    std::string text; ///< without the marks
+    SourceRange place;
+};
+
+/// A `sweep` declaration: a study of the scene over ranges of its numbers.
+struct SweepRequest {
+    std::vector<QuotedText> vary, measures; ///< core/language/sweep_words.h reads them
+    bool zip = false;
+    std::optional<int> random, seeds, frames;
+    std::optional<DeclarationSource> source;
+};
+
 struct Scene {
     std::vector<Body> bodies; ///< in the order of the text, walls included; BodyIndex points here
     std::vector<Spring> springs;
@@ -153,6 +167,7 @@ struct Scene {
     CameraSettings camera;
     std::vector<Expectation> expectations;
     std::optional<Generated> generated;
+    std::optional<SweepRequest> sweep;
     std::vector<ParameterSource> parameterSources;
 
     /// Where a declaration gave a parameter; nothing if it did not.

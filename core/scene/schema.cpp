@@ -9,10 +9,10 @@
 namespace carom {
 
 std::span<const DeclarationRow> schema() {
-    static const std::array<DeclarationRow, 11> rows = {
-        sphereDeclaration(),  cylinderDeclaration(), wallDeclaration(),    cuboidDeclaration(),
-        gravityDeclaration(), airDeclaration(),      springDeclaration(),  simulationDeclaration(),
-        cameraDeclaration(),  expectDeclaration(),   generateDeclaration()};
+    static const std::array<DeclarationRow, 12> rows = {
+        sphereDeclaration(),  cylinderDeclaration(), wallDeclaration(),     cuboidDeclaration(),
+        gravityDeclaration(), airDeclaration(),      springDeclaration(),   simulationDeclaration(),
+        cameraDeclaration(),  expectDeclaration(),   generateDeclaration(), sweepDeclaration()};
     return rows;
 }
 

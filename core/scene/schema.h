@@ -20,6 +20,7 @@ enum class ValueKind : std::uint8_t {
     Vector,      ///< three scalars
     Word,        ///< one of ParameterRow::words
     Label,       ///< a body's label, or `world`
+    Text,        ///< anything between quotation marks
     Colour,      ///< three scalars in 0..1, or one of the sixteen basic colour names
 };
 
@@ -43,15 +44,16 @@ std::string_view phraseOf(ValueKind kind);
 struct CheckedValue {
     double number = 0;
     Vec3 vector = Vec3::Zero();
-    std::string_view word;   ///< Word: the row's own word; Label: as written
+    std::string_view word;   ///< Word: the row's own word; Label: as written; Text: without its marks
+    SourceRange place;       ///< of the value
     BodyIndex body = noBody; ///< Label: the body it names; noBody is the world
     BodyFamily family =
         {}; ///< Label: the bodies it names, where the row takes families and no body is called so
 };
 
 /// What one declaration builds, while its parameters are stored into it.
-using Declared =
-    std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation, Generated>;
+using Declared = std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation,
+                              Generated, SweepRequest>;
 
 enum class Layer : std::uint8_t { Reference, Carom };
 
@@ -67,6 +69,7 @@ struct ParameterRow {
     Constraint constraint = Constraint::None;
     std::span<const std::string_view> words = {}; ///< for ValueKind::Word
     bool takesFamily = false;                     ///< for ValueKind::Label: a family of bodies will do, too
+    bool repeats = false;                         ///< may be given again, another value each time
     std::string_view help = {};                   ///< one line
     Layer layer = Layer::Reference;
     void (*store)(Declared& into, const CheckedValue& value) = nullptr;

@@ -19,5 +19,6 @@ DeclarationRow simulationDeclaration();
 DeclarationRow cameraDeclaration();
 DeclarationRow expectDeclaration();
 DeclarationRow generateDeclaration();
+DeclarationRow sweepDeclaration();
 
 } // namespace carom

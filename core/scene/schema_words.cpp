@@ -46,7 +46,7 @@ constexpr auto quantities = std::to_array<std::string_view>({
     "kinetic_energy", "potential_energy", "momentum", "momentum_x", "momentum_y", "momentum_z",
     "angular_momentum", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z", "penetration",
     "contact_force", "contact_force_x", "contact_force_y", "contact_force_z", "impacts", "distance",
-    "centre_of_mass_x", "centre_of_mass_y", "centre_of_mass_z", "contact_residual", "contacts",
+    "centre_of_mass_x", "centre_of_mass_y", "centre_of_mass_z", "slope", "contact_residual", "contacts",
     "overlapping_pairs", "pairs_collided", "rows_swept", "factorisations", "impacts_treated", "searches",
     "islands", "islands_unfinished",
 // clang-format on
@@ -133,6 +133,8 @@ std::string_view phraseOf(ValueKind kind) {
         return "a word";
     case ValueKind::Label:
         return "a body's label or `world`";
+    case ValueKind::Text:
+        return "a text in quotation marks";
     case ValueKind::Colour:
         return "a colour (three numbers from 0 to 1 separated by commas, or a colour's name)";
     }

@@ -138,6 +138,17 @@ std::string Sweep::hash() const {
     return text;
 }
 
+SweepDefinition definitionOf(const SweepRequest& request) {
+    SweepDefinition definition;
+    for (const QuotedText& vary : request.vary) definition.vary.push_back(vary.text);
+    for (const QuotedText& measure : request.measures) definition.measures.push_back(measure.text);
+    definition.zip = request.zip;
+    definition.random = request.random.value_or(0);
+    definition.seeds = request.seeds.value_or(0);
+    if (request.frames) definition.frames = *request.frames;
+    return definition;
+}
+
 std::string textOf(const SweepDefinition& definition) {
     std::string text;
     const auto line = [&text](std::string_view name, std::string_view value) {

@@ -3,6 +3,7 @@
 
 #include "core/generators/generator.h"
 #include "core/language/parameter_change.h"
+#include "core/language/swept_values.h"
 #include "core/simulation/build.h"
 #include "core/study/sweep_measure.h"
 
@@ -40,24 +41,15 @@ struct SweepDefinition {
     friend bool operator==(const SweepDefinition&, const SweepDefinition&) = default;
 };
 
-/// A parameter and the values it takes.
-struct SweptParameter {
-    enum class Law : std::uint8_t { Listed, Uniform, Normal, Consecutive };
-
-    std::string name; ///< the path as written
-    ParameterPath path;
-    std::vector<std::string> values; ///< as they will stand in the text; of Listed
-    Law law = Law::Listed;
-    double a = 0, b = 0;  ///< of a law: its two figures; of Consecutive the first
-    bool isWhole = false; ///< takes whole numbers only
-};
-
 /// Parameters that change together.
 struct SweepAxis {
     std::vector<std::size_t> parameters; ///< by number
     std::size_t count = 1;               ///< of values
     bool isReplication = false;          ///< draws and seeds: what a summary is taken over
 };
+
+/// What a `sweep` declaration asks for.
+SweepDefinition definitionOf(const SweepRequest& request);
 
 class Sweep;
 

@@ -12,90 +12,12 @@
 namespace carom {
 namespace {
 
-constexpr long long mostValues = 1'000'000;
 constexpr double largestWhole = 9007199254740992; ///< 2^53: up to it doubles count one by one
-
-std::vector<std::string> splitAt(std::string_view text, char separator) {
-    std::vector<std::string> parts(1);
-    for (const char c : text)
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    return parts;
-}
-
-/// A number as people write it: `.5` and `-.5`, too.
-std::optional<double> looseNumberIn(std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const std::string_view digits = text.substr(negative ? 1 : 0);
-    return digits.starts_with('.') ? numberIn((negative ? "-0" : "0") + std::string(digits)) : numberIn(text);
-}
-
-/// "4:12:17", or with `logarithmic` "1e-3:1:7".
-std::string readRange(std::string_view text, bool logarithmic, SweptParameter& parameter) {
-    const std::vector<std::string> parts = splitAt(text, ':');
-    if (parts.size() != 3) return "a range has three numbers, first:last:count";
-    const std::optional<double> first = looseNumberIn(parts[0]), last = looseNumberIn(parts[1]);
-    const std::optional<long long> count = wholeNumberIn(parts[2]);
-    if (!first || !last) return "`" + (first ? parts[1] : parts[0]) + "` is no number";
-    if (!count || *count < 1 || *count > mostValues)
-        return "the count is `" + parts[2] + "`; it must be a whole number from 1 to 1000000";
-    if (logarithmic && !(*first > 0 && *last > 0)) return "a logarithmic range lies above 0";
-    for (long long i = 0; i < *count; ++i) {
-        const double share = *count > 1 ? static_cast<double>(i) / static_cast<double>(*count - 1) : 0;
-        const double between =
-            logarithmic ? *first * std::pow(*last / *first, share) : *first + (*last - *first) * share;
-        const bool isEnd = i == 0 || i + 1 == *count; // which are as they are written
-        parameter.values.push_back(isEnd ? shortest(i == 0 ? *first : *last) : sweepNumber(between));
-    }
-    return {};
-}
-
-std::string readLaw(std::string_view text, SweptParameter::Law law, SweptParameter& parameter) {
-    const std::vector<std::string> parts = splitAt(text, ':');
-    const bool isUniform = law == SweptParameter::Law::Uniform;
-    const std::optional<double> a = looseNumberIn(parts[0]);
-    const std::optional<double> b = parts.size() == 2 ? looseNumberIn(parts[1]) : std::nullopt;
-    if (!a || !b)
-        return isUniform ? "a uniform law has two numbers, least:most"
-                         : "a normal law has two numbers, mean:deviation";
-    if (isUniform ? *b < *a : *b < 0)
-        return isUniform ? "the least is above the most" : "the deviation is below 0";
-    parameter.law = law;
-    parameter.a = *a;
-    parameter.b = *b;
-    return {};
-}
 
 } // namespace
 
-std::string sweepNumber(double value) {
-    constexpr int digits = 12;
-    const double rounded = numberIn(figure(value, digits)).value_or(value);
-    return shortest(rounded == 0 ? 0 : rounded); // no minus before a zero
-}
-
-std::string readValues(std::string_view text, SweptParameter& parameter) {
-    const auto behind = [&](std::string_view word) {
-        return text.starts_with(word) ? std::optional(text.substr(word.size())) : std::nullopt;
-    };
-    if (const auto range = behind("log ")) return readRange(*range, true, parameter);
-    if (const auto law = behind("uniform ")) return readLaw(*law, SweptParameter::Law::Uniform, parameter);
-    if (const auto law = behind("normal ")) return readLaw(*law, SweptParameter::Law::Normal, parameter);
-    if (text.find(':') != text.npos) return readRange(text, false, parameter);
-    for (const std::string& word : splitAt(text, ',')) {
-        if (word.empty()) return "a value is missing";
-        const std::optional<double> number = looseNumberIn(word);
-        parameter.values.push_back(number ? shortest(*number) : word);
-    }
-    return {};
-}
-
 ReadRequest readRequest(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::string& word : splitAt(text, ' '))
-        if (!word.empty()) words.push_back(std::move(word));
+    const std::vector<std::string> words = wordsIn(text);
     ReadRequest read;
     const std::string name = words.empty() ? "" : words.front();
     const GeneratorRow* row = findGenerator(name);
@@ -185,21 +107,9 @@ class SweepReader {
     void readVaries() {
         std::set<std::string> names;
         for (const std::string& vary : definition().vary) {
-            const std::size_t equals = vary.find('=');
-            const std::string name = vary.substr(0, equals);
-            const std::optional<ParameterPath> path = parameterPathIn(name);
-            if (equals == std::string::npos || !path) {
-                m_objection = "`" + vary + "` is not of the form `cue.vel.x=4:12:17`";
-                return;
-            }
-            if (!names.insert(name).second) {
-                m_objection = "`" + name + "` is varied twice";
-                return;
-            }
             SweptParameter parameter;
-            parameter.name = name;
-            parameter.path = *path;
-            std::string objection = readValues(std::string_view(vary).substr(equals + 1), parameter);
+            std::string objection = readVary(vary, parameter);
+            if (objection.empty() && !names.insert(parameter.name).second) objection = "it is varied twice";
             if (objection.empty()) objection = lookUp(parameter);
             if (!objection.empty()) {
                 m_objection = "`" + vary + "`: " + objection;

@@ -194,6 +194,16 @@ class SweepCommandTest : public QObject {
         QCOMPARE(carom({"sweep", scene(), "--measure=max speed"}).exitCode, 2);
     }
 
+    void aSceneCanSayItsOwnSweep() {
+        writeFile(in("own.sdl"),
+                  fallingBall + "sweep { vary \"ball.vel.x=1:3:3\" measure \"final x of ball\" }\n");
+        QCOMPARE(carom({"sweep", in("own.sdl"), "-o", in("declared")}).exitCode, 0);
+        QCOMPARE(linesOf(QString::fromUtf8(readFile(in("declared/sweep.csv")))).size(), 4);
+        // The command line wins.
+        QCOMPARE(carom({"sweep", in("own.sdl"), "--vary=ball.vel.x=1,2", "-o", in("other")}).exitCode, 0);
+        QCOMPARE(linesOf(QString::fromUtf8(readFile(in("other/sweep.csv")))).size(), 3);
+    }
+
     void aGeneratedSceneIsSweptOverItsOptionsAndSeeds() {
         const Ended ended = carom({"sweep", "--generate=pile --n 5", "--vary=generate.height=1,2",
                                    "--vary=bodies.friction=0.2,0.4", "--seeds=3",

@@ -42,6 +42,7 @@ const std::unordered_map<std::string_view, SceneLexer::Style>& knownNames() {
 SceneLexer::Style styleOf(const Token& token, std::string_view text, SceneLexer::Style before) {
     switch (token.kind) {
     case TokenKind::Number:
+    case TokenKind::Text:
         return SceneLexer::Number;
     case TokenKind::Comment:
         return SceneLexer::Comment;

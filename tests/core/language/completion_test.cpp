@@ -43,7 +43,7 @@ std::string names(std::string text) {
 }
 
 constexpr const char* types =
-    "sphere cylinder wall cuboid gravity air spring simulation camera expect generate";
+    "sphere cylinder wall cuboid gravity air spring simulation camera expect generate sweep";
 
 class CompletionTest : public QObject {
     Q_OBJECT

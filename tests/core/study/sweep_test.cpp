@@ -181,6 +181,21 @@ class SweepTest : public QObject {
         QVERIFY2(QString::fromStdString(read.objection).contains(objection), read.objection.c_str());
     }
 
+    void aDeclarationSaysTheSameAsACommandLine() {
+        const std::string text = thrownBall +
+                                 "sweep { vary \"ball.vel.x=1,2\" vary \"ball.mass=3,4\" zip yes\n"
+                                 "measure \"final x of ball\" measure \"max speed\" frames 12 }\n";
+        const Analysis analysis = analyse(text);
+        QVERIFY(analysis.diagnostics.empty());
+        const SweepDefinition definition = definitionOf(analysis.scene.sweep.value());
+        const auto sweep = sweepOf(definition, text);
+        QCOMPARE(sweep->runs(), std::size_t(2));
+        QCOMPARE(sweep->measures().size(), std::size_t(2));
+        QCOMPARE(definition.frames.value(), 12);
+        const SweepResult result = runOf(*sweep, 1, {}).value();
+        QVERIFY(std::abs(result.figures[0] - 2 * 12.0 / 60) < 1e-9);
+    }
+
     // x after 0.5 s is v/2: figures stand behind the values they belong to, in the order of the runs.
     void aTableHasARowARunWithItsFigures() {
         const auto sweep = sweepOf(throwing({"ball.vel.x=0:4:5"}));
