@@ -2376,7 +2376,7 @@ Sind Körper darin, steht hier, welche Effekte sie verlangen, und warum.</transl
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Replace by</source>
+        <source>Replace with</source>
         <translation>Ersetzen durch</translation>
     </message>
     <message>

@@ -47,7 +47,7 @@ int replaceAllMatches(SceneEditor& editor, const SearchQuery& query, const QStri
 
 FindBar::FindBar(SceneEditor& editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_find(field(tr("Find"), this)),
-      m_replace(field(tr("Replace by"), this)),
+      m_replace(field(tr("Replace with"), this)),
       m_regularExpression(new QCheckBox(tr("Regular e&xpression"), this)),
       m_matchCase(new QCheckBox(tr("Match &case"), this)), m_message(new QLabel(this)) {
     QPushButton* previous = new QPushButton(tr("&Previous"), this);
