@@ -56,7 +56,8 @@ std::shared_ptr<const Sweep> sweepFrom(const Arguments& arguments) {
 void writeAll(const SweepFolder& folder, const Sweep& sweep) {
     const SweepReport report = writeSweepSummary(folder, sweep);
     printOut(report.text);
-    if (chartDrawer().sweep) chartDrawer().sweep(sweep, report.points, folder.path());
+    if (chartDrawer().sweep && !report.points.empty())
+        chartDrawer().sweep(sweep, report.points, folder.path());
 }
 
 /// What the command line leaves undone, in a sentence.

@@ -237,7 +237,7 @@ SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {
     table.write(summaryColumns(sweep));
     SweepSummary summary(sweep, [&](const SweepPoint& point) {
         table.write(summaryRows(sweep, point));
-        if (report.points.size() < mostChartPoints) report.points.push_back(point);
+        if (report.points.size() <= mostChartPoints) report.points.push_back(point);
     });
     folder.forRows(tableFile, [&](std::size_t, std::string_view line) {
         if (const std::optional<SweepResult> result = resultOfRow(sweep, line)) summary.add(*result);
@@ -246,6 +246,10 @@ SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {
     table.commit();
     report.totals = summary.totals();
     report.text = summaryOf(report.totals, sweep.runs());
+    if (report.points.size() > mostChartPoints) { // a part of them would look like the whole
+        report.points.clear();
+        report.text += "\nThere is no chart of more than " + std::to_string(mostChartPoints) + " points.\n";
+    }
     replaceFile(folder.pathOf("summary.txt"), report.text);
     return report;
 }

@@ -83,7 +83,7 @@ class SweepJournal {
 
 /// What the whole table says.
 struct SweepReport {
-    std::vector<SweepPoint> points; ///< as many as a chart can show
+    std::vector<SweepPoint> points; ///< none where they are more than a chart can show
     SweepTotals totals;
     std::string text; ///< what is printed
 };

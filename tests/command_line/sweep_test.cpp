@@ -194,6 +194,15 @@ class SweepCommandTest : public QObject {
         QCOMPARE(carom({"sweep", scene(), "--measure=max speed"}).exitCode, 2);
     }
 
+    // 317² points are more than a chart can show, and a part of them would look like the whole.
+    void ofTooManyPointsThereIsNoChart() {
+        const Ended ended = carom({"sweep", scene(), "--vary=ball.vel.x=0:1:317", "--vary=ball.vel.z=0:1:317",
+                                   "--measure=final x of ball", "--frames=1", "-o", in("many")});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY2(ended.out.contains("There is no chart of more than 100000 points."), qPrintable(ended.out));
+        QVERIFY(QFile::exists(in("many/summary.csv")) && !QFile::exists(in("many/sweep-1.svg")));
+    }
+
     void aSceneCanSayItsOwnSweep() {
         writeFile(in("own.sdl"),
                   fallingBall + "sweep { vary \"ball.vel.x=1:3:3\" measure \"final x of ball\" }\n");
