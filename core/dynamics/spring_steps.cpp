@@ -4,8 +4,10 @@
 #include "core/dynamics/free_rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace carom {
 namespace {
@@ -30,6 +32,11 @@ constexpr double roundsEnd = 1e-16, maybeRounding = 1e-14;
 /// from step to step, those of several parts add up.
 constexpr double mostRounding = 1e-10;
 constexpr double mostOfRounding = 16; // of all springs at a body
+/// How far a body that is tied off its centre turns within one of the shorter steps [rad]: the energy of one
+/// that spins is then kept to about 1e-6. And so many of them at most: beyond, only the shape of the motion
+/// is lost, not its bound.
+constexpr double mostTurn = 0.18;
+constexpr int mostCuts = 64;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 Vec3 placeOf(const Vec3& centre, const Vec3& arm) { return centre + arm; }
@@ -53,7 +60,6 @@ SpringSteps::End SpringSteps::endOf(const SpringNetwork& network, const State& s
 void SpringSteps::load(const SpringNetwork& network, const State& state) {
     m_place.resize(network.bodies.count(), -1);
     m_moving.resize(network.moving.size());
-    m_velocities.resize(network.moving.size());
     for (std::size_t k = 0; k < network.moving.size(); ++k) {
         const BodyIndex i = network.moving[k];
         m_place[i] = static_cast<int>(k);
@@ -65,7 +71,6 @@ void SpringSteps::load(const SpringNetwork& network, const State& state) {
         body.v1 = state.velocity[i];
         body.q1 = state.pose[i].orientation;
         body.L1 = angularMomentumOf(network.bodies, i, state);
-        m_velocities[k][0] = body.v1;
     }
     m_links.clear();
     const auto damp = [&](const End& end, double damping) {
@@ -216,21 +221,47 @@ bool SpringSteps::followPart(const SpringNetwork& network, double T, double gues
     return false;
 }
 
+// Into so many steps of equal length.
+int SpringSteps::cutsFor(const SpringNetwork& network, double h, const State& state) const {
+    double fastest = 0; // [rad/s]
+    const auto look = [&](const Link& link, const End& end) {
+        if (end.body < 0 || end.isCentre) return;
+        const BodyIndex i = network.moving[static_cast<std::size_t>(end.body)];
+        const double swing =
+            link.stiffness * end.at.squaredNorm() * network.bodies.inverseInertia[i].maxCoeff();
+        fastest = std::max({fastest, state.angularVelocity[i].norm(), std::sqrt(swing)});
+    };
+    for (const Link& link : m_links) {
+        look(link, link.from);
+        look(link, link.to);
+    }
+    return static_cast<int>(std::clamp(std::ceil(h * fastest / mostTurn), 1.0, double(mostCuts)));
+}
+
+void SpringSteps::noteVelocities() {
+    for (const Moving& body : m_moving) m_velocities.push_back(body.v1);
+    ++m_times;
+}
+
 bool SpringSteps::find(const SpringNetwork& network, double h, int order, const State& state) {
     load(network, state);
-    m_looks = 0;
-    if (fastestDamping() * h > mostDamping)
-        m_parts = fiveEqual;
+    m_looks = m_times = 0;
+    m_velocities.clear();
+    noteVelocities();
+    const int cuts = cutsFor(network, h, state);
+    const double step = h / cuts;
+    std::span<const double> parts = orderFour;
+    if (fastestDamping() * step > mostDamping)
+        parts = fiveEqual;
     else if (order > 4)
-        m_parts = orderSix;
-    else
-        m_parts = orderFour;
-    std::size_t part = 0;
-    for (const double share : m_parts) {
-        if (!followPart(network, share * h, part > 0 ? share / m_parts[part - 1] : 0)) return false;
-        ++part;
-        for (std::size_t k = 0; k < m_moving.size(); ++k) m_velocities[k][part] = m_moving[k].v1;
-    }
+        parts = orderSix;
+    double before = 0;
+    for (int cut = 0; cut < cuts; ++cut)
+        for (const double share : parts) {
+            if (!followPart(network, share * step, before != 0 ? share / before : 0)) return false;
+            before = share;
+            noteVelocities();
+        }
     return true;
 }
 

@@ -3,9 +3,7 @@
 
 #include "core/dynamics/spring_network.h"
 
-#include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 // Bodies on springs that touch nothing, through a step h to order four or six. The rule of order two is that
@@ -31,6 +29,9 @@
 // have no solution where the rate λ at which velocities vanish is 2/(h |1 − 4b|). Beyond λ h = 1
 // five equal parts are taken, of order two.
 //
+// Where a body that is tied off its centre turns, or swings about its own tie, far within a step, the step is
+// cut into shorter ones: over a turn of an arm, its middle would be nearer the centre than the arm is long.
+//
 // The equations are solved by iteration. An impulse p changes the length that it follows from: along a spring
 // between masses m and m' by a share κ = (T² k/4 + T c/2)(1/m + 1/m') of it, against it. So of what a round
 // finds p to be off, p takes 1/(1 + κ) along the spring: for one spring that is Newton's method but for its
@@ -48,13 +49,13 @@ class SpringSteps {
 
     /// Where the body at this place in `moving` ends [m].
     const Vec3& placeAfter(std::size_t place) const { return m_moving[place].x1; }
-    /// Of the last step, found or not: the parts bᵢ it was followed in.
-    std::span<const double> parts() const { return m_parts; }
     /// Of the last step, found or not: springs that were looked at.
     std::size_t looks() const { return m_looks; }
-    /// The velocities of a body, by its place in `moving`, at the ends of the parts of the last step [m/s].
-    std::span<const Vec3> velocities(std::size_t place) const {
-        return {m_velocities[place].data(), m_parts.size() + 1};
+    /// Velocities are known so often in the last step: where it begins, and at the end of every part.
+    std::size_t times() const { return m_times; }
+    /// Of a body then, by its place in `moving` [m/s].
+    const Vec3& velocity(std::size_t place, std::size_t time) const {
+        return m_velocities[time * m_moving.size() + place];
     }
 
   private:
@@ -88,12 +89,14 @@ class SpringSteps {
     double advance(const SpringNetwork& network, double T);
     void beginLinks(double T, double guess);
     double fastestDamping() const;
+    int cutsFor(const SpringNetwork& network, double h, const State& state) const;
+    void noteVelocities();
 
     std::vector<int> m_place; // by body of the scene
     std::vector<Moving> m_moving;
     std::vector<Link> m_links;
-    std::vector<std::array<Vec3, 10>> m_velocities; // by place, at the ends of the parts
-    std::span<const double> m_parts;
+    std::vector<Vec3> m_velocities; // by time, then by place [m/s]
+    std::size_t m_times = 0;
     double m_rounding = 0; // of the lengths of springs, as it shows in velocities in the part [m/s]
     std::size_t m_looks = 0;
 };

@@ -103,16 +103,16 @@ bool IslandMotion::staysApart(const MotionInput& input) const {
         return localOf(i) == immobile ? input.state.pose[i].position
                                       : m_springSteps.placeAfter(at(localOf(i)));
     };
-    const auto velocity = [&](BodyIndex i, std::size_t part) {
-        return localOf(i) == immobile ? Vec3(Vec3::Zero()) : m_springSteps.velocities(at(localOf(i)))[part];
+    const auto velocity = [&](BodyIndex i, std::size_t time) {
+        return localOf(i) == immobile ? Vec3(Vec3::Zero()) : m_springSteps.velocity(at(localOf(i)), time);
     };
     return std::ranges::all_of(m_contacts.pairs, [&](const ContactPair& pair) {
         const double first = leastGap(input.bodies, pair.a, input.state.pose[pair.a].position, pair.b,
                                       input.state.pose[pair.b].position);
         const double last = leastGap(input.bodies, pair.a, placeAfter(pair.a), pair.b, placeAfter(pair.b));
         double fastest = 0;
-        for (std::size_t part = 0; part <= m_springSteps.parts().size(); ++part)
-            fastest = std::max(fastest, (velocity(pair.a, part) - velocity(pair.b, part)).norm());
+        for (std::size_t time = 0; time < m_springSteps.times(); ++time)
+            fastest = std::max(fastest, (velocity(pair.a, time) - velocity(pair.b, time)).norm());
         return std::min({first, last, first + last - fasterBetween * input.substep * fastest}) > 0;
     });
 }

@@ -188,7 +188,10 @@ class OrdersTest : public QObject {
         for (const Case& a : cases) {
             for (const IntegratorRow& row : integrators()) {
                 const int order = row.orderOnSprings;
-                const int substeps = order == 1 ? 4096 : order == 2 ? 512 : row.name == "rk4" ? 256 : 64;
+                // A step in which tied bodies turn far is cut into shorter ones: these are short enough.
+                const int orderFour =
+                    row.name == "rk4" || a.name == std::string_view("swinging cuboids") ? 256 : 64;
+                const int substeps = order == 1 ? 4096 : order == 2 ? 512 : orderFour;
                 expectOrder(a.name, a.scene, a.reference, "contacts", row, order, substeps);
                 if (row.motion.moveOnSprings != nullptr)
                     expectOrder(a.name, a.scene, a.reference, "microcollisions", row, order, substeps);

@@ -20,7 +20,20 @@ struct KnownFailure {
     std::string_view why; ///< with the figure, where it was measured
 };
 
-inline constexpr std::array<KnownFailure, 0> knownFailures{};
+inline constexpr std::array knownFailures{
+    KnownFailure{"pressed_springs", StudyColumn::Default,
+                 "a ball pulled askew against a large one gains half its energy"},
+    KnownFailure{"spinner_on_spring", StudyColumn::Accurate, "energy is off by 3.6e-6 at 1000 rad/s"},
+    KnownFailure{"cylinder_on_slope", StudyColumn::Default,
+                 "a disc rests on four points, so it tips 29 % early in the directions between them"},
+    KnownFailure{"cylinder_on_slope", StudyColumn::Accurate, "as by default"},
+    KnownFailure{"thin_bodies", StudyColumn::Default, "a stick of 1:100 sinks in by 1.6 times its thickness"},
+    KnownFailure{"thin_bodies", StudyColumn::Accurate, "energy rises by 6.7e-5 between two frames"},
+    KnownFailure{"grooves", StudyColumn::Exact, "one of 24 loses its state"},
+    KnownFailure{"heaps", StudyColumn::Default, "cylinders go on moving at 1 cm/s"},
+    KnownFailure{"corners", StudyColumn::Default,
+                 "an impulse of the impact before is taken for a force: energy rises by .9 %"},
+};
 
 inline bool isKnownToFail(const HardCase& hardCase, StudyColumn column) {
     return std::ranges::any_of(knownFailures, [&](const KnownFailure& failure) {
