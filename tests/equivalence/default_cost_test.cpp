@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/counted_frames.h"
 #include "tests/support/files.h"
-#include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
 #include "core/integrators/integrator.h"
@@ -56,13 +56,7 @@ QByteArray withSetting(const QByteArray& text, const AccuracySetting& setting) {
 QMap<QByteArray, double> instructionsOf(const QList<QByteArray>& texts) {
     const QTemporaryDir folder;
     const QString counts = folder.filePath(QStringLiteral("counts"));
-    const Ended ended = runCommand(
-        QStringLiteral("valgrind"),
-        {QStringLiteral("--tool=callgrind"), QStringLiteral("--toggle-collect=carom::countedFrames*"),
-         QStringLiteral("--dump-after=carom::countedFrames(carom::World&, int)"),
-         QStringLiteral("--callgrind-out-file=") + counts, QStringLiteral(CAROM_FRAMES),
-         QString::number(warmUp), QString::number(counted)},
-        texts.join("====\n"));
+    const test::Ended ended = test::countFrames(texts, warmUp, counted, counts);
     QMap<QByteArray, double> instructions;
     if (ended.exitCode != 0) return instructions;
     for (qsizetype i = 0; i < texts.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/program.h"
+#include "tests/support/counted_frames.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/test_class.h"
 #include "tests/support/worlds.h"
@@ -69,13 +69,7 @@ Profile readProfile(const QString& path) {
 QMap<QByteArray, Profile> profilesOf(const QList<QByteArray>& texts) {
     const QTemporaryDir folder;
     const QString counts = folder.filePath(QStringLiteral("counts"));
-    const Ended ended = runCommand(
-        QStringLiteral("valgrind"),
-        {QStringLiteral("--tool=callgrind"), QStringLiteral("--toggle-collect=carom::countedFrames*"),
-         QStringLiteral("--dump-after=carom::countedFrames(carom::World&, int)"),
-         QStringLiteral("--callgrind-out-file=") + counts, QStringLiteral(CAROM_FRAMES),
-         QString::number(warmUp), QString::number(counted)},
-        texts.join("====\n"));
+    const test::Ended ended = test::countFrames(texts, warmUp, counted, counts);
     const QStringList hashes = linesOf(ended.out);
     if (ended.exitCode != 0 || hashes.size() != texts.size()) {
         qWarning("%s", qPrintable(ended.err));
