@@ -218,7 +218,8 @@ void LiteralHandles::pick(std::int64_t offset) {
 }
 
 bool LiteralHandles::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != m_editor.viewport()) {
+    // Not asked of the editor, of which little may be left: its last events come while it is being destroyed.
+    if (watched == m_number || watched == m_colour) {
         if (event->type() == QEvent::Enter) m_leave.stop();
         if (event->type() == QEvent::Leave) m_leave.start();
         if (watched == m_colour && event->type() == QEvent::MouseButtonRelease) pick(m_colour->offset());
