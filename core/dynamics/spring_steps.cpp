@@ -39,8 +39,6 @@ constexpr double mostTurn = 0.18;
 constexpr int mostCuts = 64;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-Vec3 placeOf(const Vec3& centre, const Vec3& arm) { return centre + arm; }
-
 } // namespace
 
 SpringSteps::End SpringSteps::endOf(const SpringNetwork& network, const State& state, BodyIndex body,
@@ -111,7 +109,7 @@ void SpringSteps::beginLinks(double T, double guess) {
         if (end.body < 0) return;
         const Moving& body = m_moving[static_cast<std::size_t>(end.body)];
         if (!end.isCentre) end.armBefore = body.q0 * end.at;
-        end.before = placeOf(body.x0, end.armBefore);
+        end.before = body.x0 + end.armBefore;
     };
     for (Link& link : m_links) {
         begin(link.from);
@@ -140,11 +138,11 @@ void SpringSteps::pull(double T) {
         Vec3 from = link.from.before, to = link.to.before;
         if (link.from.body >= 0) {
             if (!link.from.isCentre) armFrom = arm(link.from);
-            from = placeOf(m_moving[static_cast<std::size_t>(link.from.body)].x1, armFrom);
+            from = m_moving[static_cast<std::size_t>(link.from.body)].x1 + armFrom;
         }
         if (link.to.body >= 0) {
             if (!link.to.isCentre) armTo = arm(link.to);
-            to = placeOf(m_moving[static_cast<std::size_t>(link.to.body)].x1, armTo);
+            to = m_moving[static_cast<std::size_t>(link.to.body)].x1 + armTo;
         }
         const Vec3 last = to - from, middle = 0.5 * (last + link.to.before - link.from.before);
         const double after = last.norm(), length = 0.5 * (link.before + after);

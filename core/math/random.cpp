@@ -60,4 +60,12 @@ std::uint64_t Random::below(std::uint64_t count) {
     }
 }
 
+Vec3 uniformDirection(Random& random) {
+    Vec3 direction;
+    do
+        for (double& x : direction) x = random.gaussian();
+    while (!(direction.norm() > 0));
+    return direction.normalized();
+}
+
 } // namespace carom

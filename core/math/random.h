@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/math/types.h"
+
 #include <cstdint>
 
 namespace carom {
@@ -29,5 +31,9 @@ class Random {
     std::uint64_t m_key;
     std::uint64_t m_counter = 0;
 };
+
+/// A unit vector, uniform over all directions: three normal numbers (x, y, z in this order) have no
+/// direction they prefer.
+Vec3 uniformDirection(Random& random);
 
 } // namespace carom

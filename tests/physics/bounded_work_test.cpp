@@ -93,7 +93,7 @@ double workOf(const std::string& scene, int frames) {
     double sum = 0;
     for (int frame = 0; frame < frames && world.health().finite; ++frame) {
         world.step();
-        sum += test::frameWork(world.statistics().work);
+        sum += operationsOf(world.statistics().work);
     }
     return sum;
 }

@@ -11,12 +11,6 @@
 
 namespace carom::test {
 
-/// Operations of a frame: refinement, sweeps, and shapes compared, all pairs as dear as the dearest.
-inline double frameWork(const WorkCounters& work) {
-    return work.operations + work::swept * static_cast<double>(work.rowsSwept) +
-           work::collide * static_cast<double>(work.pairsCollided);
-}
-
 inline World contactsWorld(const std::string& text) {
     SimulationSettings options;
     options.method = "contacts";

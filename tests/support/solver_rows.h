@@ -22,11 +22,6 @@ inline Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
     return {from[0][lane], from[1][lane], from[2][lane]};
 }
 
-inline Vec3 directionOf(Random& random) {
-    const double x = random.gaussian(), y = random.gaussian();
-    return Vec3(x, y, random.gaussian()).normalized();
-}
-
 /// A pair that owns its points.
 struct OwnedPair {
     PairInput laws;
@@ -112,7 +107,7 @@ inline OwnedPair randomPair(Random& random, const RowScene& scene, std::uint32_t
     OwnedPair pair;
     pair.laws.a = a;
     pair.laws.b = b;
-    pair.laws.normal = directionOf(random);
+    pair.laws.normal = uniformDirection(random);
     pair.laws.friction = kind.friction * random.uniform();
     pair.laws.restitution = kind.restitution * random.uniform();
     pair.laws.rolling = random.below(2) == 0 ? 0 : kind.rolling * random.uniform();
@@ -128,7 +123,7 @@ inline OwnedPair randomPair(Random& random, const RowScene& scene, std::uint32_t
         if (random.below(3) == 0) continue; // no impulse yet
         const double normal = kind.impulse * random.uniform();
         point.impulse = normal * pair.laws.normal;
-        point.impulse += 0.5 * pair.laws.friction * normal * pair.laws.normal.cross(directionOf(random));
+        point.impulse += 0.5 * pair.laws.friction * normal * pair.laws.normal.cross(uniformDirection(random));
     }
     return pair;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dynamics/work_counters.h"
+
 // The work of the method `contacts` is counted, never timed: a scene takes the same decisions on every
 // machine. The unit is an operation of about half a nanosecond on a processor of 2020; the figures below were
 // measured with callgrind and rounded. What is refined beyond the base path (refinement.h) is bounded by a
@@ -20,5 +22,12 @@ inline constexpr double swept = 10;         ///< a row in a pass of the base pat
 inline constexpr double carried = 500;      ///< a pair of bodies on the base path, in a substep
 inline constexpr double collideRound = 150; ///< a pair with a sphere, or with a wall
 } // namespace work
+
+/// What counters stand for [operations]: refinement, rows swept, and shapes compared, all as dear as the
+/// dearest.
+inline double operationsOf(const WorkCounters& counters) {
+    return counters.operations + work::swept * static_cast<double>(counters.rowsSwept) +
+           work::collide * static_cast<double>(counters.pairsCollided);
+}
 
 } // namespace carom

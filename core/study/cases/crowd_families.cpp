@@ -36,7 +36,7 @@ constexpr int thinShapes = 4;
 
 std::string thinScene(int member, Random& random) {
     const double slender = member / thinShapes % 2 == 0 ? 10 : 100;
-    const Vec3 turn = directionOf(random), spin = random.uniform(0, 20) * directionOf(random);
+    const Vec3 turn = uniformDirection(random), spin = random.uniform(0, 20) * uniformDirection(random);
     const Vec3 attitude = member % thinShapes < 2 ? turn : Vec3(random.uniform(0, 180) * turn);
     return falling() + levelFloor(0.5, 0.3) +
            thinBody(member % thinShapes, 0.2, slender,
@@ -71,12 +71,6 @@ std::string thinDisc() {
     return thinScene(4, random);
 }
 
-/// Operations of a frame.
-double workOf(const FrameStatistics& frame) {
-    return frame.work.operations + work::swept * static_cast<double>(frame.work.rowsSwept) +
-           work::collide * static_cast<double>(frame.work.pairsCollided);
-}
-
 struct Settling {
     double atRestAfter = NAN; ///< [s], no body of the scene moves from then on
     double lastWork = 0;      ///< of the last frame [operations]
@@ -93,7 +87,7 @@ Settling settle(Trial& trial, const std::string& scene, double seconds) {
         else if (std::isnan(settling.atRestAfter))
             settling.atRestAfter = world.state().time;
     });
-    settling.lastWork = workOf(world.statistics());
+    settling.lastWork = operationsOf(world.statistics().work);
     for (const TouchingPair& touching : touchingPairs(world.pipeline().bodies(), world.state()))
         settling.deepest = std::max(settling.deepest, -touching.manifold.deepest().separation);
     return settling;
@@ -135,9 +129,9 @@ std::string cornerScene(int member, Random& random) {
         scene += text("wall { normal ", normal, "  toOrig 0", surface);
     for (int i = 0; i < 12; ++i) {
         const Vec3 centre(1 + 0.7 * (i % 2), 0.5 + 0.7 * (i / 4), 1 + 0.7 * (i / 2 % 2));
-        const Vec3 velocity = Vec3(-5, -2, -5) + 2 * directionOf(random);
+        const Vec3 velocity = Vec3(-5, -2, -5) + 2 * uniformDirection(random);
         const std::string further = text("  mass ", between(random, 0.3, 3), "  centre ", centre, "  vel ",
-                                         velocity, "  angvel ", Vec3(10 * directionOf(random)), surface);
+                                         velocity, "  angvel ", Vec3(10 * uniformDirection(random)), surface);
         const double size = random.uniform(0.1, 0.4);
         switch ((member + i) % 4) {
         case 0:
@@ -162,7 +156,7 @@ std::string burstScene(int member, Random& random) {
     std::string scene = falling() + levelFloor(0.5);
     for (int i = 0; i < 3; ++i) {
         const std::string further =
-            text("  mass 1  centre ", Vec3(Vec3(0, 1, 0) + 0.05 * directionOf(random)),
+            text("  mass 1  centre ", Vec3(Vec3(0, 1, 0) + 0.05 * uniformDirection(random)),
                  "  friction 0.5  elastic 0 }\n");
         switch ((member + i) % 3) {
         case 0:
@@ -191,7 +185,7 @@ void runCorners(Trial& trial) {
             const double start = energyOf(world);
             double rise = 0, most = 0, least = start;
             trial.run(world, trial.shortOrLong(60, 300), [&] {
-                most = std::max(most, workOf(world.statistics()));
+                most = std::max(most, operationsOf(world.statistics().work));
                 rise = std::max(rise, energyOf(world) - least);
                 least = std::min(least, energyOf(world));
             });

@@ -51,11 +51,4 @@ inline double between(Random& random, double low, double high) {
     return std::exp(random.uniform(std::log(low), std::log(high)));
 }
 
-/// Evenly over all directions.
-inline Vec3 directionOf(Random& random) {
-    Vec3 direction;
-    for (double& x : direction) x = random.gaussian();
-    return direction.normalized();
-}
-
 } // namespace carom

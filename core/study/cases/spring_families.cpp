@@ -43,7 +43,7 @@ std::string pressed(int member, Random& random) {
     const double stiffness = between(random, 1e2, 1e7), elastic = pressedElastic[member % 3];
     const std::string spring = text("  stiffness ", stiffness, "  length 0 }\n");
     const auto mass = [&] { return text("mass ", random.uniform(0.5, 2)); };
-    const Vec3 aside = directionOf(random), along = directionOf(random);
+    const Vec3 aside = uniformDirection(random), along = uniformDirection(random);
     const double gap = random.uniform(0.05, 0.2);
     switch (member / 3 % arrangements) {
     case 0:
@@ -87,10 +87,10 @@ std::string spinner(Random& random) {
     Vec3 size, at;
     for (double& edge : size) edge = random.uniform(0.1, 0.4);
     for (int k = 0; k < 3; ++k) at[k] = random.uniform(-0.5, 0.5) * size[k];
-    const Vec3 spin = between(random, 10, 1000) * directionOf(random);
+    const Vec3 spin = between(random, 10, 1000) * uniformDirection(random);
     return weightless() + text("cuboid b { size ", size, "  mass 1  centre 0, 0, 0  angvel ", spin,
-                               " }\nspring { from world  to b  fromAt ", directionOf(random), "  toAt ", at,
-                               "  stiffness ", between(random, 1e2, 1e6), " }\n");
+                               " }\nspring { from world  to b  fromAt ", uniformDirection(random), "  toAt ",
+                               at, "  stiffness ", between(random, 1e2, 1e6), " }\n");
 }
 
 void runSpinner(Trial& trial) {
@@ -120,7 +120,7 @@ std::string offCentre(int member, Random& random) {
                       "  axis 0, 1, 0  mass 1  centre 0, 0, 0 }\n");
     for (const double side : {-1.0, 1.0}) {
         const Vec3 at(side * size.x() / 2, random.uniform(0, 0.5) * size.y(), 0);
-        const Vec3 from = Vec3(0, 1, 0) + 0.5 * directionOf(random);
+        const Vec3 from = Vec3(0, 1, 0) + 0.5 * uniformDirection(random);
         scene += text("spring { from world  to b  fromAt ", from, "  toAt ", at, "  stiffness ",
                       between(random, 10, 1e4), " }\n");
     }

@@ -179,8 +179,8 @@ class BallRowsTest : public QObject {
             const double radiusA = random.uniform(0.05, 0.5), radiusB = random.uniform(0.05, 0.5);
             const double massA = random.uniform(0.5, 3), massB = random.uniform(0.5, 3);
             // At the meeting the centres are along n and close; before it they are further apart.
-            const Vec3 n = test::directionOf(random);
-            const Vec3 along = 3 * n.cross(test::directionOf(random));
+            const Vec3 n = uniformDirection(random);
+            const Vec3 along = 3 * n.cross(uniformDirection(random));
             const Vec3 closing = -random.uniform(1, 5) * n + along; // of B relative to A
             const Vec3 mean = test::uniformIn(random, 3);
             const double time = random.uniform(0.2, 0.9) * scene.duration;
@@ -242,8 +242,8 @@ class BallRowsTest : public QObject {
             scene.gravity.setZero();
             // Fast, with a nearest approach of more than the slack, at a time within the step.
             for (int k = 0; k < 20; ++k) {
-                const Vec3 place = test::uniformIn(random, 1), n = test::directionOf(random);
-                const Vec3 velocity = 100 * n.cross(test::directionOf(random)).normalized();
+                const Vec3 place = test::uniformIn(random, 1), n = uniformDirection(random);
+                const Vec3 velocity = 100 * n.cross(uniformDirection(random)).normalized();
                 const std::uint32_t a = scene.addBall(0.1, 1, place, Vec3::Zero());
                 const Vec3 nearest = place + random.uniform(0.2021, 0.3) * n;
                 const std::uint32_t b = scene.addBall(
@@ -315,13 +315,13 @@ class BallRowsTest : public QObject {
         for (int trial = 0; trial < 500; ++trial) {
             BallScene scene = emptyScene();
             scene.gravity.setZero();
-            const Vec3 n = test::directionOf(random);
+            const Vec3 n = uniformDirection(random);
             scene.addBall(0.1, 1, Vec3::Zero(), Vec3::Zero());
             scene.addBall(0.2, 1, 0.2995 * n, Vec3::Zero());
             BallPair& pair = scene.addPair(0, 1);
             pair.normal = n;
             const double normal = random.uniform(0, 1);
-            const Vec3 friction = 0.3 * n.cross(test::directionOf(random));
+            const Vec3 friction = 0.3 * n.cross(uniformDirection(random));
             pair.impulse = normal * n + friction;
             BallRows rows;
             scene.fill(rows);

@@ -119,7 +119,7 @@ BallScene randomBalls(Random& random, std::size_t count) {
         }
         const Vec3 here = vectorOf(scene.places[b].position);
         if (random.below(3) == 0) {
-            const Vec3 normal = test::directionOf(random);
+            const Vec3 normal = uniformDirection(random);
             const double gap = random.uniform(-0.01, 0.05);
             scene.addWall(normal, here - (scene.radii[b] + gap) * normal, b);
         }
@@ -127,7 +127,7 @@ BallScene randomBalls(Random& random, std::size_t count) {
             BallPair& pair = scene.addPair(scene.immobile(), b);
             pair.radiusA = random.uniform(0.05, 0.5);
             const double gap = random.uniform(-0.01, 0.05);
-            pair.fixed = here - (scene.radii[b] + pair.radiusA + gap) * test::directionOf(random);
+            pair.fixed = here - (scene.radii[b] + pair.radiusA + gap) * uniformDirection(random);
         }
     }
     for (std::size_t i = scene.pairs.size(); i > 1; --i)
@@ -140,7 +140,7 @@ BallScene randomBalls(Random& random, std::size_t count) {
         if (random.below(3) == 0) continue; // no impulse yet
         const double normal = 0.1 * random.uniform();
         pair.impulse = normal * pair.normal;
-        pair.impulse += 0.5 * pair.friction * normal * pair.normal.cross(test::directionOf(random));
+        pair.impulse += 0.5 * pair.friction * normal * pair.normal.cross(uniformDirection(random));
     }
     return scene;
 }

@@ -26,7 +26,6 @@ namespace {
 
 using test::cuboid;
 using test::cylinder;
-using test::directionOf;
 using test::sphere;
 using test::uniformIn;
 using test::wall;
@@ -125,9 +124,9 @@ class ManifoldsTest : public QObject {
                 const double size = two.bodies.boundingRadius[mover];
 
                 // Within 0.2 % of the size, or 0.002 rad.
-                two.moveBy(mover, 0.0019 * 0.8 * size * directionOf(random));
+                two.moveBy(mover, 0.0019 * 0.8 * size * uniformDirection(random));
                 QVERIFY(!two.update());
-                two.moveBy(mover, Vec3::Zero(), 0.0005 * directionOf(random));
+                two.moveBy(mover, Vec3::Zero(), 0.0005 * uniformDirection(random));
                 QVERIFY(!two.update());
                 QCOMPARE(two.manifold.count, start.count);
                 for (int k = 0; k < start.count; ++k) {
@@ -138,11 +137,11 @@ class ManifoldsTest : public QObject {
 
                 Two shifted(a, b);
                 shifted.update();
-                shifted.moveBy(mover, 0.0021 * size * directionOf(random));
+                shifted.moveBy(mover, 0.0021 * size * uniformDirection(random));
                 QVERIFY(shifted.update());
                 Two turned(a, b);
                 turned.update();
-                turned.moveBy(mover, Vec3::Zero(), 0.0021 * directionOf(random));
+                turned.moveBy(mover, Vec3::Zero(), 0.0021 * uniformDirection(random));
                 QVERIFY(turned.update());
             }
     }
@@ -155,7 +154,7 @@ class ManifoldsTest : public QObject {
                 if (two.bodies.walls.size() == 1) continue;
                 two.update();
                 const PlacedManifold before = two.here();
-                const Quat turn = fromRotationVector(directionOf(random) * random.uniform(0, 3));
+                const Quat turn = fromRotationVector(uniformDirection(random) * random.uniform(0, 3));
                 const Vec3 shift = uniformIn(random, 5);
                 for (Pose& pose : two.state.pose) {
                     pose.position = turn * pose.position + shift;
@@ -179,7 +178,7 @@ class ManifoldsTest : public QObject {
                 Two two(a, b);
                 two.update();
                 const BodyIndex mover = two.bodies.mobile[1] != 0 ? 1 : 0;
-                two.moveBy(mover, 0.001 * directionOf(random));
+                two.moveBy(mover, 0.001 * uniformDirection(random));
                 QVERIFY(!two.update());
                 const PlacedManifold kept = two.here();
                 double deepest = kept.points[0].separation;
@@ -257,7 +256,7 @@ class ManifoldsTest : public QObject {
                 const PersistentManifold old = two.manifold;
                 // Far enough to be found anew, near enough for every point to be found again.
                 const BodyIndex mover = two.bodies.mobile[1] != 0 ? 1 : 0;
-                const Vec3 across = Vec3::UnitY().cross(directionOf(random)).normalized();
+                const Vec3 across = Vec3::UnitY().cross(uniformDirection(random)).normalized();
                 two.moveBy(mover, 0.005 * across);
                 QVERIFY(two.update());
                 if (two.manifold.count != old.count) continue;
@@ -391,7 +390,7 @@ class ManifoldsTest : public QObject {
                 return body;
             };
             const Body first = drawn(Vec3::Zero());
-            Two two(first, drawn(random.uniform(0.9, 1.6) * directionOf(random)));
+            Two two(first, drawn(random.uniform(0.9, 1.6) * uniformDirection(random)));
             two.update(furthest);
             two.update(furthest); // a second time along the direction that was found
             if (!two.manifold.open) continue;
@@ -418,8 +417,8 @@ class ManifoldsTest : public QObject {
         int passes = 0, head = 0;
         for (int trial = 0; trial < 5000; ++trial) {
             const double radii = 1;
-            const Vec3 towards = directionOf(random);
-            const Vec3 across = towards.cross(directionOf(random)).normalized();
+            const Vec3 towards = uniformDirection(random);
+            const Vec3 across = towards.cross(uniformDirection(random)).normalized();
             const double gap = random.uniform(0.0011, margin);
             // Beside each other mostly, and fast: hits and misses alike.
             const double speed = random.uniform(0, 300);

@@ -362,7 +362,7 @@ class VelocitySolveTest : public QObject {
         QFETCH(double, restitution);
         Random random(test::seed, 6);
         for (int trial = 0; trial < 200; ++trial) {
-            const Vec3 normal = test::directionOf(random);
+            const Vec3 normal = uniformDirection(random);
             const double speed = random.uniform(0.1, 10), duration = 0.004;
             // From touching to what it reaches just before the step ends, and overlapping a little.
             const double gap = random.uniform(-0.05, 0.95) * speed * duration;
