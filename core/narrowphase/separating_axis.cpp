@@ -7,21 +7,20 @@
 namespace carom {
 namespace {
 
-// How far a shape's shadow reaches from its centre along the axis [m].
+bool keepsAxes(const Shape& shape) {
+    return kindOf(shape) == kindOf<Cylinder>() || kindOf(shape) == kindOf<Cuboid>();
+}
+
+} // namespace
+
 double extentOf(const PlacedShape& placed, const Vec3& axis) {
     if (const Cylinder* cylinder = std::get_if<Cylinder>(placed.shape))
         return extentAlong(*cylinder, axisOf(*placed.pose), axis);
     if (const Cuboid* cuboid = std::get_if<Cuboid>(placed.shape))
         return cuboid->halfSize.dot(placed.pose->directionToBody(axis).cwiseAbs());
     ASSERT(kindOf(*placed.shape) == kindOf<Sphere>());
-    return std::get_if<Sphere>(placed.shape)->radius;
+    return std::get_if<Sphere>(placed.shape)->radius * axis.norm();
 }
-
-bool keepsAxes(const Shape& shape) {
-    return kindOf(shape) == kindOf<Cylinder>() || kindOf(shape) == kindOf<Cuboid>();
-}
-
-} // namespace
 
 double gapAlong(const Vec3& axis, const PlacedShape& a, const PlacedShape& b) {
     return axis.dot(b.pose->position - a.pose->position) - extentOf(a, axis) - extentOf(b, axis);

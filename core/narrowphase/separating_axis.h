@@ -17,6 +17,9 @@
 
 namespace carom {
 
+/// How far a bounded shape's shadow along `axis` reaches from its centre, times the axis's length [m].
+double extentOf(const PlacedShape& placed, const Vec3& axis);
+
 /// The gap of the shadows of two bounded shapes along unit `axis` [m]: how far they are apart at least, if
 /// the axis points from A to B.
 double gapAlong(const Vec3& axis, const PlacedShape& a, const PlacedShape& b);

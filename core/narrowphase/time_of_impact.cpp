@@ -2,6 +2,7 @@
 #include "core/narrowphase/time_of_impact.h"
 
 #include "core/math/rotation.h"
+#include "core/narrowphase/separating_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,34 +17,58 @@
 //
 // so nothing meets before that reaches zero. ρ is the radius of the smallest ball about the centre that holds
 // the shape, and a body's spin about an axis of symmetry does not count, since it moves no surface outwards.
-// Deviation: the steps shrink geometrically when Ω exaggerates, so once the approach is regular a secant step
-// is tried, no longer than the shapes need to pass through each other; if they overlap there, an impact is
-// bracketed and found by false position. A secant step that finds a gap proves nothing and is thrown away.
+//
+// That bound takes all of a turning body to move as fast as its farthest corner does, and its steps shrink
+// with the gap where shapes pass each other closely. So the shadows are followed, too. Let h(m) be how far a
+// shape reaches along m, from its support function; let the direction turn, m = n + τ ṅ, as the direction of
+// the distance did over the last step; Δ is from A's centre to B's. Seen from a body m turns against its
+// spin ω by a rotation, which is n + τ (ṅ + n × ω) to within τ² (|ω||ṅ| + |ω|²/2), and h changes by no more
+// than ρ times what m changes by. So the gap along m is at least
+//
+//     Δ·n + τ (v·n + Δ·ṅ) + τ² (g·n/2 + v·ṅ − κ) + τ³ g·ṅ/2 − Σ h(n + τ (ṅ + n × ω)),
+//     κ = Σ ρ (|ω||ṅ| + |ω|²/2)
+//
+// The sum is convex in τ; with the factors of τ² and τ³ no more than zero the bound is concave, and where it
+// is positive it was so all the time before. The longer of both bounds is taken.
+//
+// Deviation: once the approach is regular a secant step is tried, no longer than the shapes need to pass
+// through each other; if they overlap there, an impact is bracketed and found by false position. A secant
+// step that finds a gap proves nothing and is thrown away.
 
 namespace carom {
 namespace {
 
 // The gap, relative to the size, at which shapes touch.
 constexpr double touching = 1e-12;
-// Steps of the search. A graze to 1e-9 of the size takes some thousands; one that is still undecided after
-// these is reported as an impact: early by less than its gap, but never missed.
-constexpr int maxSteps = 20000;
+// Steps of the search. Near a graze they shrink with the square root of the gap, so one takes about a hundred;
+// one that is still undecided after these is reported as an impact: early by less than its gap, but never
+// missed.
+constexpr int maxSteps = 2000;
 constexpr int maxNarrowings = 200;
 // Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps
 // of that part of it: steps that are proofs would be thousands, each hardly longer than the gap. While shapes
 // touch each is twice as long as the one before, up to the longest; one that ends in an overlap is taken back
 // and halved.
 constexpr double partingStep = 1e-6, longestPartingStep = 1e-3;
+// The time for which shadows stay apart is found to this factor, in at most so many halvings.
+constexpr double closeEnough = 1.1;
+constexpr int maxHalvings = 12;
+constexpr double never = std::numeric_limits<double>::infinity();
 
 double spinRadius(const Shape& shape) {
     return isWall(shape) || hasCentralNormals(shape) ? 0 : boundingRadiusOf(shape);
 }
 
-// The part of the angular velocity that moves the surface [rad/s]; it is constant, as the axis turns about
-// it.
-double effectiveSpin(const MovingShape& moving) {
-    if (kindOf(*moving.start.shape) != kindOf<Cylinder>()) return moving.angularVelocity.norm();
-    return moving.angularVelocity.cross(axisOf(*moving.start.pose)).norm();
+// The part of the angular velocity that moves the surface [rad/s]. Its length is constant, as the axis of a
+// cylinder turns about the angular velocity.
+Vec3 effectiveSpin(const MovingShape& moving, const Pose& pose) {
+    if (kindOf(*moving.start.shape) != kindOf<Cylinder>()) return moving.angularVelocity;
+    const Vec3 axis = axisOf(pose);
+    return moving.angularVelocity - moving.angularVelocity.dot(axis) * axis;
+}
+
+double turningSpeed(const MovingShape& moving) {
+    return effectiveSpin(moving, *moving.start.pose).norm() * spinRadius(*moving.start.shape);
 }
 
 // The first positive time at which gap + speed t + acceleration t²/2 falls through zero; speed < 0 or
@@ -57,33 +82,71 @@ std::optional<double> timeOfFall(double gap, double speed, double acceleration) 
     return std::nullopt;
 }
 
+// Both shapes at a time, and how near they are.
+struct Instant {
+    double time = 0; // [s]
+    Pose poseA, poseB;
+    Proximity contact;
+};
+
+// How far a shape reaches along a direction that turns, and how far that may be off.
+class TurningShadow {
+  public:
+    TurningShadow(const MovingShape& moving, const Pose& pose, const Vec3& normal, const Vec3& turning) {
+        if (isWall(*moving.start.shape)) return; // the direction is its normal, and does not turn
+        const Vec3 spin = spinRadius(*moving.start.shape) > 0 ? effectiveSpin(moving, pose) : Vec3(0, 0, 0);
+        m_placed = {moving.start.shape, &pose};
+        m_normal = normal;
+        m_turning = turning + normal.cross(spin);
+        // A cylinder's effective spin turns with its axis, by the part of the spin about that.
+        const double bend = spin.squaredNorm() + spin.norm() * (moving.angularVelocity - spin).norm();
+        m_bend = spinRadius(*moving.start.shape) * (spin.norm() * turning.norm() + 0.5 * bend);
+    }
+    double reach(double time) const {
+        return m_placed.shape == nullptr ? 0 : extentOf(m_placed, m_normal + time * m_turning);
+    }
+    double bend() const { return m_bend; } // [m/s²]
+
+  private:
+    PlacedShape m_placed;
+    Vec3 m_normal = Vec3::Zero(), m_turning = Vec3::Zero();
+    double m_bend = 0;
+};
+
 class FreeMotion {
   public:
     FreeMotion(const MovingShape& a, const MovingShape& b)
         : m_a(a), m_b(b), m_velocity(b.velocity - a.velocity),
-          m_acceleration(b.acceleration - a.acceleration),
-          m_turning(effectiveSpin(a) * spinRadius(*a.start.shape) +
-                    effectiveSpin(b) * spinRadius(*b.start.shape)),
+          m_acceleration(b.acceleration - a.acceleration), m_turning(turningSpeed(a) + turningSpeed(b)),
           m_size(sizeOf(*a.start.shape) + sizeOf(*b.start.shape)),
           m_thinnest(std::min(thicknessOf(*a.start.shape), thicknessOf(*b.start.shape))) {}
 
     double size() const { return m_size; }
-    Proximity at(double time) const {
-        const Pose poseA = poseAfter(m_a, time);
-        const Pose poseB = poseAfter(m_b, time);
-        return proximityOf({m_a.start.shape, &poseA}, {m_b.start.shape, &poseB});
+    int comparisons() const { return m_comparisons; }
+    Instant at(double time) const {
+        ++m_comparisons;
+        Instant instant{time, poseAfter(m_a, time), poseAfter(m_b, time), {}};
+        instant.contact = proximityOf({m_a.start.shape, &instant.poseA}, {m_b.start.shape, &instant.poseB});
+        return instant;
     }
-    /// The longest time from `time` for which the gap along the contact's normal cannot close.
-    std::optional<double> safeStep(double time, const Proximity& contact) const {
-        const double speed = (m_velocity + time * m_acceleration).dot(contact.normal) - m_turning;
-        return timeOfFall(contact.distance, speed, m_acceleration.dot(contact.normal));
+    /// A time from `now` for which the gap cannot close, as long as is known; more than `left` if it cannot
+    /// until then. The direction of the distance turns by `turning` [1/s].
+    double safeStep(const Instant& now, const Vec3& turning, double left) const {
+        const Proximity& contact = now.contact;
+        const double speed = (m_velocity + now.time * m_acceleration).dot(contact.normal) - m_turning;
+        const double slow =
+            timeOfFall(contact.distance, speed, m_acceleration.dot(contact.normal)).value_or(never);
+        double longest = m_turning > 0 ? extend(now, Vec3::Zero(), slow, left) : slow;
+        if (turning.squaredNorm() > 0 && !isWall(*m_a.start.shape) && !isWall(*m_b.start.shape))
+            longest = extend(now, turning, longest, left);
+        return longest;
     }
     /// How fast the witness points part [m/s], at once and, if they neither part nor approach, soon after.
-    bool isApproaching(double time, const Proximity& contact) const {
-        const Vec3 velocityA = velocityOf(m_a, time, contact.onA);
-        const Vec3 velocityB = velocityOf(m_b, time, contact.onB);
-        const double parting = (velocityB - velocityA).dot(contact.normal);
-        return parting < 0 || (parting == 0 && m_acceleration.dot(contact.normal) < 0);
+    bool isApproaching(const Instant& now) const {
+        const Vec3 velocityA = velocityOf(m_a, now.poseA, now.time, now.contact.onA);
+        const Vec3 velocityB = velocityOf(m_b, now.poseB, now.time, now.contact.onB);
+        const double parting = (velocityB - velocityA).dot(now.contact.normal);
+        return parting < 0 || (parting == 0 && m_acceleration.dot(now.contact.normal) < 0);
     }
     /// Whether nothing moves by more than half the thinner shape's half thickness meanwhile, so that shapes
     /// apart at `from` and overlapping at `to` have not passed through each other in between.
@@ -101,11 +164,34 @@ class FreeMotion {
     static double thicknessOf(const Shape& shape) {
         return isWall(shape) ? std::numeric_limits<double>::infinity() : halfThicknessOf(shape);
     }
-    static Vec3 velocityOf(const MovingShape& moving, double time, const Vec3& point) {
+    static Vec3 velocityOf(const MovingShape& moving, const Pose& pose, double time, const Vec3& point) {
         if (isWall(*moving.start.shape)) return Vec3::Zero();
-        const Pose pose = poseAfter(moving, time);
         return moving.velocity + time * moving.acceleration +
                moving.angularVelocity.cross(point - pose.position);
+    }
+    /// As safeStep() along one turning direction; `safe` if that is longer.
+    double extend(const Instant& now, const Vec3& turning, double safe, double left) const {
+        const Vec3& normal = now.contact.normal;
+        const TurningShadow a(m_a, now.poseA, normal, turning), b(m_b, now.poseB, normal, turning);
+        const Vec3 velocity = m_velocity + now.time * m_acceleration;
+        const Vec3 between = now.poseB.position - now.poseA.position;
+        const bool wall = isWall(*m_a.start.shape) || isWall(*m_b.start.shape); // it has no centre
+        const double gap = wall ? now.contact.distance + a.reach(0) + b.reach(0) : between.dot(normal);
+        const double speed = velocity.dot(normal) + (wall ? 0 : between.dot(turning));
+        const double square =
+            std::min(0.0, 0.5 * m_acceleration.dot(normal) + velocity.dot(turning) - a.bend() - b.bend());
+        const double cube = std::min(0.0, 0.5 * m_acceleration.dot(turning));
+        const auto areApart = [&](double time) {
+            return gap + time * (speed + time * (square + time * cube)) > a.reach(time) + b.reach(time);
+        };
+        if (!(left > closeEnough * safe) || !areApart(closeEnough * safe)) return safe;
+        if (areApart(left)) return never;
+        double longest = closeEnough * safe, shortest = left; // that is not proven
+        for (int i = 0; i < maxHalvings && shortest > closeEnough * longest; ++i) {
+            const double middle = std::sqrt(longest * shortest);
+            (areApart(middle) ? longest : shortest) = middle;
+        }
+        return longest;
     }
 
     const MovingShape& m_a;
@@ -113,6 +199,7 @@ class FreeMotion {
     Vec3 m_velocity, m_acceleration; // of B relative to A
     double m_turning;                // the rotation bound [m/s]
     double m_size, m_thinnest;
+    mutable int m_comparisons = 0;
 };
 
 // The shapes are apart at `apart` and overlap at `overlapping`; the weights are the gap and depth [m] then.
@@ -123,12 +210,12 @@ struct Bracket {
 // False position in the Illinois form: the end that stays loses half its weight, so neither end is stuck.
 Impact narrow(const FreeMotion& motion, Bracket bracket) {
     const double close = touching * motion.size();
-    Impact apart = {bracket.apart, motion.at(bracket.apart)};
+    Impact apart = {bracket.apart, motion.at(bracket.apart).contact};
     for (int i = 0; i < maxNarrowings; ++i) {
         const double share = bracket.gapWeight / (bracket.gapWeight + bracket.depthWeight);
         const double middle = bracket.apart + share * (bracket.overlapping - bracket.apart);
         if (!(middle > bracket.apart && middle < bracket.overlapping)) break;
-        const Proximity there = motion.at(middle);
+        const Proximity there = motion.at(middle).contact;
         if (std::abs(there.distance) <= close) return {middle, there};
         if (there.distance > 0) {
             bracket.apart = middle;
@@ -148,20 +235,19 @@ std::optional<Impact> advance(const FreeMotion& motion, double duration) {
     const double close = touching * motion.size();
     const double unit = motion.size() / motion.fastest(duration); // infinite if nothing moves
     double parting = partingStep, longest = longestPartingStep;
-    bool touched = false; // at lastTime, parting
-    double time = 0;
-    double lastTime = 0;
-    double lastDistance = 0;
-    Proximity contact = motion.at(0);
+    bool touched = false; // at the instant before, parting
+    Instant now = motion.at(0);
+    double lastTime = 0, lastDistance = 0;
+    Vec3 turning = Vec3::Zero(); // of the direction of the distance [1/s]
     for (int step = 0; step < maxSteps; ++step) {
+        const Proximity& contact = now.contact;
         double ahead = 0;
         if (contact.distance <= close) {
-            if (motion.isApproaching(time, contact)) {
-                const double gone = (time - lastTime) / unit;
-                if (!touched || gone <= partingStep) return Impact{time, contact};
+            if (motion.isApproaching(now)) {
+                const double gone = (now.time - lastTime) / unit;
+                if (!touched || gone <= partingStep) return Impact{now.time, contact};
                 parting = longest = 0.5 * gone;
-                time = lastTime + parting * unit;
-                contact = motion.at(time);
+                now = motion.at(lastTime + parting * unit);
                 continue;
             }
             touched = true;
@@ -169,27 +255,27 @@ std::optional<Impact> advance(const FreeMotion& motion, double duration) {
             parting = std::min(2 * parting, longest);
         } else {
             touched = false;
-            const std::optional<double> safe = motion.safeStep(time, contact);
-            if (!safe) return std::nullopt;
-            ahead = *safe;
-            if (contact.distance <= partingStep * motion.size() && !motion.isApproaching(time, contact))
+            const double left = duration - now.time;
+            ahead = motion.safeStep(now, turning, left);
+            if (contact.distance <= partingStep * motion.size() && !motion.isApproaching(now))
                 ahead = std::max(ahead, partingStep * unit);
+            if (!(ahead <= left)) return std::nullopt;
             // A regular approach, twice in a row: look where it leads.
-            const double rate = step > 0 ? (lastDistance - contact.distance) / (time - lastTime) : 0;
-            const double meeting = time + 1.01 * contact.distance / rate;
-            if (step % 2 == 1 && rate > 0 && meeting <= duration && motion.staysLocal(time, meeting)) {
-                const Proximity there = motion.at(meeting);
-                if (there.distance <= 0)
-                    return narrow(motion, {time, contact.distance, meeting, -there.distance});
+            const double rate = step > 0 ? (lastDistance - contact.distance) / (now.time - lastTime) : 0;
+            const double meeting = now.time + 1.01 * contact.distance / rate;
+            if (step % 2 == 1 && rate > 0 && meeting <= duration && motion.staysLocal(now.time, meeting)) {
+                const double depth = -motion.at(meeting).contact.distance;
+                if (depth >= 0) return narrow(motion, {now.time, contact.distance, meeting, depth});
             }
         }
-        if (!(time + ahead <= duration)) return std::nullopt;
-        lastTime = time;
+        if (!(now.time + ahead <= duration)) return std::nullopt;
+        lastTime = now.time;
         lastDistance = contact.distance;
-        time = std::max(time + ahead, std::nextafter(time, duration));
-        contact = motion.at(time);
+        const Vec3 lastNormal = contact.normal;
+        now = motion.at(std::max(now.time + ahead, std::nextafter(now.time, duration)));
+        turning = (now.contact.normal - lastNormal) / (now.time - lastTime);
     }
-    return Impact{time, contact};
+    return Impact{now.time, now.contact};
 }
 
 // |between + velocity t| = radii, gravity being common. With c = |between|² − radii² as a product, and the
@@ -203,14 +289,14 @@ std::optional<Impact> sphereSphere(const MovingShape& a, const MovingShape& b, d
     if (!(closing > 0)) return std::nullopt;
     const FreeMotion motion(a, b);
     const double distance = between.norm();
-    if (distance <= radii) return Impact{0, motion.at(0)};
+    if (distance <= radii) return Impact{0, motion.at(0).contact};
     const double reach = radii * velocity.norm();
     const double miss = between.cross(velocity).norm();
     if (!(miss <= reach)) return std::nullopt;
     const double root = std::sqrt((reach - miss) * (reach + miss));
     const double time = (distance - radii) * (distance + radii) / (closing + root);
     if (!(time <= duration)) return std::nullopt;
-    return Impact{time, motion.at(time)};
+    return Impact{time, motion.at(time).contact};
 }
 
 // The height of the sphere's lowest point is a parabola in time.
@@ -229,7 +315,7 @@ std::optional<Impact> sphereWall(const MovingShape& sphere, const MovingShape& w
     else
         time = timeOfFall(gap, speed, acceleration);
     if (!time || !(*time <= duration)) return std::nullopt;
-    return Impact{*time, motion.at(*time)};
+    return Impact{*time, motion.at(*time).contact};
 }
 
 } // namespace
@@ -245,7 +331,8 @@ Pose poseAfter(const MovingShape& moving, double time) {
     return pose;
 }
 
-std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration) {
+std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration,
+                                   int* comparisons) {
     const ShapeKind kindA = kindOf(*a.start.shape);
     const ShapeKind kindB = kindOf(*b.start.shape);
     if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) return std::nullopt;
@@ -254,15 +341,16 @@ std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, d
     if (kindA == kindOf<Wall>() && kindB == kindOf<Sphere>()) return sphereWall(b, a, duration, motion);
     if (kindA == kindOf<Sphere>() && kindB == kindOf<Sphere>() && a.acceleration == b.acceleration)
         return sphereSphere(a, b, duration);
-    return advance(motion, duration);
+    const std::optional<Impact> impact = advance(motion, duration);
+    if (comparisons != nullptr) *comparisons = motion.comparisons();
+    return impact;
 }
 
 bool couldPassThrough(const MovingShape& moving, double duration) {
     const Shape& shape = *moving.start.shape;
     if (isWall(shape)) return false;
     const double speed = moving.velocity.norm() + duration * moving.acceleration.norm();
-    const double turning = effectiveSpin(moving) * spinRadius(shape);
-    return duration * (speed + turning) > halfThicknessOf(shape);
+    return duration * (speed + turningSpeed(moving)) > halfThicknessOf(shape);
 }
 
 } // namespace carom

@@ -30,8 +30,10 @@ struct Impact {
 ///
 /// Sphere with sphere and sphere with wall: closed forms, to rounding. The others: conservative advancement,
 /// to 1e-12 of the size for the gap at the time found; touching on the way out of an overlap it may find an
-/// impact up to that gap early.
-std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration);
+/// impact up to that gap early. `comparisons` counts those of both shapes that a search takes; closed forms
+/// take none.
+std::optional<Impact> timeOfImpact(const MovingShape& a, const MovingShape& b, double duration,
+                                   int* comparisons = nullptr);
 
 /// Whether, in `duration` [s], the body could move by more than half its thickness, so that a test of its
 /// poses at both ends could miss what lies between.

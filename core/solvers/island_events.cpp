@@ -24,7 +24,7 @@ constexpr double reached = 1e-3;
 constexpr double rolledOn = 0.01, deepRoll = 1e-4;
 constexpr int mostLooks = 4;
 /// Comparisons of shapes that locating one impact takes, about.
-constexpr double locating = 6;
+constexpr int locating = 6;
 /// Newton's steps for it.
 constexpr int mostSteps = 20;
 
@@ -99,11 +99,13 @@ double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair
 
 // When two bodies that nothing holds together meet, at `first` or before; infinite if they do not.
 double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
-                                 double duration) const {
+                                 double duration) {
     constexpr double never = std::numeric_limits<double>::infinity();
     const MovingShape a = movingShape(input, pair.a, duration);
     const MovingShape b = movingShape(input, pair.b, duration);
-    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first);
+    int comparisons = 0;
+    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first, &comparisons);
+    m_work += std::max(0, comparisons - locating) * collideWork(input.bodies, pair);
     if (!impact) return never;
     // The flight is not quite the path where a body's spin precesses.
     double t = impact->time;

@@ -164,8 +164,7 @@ class IslandMotion {
     double gentleClosing(const ContactPair& pair) const;
     double gentleOpening(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
-    double nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
-                       double duration) const;
+    double nextMeeting(const MotionInput& input, const ContactPair& pair, double first, double duration);
     double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
     double landingTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
     double cornerTime(const MotionInput& input, const ContactPair& pair, const ContactConstraint& point,

@@ -167,6 +167,43 @@ class TimeOfImpactTest : public QObject {
         QVERIFY(met > 50);
     }
 
+    // Two turning shapes pass each other, nearer and nearer to a graze. Steps that shrink with the square root
+    // of the gap are some for every power of ten; steps that shrink with the gap would be thousands.
+    void aGrazeOfTurningShapesTakesFewComparisons() {
+        constexpr int pairs = 200, halvings = 40, mostComparisons = 200;
+        Random random(seed, 3);
+        const ShapeKind kinds[] = {kindOf<Sphere>(), kindOf<Cylinder>(), kindOf<Cuboid>()};
+        int most = 0, grazes = 0;
+        for (int i = 0; i < pairs; ++i) {
+            const ShapePair pair =
+                randomPair(random, kinds[random.below(3)], kinds[1 + random.below(2)], Poses::Random);
+            const double size = pair.size();
+            const Vec3 path = randomDirection(random);
+            const Vec3 aside = path.cross(randomDirection(random)).normalized();
+            const Vec3 spinA = 2 * randomDirection(random), spinB = 2 * randomDirection(random);
+            const auto find = [&](double distance) {
+                const Pose poseA{Vec3::Zero(), pair.poseA.orientation};
+                const Pose poseB{distance * aside - 2 * size * path, pair.poseB.orientation};
+                int comparisons = 0;
+                const auto impact =
+                    timeOfImpact(moving(pair.shapeA, poseA, Vec3::Zero(), spinA),
+                                 moving(pair.shapeB, poseB, size * path, spinB), 4, &comparisons);
+                most = std::max(most, comparisons);
+                return impact.has_value();
+            };
+            double meets = 0, misses = 1.01 * size;
+            QVERIFY(find(meets) && !find(misses));
+            for (int n = 0; n < halvings; ++n) {
+                const double middle = 0.5 * (meets + misses);
+                (find(middle) ? meets : misses) = middle;
+            }
+            if (misses - meets < 1e-11 * size) ++grazes;
+        }
+        qInfo("seed %llu: at most %d comparisons", static_cast<unsigned long long>(seed), most);
+        QCOMPARE(grazes, pairs);
+        QVERIFY2(most <= mostComparisons, qPrintable(QString::number(most)));
+    }
+
     void shapesThatTouchAndPartDoNotMeet() {
         const Shape cube = Cuboid{Vec3(0.5, 0.5, 0.5)};
         const Pose below;
