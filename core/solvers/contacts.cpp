@@ -257,8 +257,10 @@ void Contacts::findMembers(const SolverInput& input) {
                                 input.substep,
                             input.broadphase);
     if (input.part == 0) followMembers(input); // later parts of a frame were followed just now
-    const bool isOver = input.part == 0 && m_stayed >= m_patience;
-    if (!m_base.isEmpty() && (isOver || !renewBase(input))) {
+    const auto isOver = [&] {
+        return input.part == 0 && (m_stayed >= m_patience || m_base.isOutgrown(m_found.manifolds()));
+    };
+    if (!m_base.isEmpty() && (isOver() || !renewBase(input))) {
         leave(input, m_base);
         m_found.carryWith(m_left);
     }
@@ -440,7 +442,10 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
     m_found.makeManifolds(here(input), island.pairs, m_work);
     Manifolds& manifolds = m_found.manifolds();
     ContactCount count;
-    for (const std::uint32_t index : island.pairs) count.add(manifolds[m_found.placeOf(index)]);
+    for (const std::uint32_t index : island.pairs) {
+        const PersistentManifold& manifold = manifolds[m_found.placeOf(index)];
+        count.add(manifold.count, manifold.round);
+    }
     const SteppedInput stepping = stepped(input);
     m_rest.begin(input.bodies, BasePath::divisionFor(count, passesOf(m_settings)), input.substep);
     m_rest.addIsland(stepping, island.bodies, island.links);

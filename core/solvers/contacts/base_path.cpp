@@ -258,12 +258,12 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
     }
 }
 
-std::uint8_t BasePath::blockFor(const Island& island, const Manifolds& manifolds) const {
+ContactCount BasePath::countOf(const Island& island, const Manifolds& manifolds) const {
     ContactCount count;
     for (const std::uint32_t index : island.pairs)
         if (const std::uint32_t place = m_entering[index].place; place != Manifolds::none)
-            count.add(manifolds[place]);
-    return divisionNumber(count);
+            count.add(manifolds[place].count, manifolds[place].round);
+    return count;
 }
 
 void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
@@ -284,7 +284,13 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
         for (const std::uint32_t index : island.pairs)
             if (const BodyIndex here = hereOf(m_entering[index].pair); here != noBody && number == noBlock)
                 number = m_block[here];
-        if (number == noBlock) number = static_cast<std::uint8_t>(blockFor(island, manifolds) + 1);
+        ContactCount count = countOf(island, manifolds);
+        if (number == noBlock) {
+            number = static_cast<std::uint8_t>(divisionNumber(count) + 1);
+        } else { // what it joins need not be round
+            count.round = false;
+            m_isBroken = m_isBroken || divisionNumber(count) >= number;
+        }
         SteppedMotion& block = m_blocks[number - 1u];
         if (block.isEmpty())
             block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(number - 1), m_passes), substep);
@@ -321,6 +327,22 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
         report.loss = one.loss;
     }
     return report;
+}
+
+bool BasePath::isOutgrown(const Manifolds& manifolds) {
+    for (std::size_t number = 0; number < divisions; ++number) {
+        const SteppedMotion& block = m_blocks[number];
+        if (block.isEmpty()) continue;
+        m_counts.assign(block.islandNumbers(), {});
+        block.forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
+            m_counts[island].add(points, isRound);
+        });
+        if (std::any_of(m_counts.begin(), m_counts.end(), [&](const ContactCount& count) {
+                return count.points > 0 && divisionNumber(count) > number;
+            }))
+            return true;
+    }
+    return false;
 }
 
 void BasePath::dropWhatLeft() {

@@ -21,7 +21,8 @@
 //              body that turns comes down with another part of it, and a chain of bodies passes an impact
 //              on by a few of them a pass. So there is a block of bodies for every division of the substep.
 //     renewal  where a few bodies outrun their reach, pairs are found for these anew. If many do, if somebody
-//              else has moved one, or if others join two blocks, all leave, and the solver begins anew.
+//              else has moved one, if others join two blocks, or if an island has grown out of its block's
+//              division, all leave, and the solver begins anew.
 //              Bodies at rest stay for many frames.
 
 namespace carom {
@@ -30,9 +31,9 @@ namespace carom {
 struct ContactCount {
     std::size_t points = 0;
     bool round = true; ///< all of them are of balls
-    void add(const PersistentManifold& manifold) {
-        points += static_cast<std::size_t>(manifold.count);
-        round = round && manifold.round;
+    void add(int count, bool isRound) {
+        points += static_cast<std::size_t>(count);
+        round = round && isRound;
     }
 };
 
@@ -79,6 +80,9 @@ class BasePath {
         return std::any_of(m_blocks.begin(), m_blocks.end(),
                            [&](SteppedMotion& block) { return !block.isEmpty() && block.anyIsland(isCalm); });
     }
+    /// Whether an island, as of the last substep, has so many contacts that it would enter another block, of
+    /// a coarser division: it has grown since it entered.
+    bool isOutgrown(const Manifolds& manifolds);
     /// What has left is left out of copies that are to be kept.
     void dropWhatLeft();
     std::size_t bytes() const;
@@ -117,13 +121,14 @@ class BasePath {
     bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
-    std::uint8_t blockFor(const Island& island, const Manifolds& manifolds) const;
+    ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     /// The end of a pair that is here already, or noBody.
     BodyIndex hereOf(BodyPair pair) const { return has(pair.a) ? pair.a : has(pair.b) ? pair.b : noBody; }
 
     int m_passes = 1;
     bool m_isEmpty = true;
-    bool m_isBroken = false;           // a pair of two blocks may meet in the next substep
+    bool m_isBroken =
+        false; // a pair of two blocks may meet in the next substep, or somebody is in a wrong one
     std::vector<double> m_reach;       // by body [m]
     std::vector<Pose> m_origin;        // by body: where it was when it entered
     std::vector<std::uint8_t> m_block; // by body
@@ -132,6 +137,7 @@ class BasePath {
     Scratch<std::vector<BodyPair>> m_pairs;      // of m_entering
     Scratch<std::vector<std::uint8_t>> m_isNear; // of m_entering
     Scratch<Islands> m_islands;
+    Scratch<std::vector<ContactCount>> m_counts; // by island of a block
     std::vector<Renewed> m_renewed;
     std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here

@@ -105,6 +105,23 @@ class SteppedMotion {
             if (impulse != Vec3::Zero()) visit(manifoldOfBalls(bodies, state, index, normal, impulse));
         });
     }
+    /// visit(island, points in contact, round) for every pair that has a manifold or is of balls in contact,
+    /// as of the last substep.
+    template<class Visit>
+    void forEachCount(const Manifolds& manifolds, const Visit& visit) const {
+        const auto islandHere = [this](BodyPair pair) {
+            return m_island[m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b]];
+        };
+        for (const std::uint32_t entry : m_general) {
+            const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+            visit(islandHere(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
+        }
+        m_balls.forEach([&](std::uint32_t index, const Vec3&, const Vec3& impulse) {
+            if (impulse != Vec3::Zero()) visit(islandHere(m_entries[index].pair), 1, true);
+        });
+    }
+    /// What islandOf() returns is below this.
+    std::size_t islandNumbers() const { return m_islands; }
     /// Whether `isCalm(body)` holds for all bodies of any island.
     template<class IsCalm>
     bool anyIsland(const IsCalm& isCalm) {

@@ -343,6 +343,48 @@ class BasePathTest : public QObject {
         QVERIFY(speed(0) * speed(0) + speed(1) * speed(1) + speed(2) * speed(2) < 9 + 1e-9);
     }
 
+    // What is large is not divided as finely as the small island it joins, whoever comes first.
+    void aLargeIslandThatJoinsASmallOneIsDividedAsALargeOne() {
+        for (const int tall : {2, 60}) { // 8 contact points, or 240
+            for (const bool isLargeFirst : {false, true}) {
+                Scene scene = stackOf(tall + 1);
+                Entered entered(scene);
+                std::vector<BodyIndex> large, small{static_cast<BodyIndex>(tall + 1)}; // the topmost
+                for (BodyIndex i = 1; i <= static_cast<BodyIndex>(tall); ++i) large.push_back(i);
+                entered.enter(isLargeFirst ? large : small);
+                entered.advance();
+                entered.enter(isLargeFirst ? small : large);
+                QCOMPARE(entered.renew(), isLargeFirst || tall == 2);
+                QVERIFY(!entered.path.isOutgrown(entered.manifolds) || !isLargeFirst);
+            }
+        }
+    }
+
+    // Cubes that come down side by side: one island without contacts, then one with many.
+    void anIslandThatHasGrownIsOutgrown() {
+        for (const int count : {1, 80}) {
+            Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
+            for (int k = 0; k < count; ++k) {
+                Body cube = test::rough(test::cuboid({1, 1, 1}, 1, {1.06 * k, 0.552, 0}), 0.5);
+                cube.velocity = {0, -2, 0};
+                scene.bodies.push_back(cube);
+            }
+            Entered entered(scene);
+            entered.enterAll();
+            QCOMPARE(entered.path.islands(), 1U);
+            QVERIFY(!entered.path.isOutgrown(entered.manifolds));
+            for (int n = 0; n < 5 * substeps && !entered.path.isOutgrown(entered.manifolds); ++n) {
+                QVERIFY(entered.renew());
+                entered.advance();
+            }
+            QCOMPARE(entered.path.isOutgrown(entered.manifolds), count == 80);
+            entered.leave();
+            entered.enterAll();
+            entered.advance();
+            QVERIFY(!entered.path.isOutgrown(entered.manifolds));
+        }
+    }
+
     void whoIsHereIsInABlock() {
         Entered entered(stackOf(3));
         QVERIFY(entered.path.isEmpty());
