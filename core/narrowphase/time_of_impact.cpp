@@ -40,9 +40,9 @@ namespace {
 
 // The gap, relative to the size, at which shapes touch.
 constexpr double touching = 1e-12;
-// Steps of the search. Near a graze they shrink with the square root of the gap, so one takes about a hundred;
-// one that is still undecided after these is reported as an impact: early by less than its gap, but never
-// missed.
+// Steps of the search. Near a graze they shrink with the square root of the gap, so one takes about a
+// hundred; one that is still undecided after these is reported as an impact: early by less than its gap, but
+// never missed.
 constexpr int maxSteps = 2000;
 constexpr int maxNarrowings = 200;
 // Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps

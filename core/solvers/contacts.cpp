@@ -50,7 +50,7 @@ namespace {
 /// What stays on the base path may stray by this part of its size: bodies at rest stay for long.
 constexpr double lastingSkin = 0.05;
 
-/// A frame may take this part of what refinement has saved.
+/// A frame may take this part of what is saved for any island.
 constexpr double mostOfReserve = 0.5;
 
 /// The setting `iterations` over this is the number of passes; 20 is its default.
@@ -122,7 +122,7 @@ class Contacts final : public Solver {
         budget.perItem *= m_settings.effort;
         budget.saved *= m_settings.reserve;
         budget.start = std::max(budget.start, budget.saved);
-        budget.burst = std::max(budget.burst, mostOfReserve * budget.saved);
+        budget.burst += mostOfReserve * std::max(0.0, budget.saved - budget.forRest);
         return budget;
     }
     void take(const SteppedReport& stepped, SolverReport& report);

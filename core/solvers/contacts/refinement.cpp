@@ -17,7 +17,7 @@ constexpr double forSprings = 20;
 /// An island waits 2ᶠ − 1 substeps after f attempts in vain in a row, f at most this.
 constexpr std::uint8_t mostFailures = 6;
 /// What a run begins with is for what is put down then: this part of it is left after a substep.
-constexpr double startFades = 0.99;
+constexpr double startFades = 0.9;
 /// An island is nearly at rest that is no faster than so many times |g| h.
 constexpr double nearlyResting = 10;
 
@@ -39,7 +39,8 @@ double Refinement::openTo(const RefinementInput& input, const RefinementBudget& 
     const double open = nearlyRests(input, island) ? m_saved : forAll;
     std::uint8_t failures = 0;
     for (const BodyIndex body : island.bodies) failures = std::max(failures, m_failures[body]);
-    return std::ldexp(std::max(0.0, std::min(open, budget.burst - m_spent)), -failures);
+    const double burst = budget.burst + std::max(0.0, m_saved - budget.saved);
+    return std::ldexp(std::max(0.0, std::min(open, burst - m_spent)), -failures);
 }
 
 void Refinement::pay(double refined, double base) {

@@ -37,10 +37,10 @@ namespace carom {
 struct RefinementBudget {
     double floor = 1e6;    ///< operations a frame: about what half a millisecond buys
     double perItem = 200;  ///< and for every body and contact
-    double start = 400e6;  ///< saved when a run begins, fading within a hundred substeps or two
+    double start = 400e6;  ///< saved when a run begins, fading within ten substeps or twenty
     double saved = 40e6;   ///< and later at most
     double forRest = 40e6; ///< up to this it is for what is nearly at rest, beyond it for anybody
-    double burst = 400e6;  ///< a frame takes at most so much of it
+    double burst = 6e6;    ///< a frame takes at most so much of it, and what is left of the start
 };
 
 /// What the islands of a substep are sorted by.
@@ -67,7 +67,7 @@ class Refinement {
     /// What a frame has left of so many floors is what an island may take at most.
     static constexpr double mostFloors = 4;
     /// A frame takes so many floors at most, where all its islands come in one substep.
-    static constexpr double mostShares = 16;
+    static constexpr double mostShares = 6;
 
     explicit Refinement(std::size_t bodies)
         : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0),

@@ -167,8 +167,8 @@ class TimeOfImpactTest : public QObject {
         QVERIFY(met > 50);
     }
 
-    // Two turning shapes pass each other, nearer and nearer to a graze. Steps that shrink with the square root
-    // of the gap are some for every power of ten; steps that shrink with the gap would be thousands.
+    // Two turning shapes pass each other, nearer and nearer to a graze. Steps that shrink with the square
+    // root of the gap are some for every power of ten; steps that shrink with the gap would be thousands.
     void aGrazeOfTurningShapesTakesFewComparisons() {
         constexpr int pairs = 200, halvings = 40, mostComparisons = 200;
         Random random(seed, 3);

@@ -336,7 +336,7 @@ class RefinementTest : public QObject {
         Crowd crowd(2);
         crowd.chain({2});
         crowd.find();
-        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e8, .saved = 1e8};
+        const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e8, .saved = 1e8, .burst = 1e8};
         Refinement refinement(2);
         refinement.choose(crowd.input(), budget);
         const double first = refinement.refined()[0].budget;
