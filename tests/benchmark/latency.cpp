@@ -59,7 +59,7 @@ bool waitFor(const Condition& condition) {
     QTimer beat;
     beat.start(heartbeat);
     const Clock::time_point start = Clock::now();
-    while (!condition() && millisecondsSince(start) < patience)
+    while (!condition() && millisecondsSince(start) < longestWait)
         QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     return condition();
 }

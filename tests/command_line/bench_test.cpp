@@ -97,7 +97,7 @@ class BenchTest : public QObject {
         process.start(QStringLiteral(CAROM_PROGRAM),
                       {"bench", "--scene", "brownian", "-n", "2000", "--frames", "1000000", "-o", results});
         QVERIFY(process.waitForStarted());
-        QTRY_VERIFY_WITH_TIMEOUT(QDir(results).exists(), patience); // by then it catches signals
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(results).exists(), longestWait); // by then it catches signals
         process.terminate();
         const Ended ended = finish(process);
         QCOMPARE(ended.exitCode, 130);

@@ -273,9 +273,9 @@ class FaultsTest : public QObject {
         QProcess process;
         process.start(CAROM_PROGRAM,
                       {"run", path("slow.sdl"), "--substeps=1000000", "--json", "--stats", path("slow.csv")});
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("slow.csv")), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("slow.csv")), longestWait);
         constexpr int intoTheFrame = 100; // [ms] of processor time
-        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(process.processId(), "carom") > intoTheFrame, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(process.processId(), "carom") > intoTheFrame, longestWait);
         ::kill(static_cast<pid_t>(process.processId()), signal);
         const Ended ended = finish(process);
         QCOMPARE(ended.exitCode, 130);
@@ -289,10 +289,10 @@ class FaultsTest : public QObject {
         QProcess process;
         process.start("/bin/sh", {"-c", "trap '' HUP; exec '" CAROM_PROGRAM "' run " + scene() +
                                             " -n 1000000000 --stats " + path("s.csv")});
-        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > 1000, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > 1000, longestWait);
         ::kill(static_cast<pid_t>(process.processId()), SIGHUP);
         const qint64 size = QFileInfo(path("s.csv")).size();
-        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > size + 100'000, patience); // it goes on
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > size + 100'000, longestWait); // it goes on
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QCOMPARE(finish(process).exitCode, 130);
     }
@@ -315,7 +315,7 @@ class FaultsTest : public QObject {
         QProcess process;
         process.start(CAROM_PROGRAM, words + QStringList{"-o", m_folder->path()});
         const auto rows = [&] { return linesOf(QString::fromUtf8(readFile(path(qPrintable(file))))); };
-        QTRY_VERIFY_WITH_TIMEOUT(rows().size() > 3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(rows().size() > 3, longestWait);
         QCOMPARE(process.state(), QProcess::Running); // it is not done
         process.kill();
         process.waitForFinished();

@@ -324,7 +324,7 @@ void RunTest::anInterruptedRunWritesWhatItComputed() {
     QProcess process;
     process.start(CAROM_PROGRAM, {"run", path("glide.sdl"), "-n", "1000000000", "--json", "--stats", file});
     // It runs once its file grows; then the signal cannot come too early.
-    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(file).size() > 1000, test::patience);
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(file).size() > 1000, test::longestWait);
     ::kill(static_cast<pid_t>(process.processId()), SIGINT);
     const test::Ended ended = test::finish(process);
     QCOMPARE(ended.exitCode, 130);

@@ -37,7 +37,7 @@ class SoakTest : public QObject {
         process.setStandardErrorFile(QProcess::nullDevice());
         process.start(QStringLiteral(CAROM_PROGRAM), {"run", scene, "-n", "1000000", "--stats", "-"});
         for (qint64 rows = 0; rows < 5; rows += process.readAllStandardOutput().count('\n'))
-            QVERIFY(process.waitForReadyRead(patience));
+            QVERIFY(process.waitForReadyRead(longestWait));
         const Holdings held = holdingsOf(QString::number(process.processId()));
         process.kill();
         process.waitForFinished();
@@ -65,7 +65,7 @@ class SoakTest : public QObject {
                       {"run", scene, "--method", method, "-n", "2000000000", "--keep-going", "--stats", "-"});
         Holdings early, late;
         for (qint64 rows = 0; rows < qint64{rounds} * thousand;) {
-            QVERIFY(process.waitForReadyRead(patience));
+            QVERIFY(process.waitForReadyRead(longestWait));
             rows += process.readAllStandardOutput().count('\n');
             if (early.files < 0 && rows >= warmUp * thousand)
                 early = holdingsOf(QString::number(process.processId()));

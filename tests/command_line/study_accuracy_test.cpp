@@ -56,7 +56,7 @@ class StudyAccuracyTest : public QObject {
         process.start(QStringLiteral(CAROM_PROGRAM),
                       {"study", "accuracy", m_scene, "-o", folder, "--duration=1000"});
         QVERIFY(process.waitForStarted());
-        QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).exists(), patience); // by then it catches signals
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).exists(), longestWait); // by then it catches signals
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         const Ended first = finish(process);
         QCOMPARE(first.exitCode, 130);

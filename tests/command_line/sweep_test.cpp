@@ -94,7 +94,7 @@ class SweepCommandTest : public QObject {
         process.start(QStringLiteral(CAROM_PROGRAM), words("cut", {"--frames=3000", "--threads=2"}));
         QVERIFY(process.waitForStarted());
         const QString part = in("cut/sweep.csv.part");
-        QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, longestWait);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         const Ended first = finish(process);
         if (first.exitCode == 130) { // else it was done before the signal came
@@ -116,7 +116,7 @@ class SweepCommandTest : public QObject {
                    words("both", {"--frames=3000", "--shard=1/1", "--threads=1"}));
         QVERIFY(dead.waitForStarted());
         const QString part = in("both/shard-1.csv.part");
-        QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(linesOf(QString::fromUtf8(readFile(part))).size() > 2, longestWait);
         ::kill(static_cast<pid_t>(dead.processId()), SIGSTOP);
         const Ended other = sweep("both", {"--frames=3000", "--shard=1/1", "--resume"});
         ::kill(static_cast<pid_t>(dead.processId()), SIGCONT);

@@ -85,7 +85,7 @@ class Photographer {
 };
 
 template<class Condition>
-void awaitThat(const Condition& condition, int most = patience) {
+void awaitThat(const Condition& condition, int most = longestWait) {
     if (!QTest::qWaitFor(condition, most)) qFatal("what the picture is to show did not come");
 }
 

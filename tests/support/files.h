@@ -11,7 +11,7 @@ namespace carom::test {
 
 /// Longest wait for what needs a thread, a timer, a picture or another program [ms]. Only a hang takes that
 /// long: a machine under load is slow.
-inline constexpr int patience = 120'000;
+inline constexpr int longestWait = 120'000;
 
 /// Writes the whole file, or ends the test program.
 inline void writeFile(const QString& path, const QByteArray& content) {

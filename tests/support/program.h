@@ -20,7 +20,7 @@ struct Ended {
 };
 
 inline Ended finish(QProcess& process) {
-    if (!process.waitForFinished(patience)) {
+    if (!process.waitForFinished(longestWait)) {
         process.kill();
         process.waitForFinished();
         return {};

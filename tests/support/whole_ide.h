@@ -34,7 +34,7 @@ struct Ide {
         writeFile(path, text);
         if (bench.document().open(path)) qFatal("the test's scene cannot be opened");
         bench.window().activateWindow();
-        if (!QTest::qWaitForWindowActive(&bench.window(), patience)) qFatal("the window is not active");
+        if (!QTest::qWaitForWindowActive(&bench.window(), longestWait)) qFatal("the window is not active");
     }
     ~Ide() { editor.markSaved(); }
 

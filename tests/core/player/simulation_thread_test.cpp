@@ -48,7 +48,7 @@ class Player {
     template<class Condition>
     bool waitFor(Condition condition) {
         std::unique_lock lock(m_mutex);
-        return m_changed.wait_for(lock, std::chrono::milliseconds(patience), condition);
+        return m_changed.wait_for(lock, std::chrono::milliseconds(longestWait), condition);
     }
 
     // What has come; read in a condition of waitFor, or when nothing moves.
@@ -129,7 +129,7 @@ class SimulationThreadTest : public QObject {
         thread.post(RunCommand{});
         const auto fills = [&thread] {
             const std::chrono::steady_clock::time_point end =
-                std::chrono::steady_clock::now() + std::chrono::milliseconds(patience);
+                std::chrono::steady_clock::now() + std::chrono::milliseconds(longestWait);
             while (!thread.samples().isFull() && std::chrono::steady_clock::now() < end)
                 std::this_thread::yield();
             return thread.samples().isFull();

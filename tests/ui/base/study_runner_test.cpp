@@ -28,7 +28,7 @@ class StudyRunnerTest : public QObject {
                 return [&] { finished = QThread::currentThread(); };
             });
             QVERIFY(runner.isRunning());
-            QTRY_VERIFY_WITH_TIMEOUT(finished != nullptr, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(finished != nullptr, longestWait);
             QVERIFY(!runner.isRunning());
             QCOMPARE(finished, QThread::currentThread());
             QVERIFY(worked != finished);
@@ -45,13 +45,13 @@ class StudyRunnerTest : public QObject {
             throw std::bad_alloc();
             return finish;
         });
-        QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, longestWait);
         QCOMPARE(failures.takeFirst().first().toString(),
                  QStringLiteral("Stopped: there is not enough memory for it"));
         QVERIFY(!runner.isRunning());
         QVERIFY(!finished);
         runner.start([&](const std::stop_token&) { return finish; });
-        QTRY_VERIFY_WITH_TIMEOUT(finished, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(finished, longestWait);
     }
 
     void itIsToldToStopAndWaitedFor() {

@@ -29,7 +29,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 
 SharedBuild built(const char* text) {
     auto result = std::make_shared<BuildResult>();
@@ -77,7 +77,7 @@ class AccuracyDockTest : public QObject {
         QCOMPARE(m_start->text(), QStringLiteral("Stop"));
         QProgressBar* progress = m_dock->findChild<QProgressBar*>();
         QVERIFY(progress->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(progress->value() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(progress->value() > 0, longestWait);
         finish();
         QVERIFY(!progress->isVisible());
         QVERIFY(m_dock->result()->complete);
@@ -185,7 +185,8 @@ class AccuracyDockTest : public QObject {
         m_dock->setScene(built(swinging), QStringLiteral("swing"));
         m_duration->setValue(8);
         m_start->click();
-        QTRY_VERIFY_WITH_TIMEOUT(m_dock->result() && m_dock->result()->points.front().finished(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_dock->result() && m_dock->result()->points.front().finished(),
+                                 longestWait);
         m_start->click();
         finish();
         QVERIFY(!m_dock->result()->complete);
@@ -196,7 +197,7 @@ class AccuracyDockTest : public QObject {
         m_duration->setValue(8);
         QCOMPARE(m_start->text(), QStringLiteral("Go on"));
         m_start->click();
-        QTRY_VERIFY_WITH_TIMEOUT(child<QProgressBar>("accuracyProgress")->value() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(child<QProgressBar>("accuracyProgress")->value() > 0, longestWait);
         m_start->click();
         finish();
         const AccuracyPoint& after = m_dock->result()->points.front();
@@ -262,7 +263,7 @@ class AccuracyDockTest : public QObject {
     Widget* child(const char* name) const {
         return m_dock->findChild<Widget*>(QLatin1StringView(name));
     }
-    void finish() { QTRY_VERIFY_WITH_TIMEOUT(m_start->text() != QStringLiteral("Stop"), patience); }
+    void finish() { QTRY_VERIFY_WITH_TIMEOUT(m_start->text() != QStringLiteral("Stop"), longestWait); }
     void study() {
         m_start->click();
         finish();

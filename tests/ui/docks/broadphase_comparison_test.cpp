@@ -22,7 +22,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 using test::readFile;
 
 // By a method that searches in every frame.
@@ -83,7 +83,7 @@ class BroadphaseComparisonTest : public QObject {
 
     void everyAlgorithmGetsItsRowOfFiguresAndItsCurve() {
         compare(gasOf(60));
-        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), patience); // Qt shows it with the next event
+        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), longestWait); // Qt shows it with the next event
         QCOMPARE(table()->rowCount(), static_cast<int>(broadphases().size()));
         for (int row = 0; row < table()->rowCount(); ++row) {
             QVERIFY(table()->text(row, 0).toDouble() > 0);
@@ -136,13 +136,13 @@ class BroadphaseComparisonTest : public QObject {
         QCOMPARE(m_button->text(), QStringLiteral("Stop"));
         QVERIFY(m_progress->isVisible());
         // Every algorithm has had its first turn of ten frames.
-        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 150, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 150, longestWait);
         QVERIFY(m_state->text().contains(QLatin1StringView("s left")));
         QTest::mouseClick(m_button, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), longestWait);
         QVERIFY(!m_comparison->result()->complete);
         QVERIFY(m_comparison->result()->plan.frames < 120);
-        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), patience); // Qt shows it with the next event
+        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), longestWait); // Qt shows it with the next event
         QVERIFY(m_state->text().startsWith(QLatin1StringView("Stopped.")));
     }
 
@@ -152,9 +152,9 @@ class BroadphaseComparisonTest : public QObject {
         QVERIFY(m_button->isEnabled()); // needs no scene
         QTest::mouseClick(m_button, Qt::LeftButton);
         // Eight numbers: the first two are done at a quarter.
-        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 260, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_progress->value() > 260, longestWait);
         QTest::mouseClick(m_button, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(m_button->text(), QStringLiteral("Compare all"), longestWait);
         QVERIFY(!m_comparison->result()->complete);
         QVERIFY(m_comparison->result()->points.size() >= 2 * broadphases().size());
         QVERIFY(table()->text(0, 1).toDouble() > 0);
@@ -168,7 +168,7 @@ class BroadphaseComparisonTest : public QObject {
         compare(gasOf(20));
         QVERIFY(!m_state->text().contains(QLatin1StringView("changed")));
         m_comparison->setPipeline(gasOf(21));
-        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), patience); // Qt shows it with the next event
+        QTRY_VERIFY_WITH_TIMEOUT(table()->isVisible(), longestWait); // Qt shows it with the next event
         QVERIFY(m_state->text().contains(QLatin1StringView("The scene has changed since")));
     }
 
@@ -185,7 +185,7 @@ class BroadphaseComparisonTest : public QObject {
         QSignalSpy reports(m_comparison.get(), &BroadphaseComparison::reported);
         m_comparison->setPipeline(pipeline);
         QTest::mouseClick(m_button, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(reports.size(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.size(), 1, longestWait);
         QCOMPARE(m_button->text(), QStringLiteral("Compare all"));
         QVERIFY(m_comparison->result()->complete);
     }

@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 
 /// A ball over a floor, built.
 SharedBuild ballOverFloor() {
@@ -59,13 +59,13 @@ class EffectsDockTest : public QObject {
         dock.addSamples(responses(20));
         const QTextBrowser* text = dock.findChild<QTextBrowser*>();
         QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 10.500 ms")),
-                                 patience);
+                                 longestWait);
         QVERIFY(text->toPlainText().contains(QStringLiteral("respond 10.500")));
         dock.addSamples(responses(100)); // of which the last sixty count
         QTRY_VERIFY_WITH_TIMEOUT(text->toPlainText().contains(QStringLiteral("A frame takes 70.500 ms")),
-                                 patience);
+                                 longestWait);
         dock.clear();
-        QTRY_VERIFY_WITH_TIMEOUT(!text->toPlainText().contains(QStringLiteral("A frame takes")), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!text->toPlainText().contains(QStringLiteral("A frame takes")), longestWait);
     }
 };
 

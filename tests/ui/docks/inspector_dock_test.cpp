@@ -15,7 +15,7 @@ using namespace carom;
 
 namespace {
 
-using carom::test::patience;
+using carom::test::longestWait;
 
 const char* const scene = "gravity { accel 0,-10,0 } wall { normal 0,1,0 toOrig 0 }\n"
                           "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 elastic .5 drag .47 }\n"
@@ -55,7 +55,7 @@ class InspectorDockTest : public QObject {
         for (int frame = 0; frame < 6; ++frame) world.step();
         dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
         const QString x = QString::number(world.state().pose[1].position.x(), 'g', 6);
-        QTRY_COMPARE_WITH_TIMEOUT(dock.valueOf(QStringLiteral("position x")), x, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(dock.valueOf(QStringLiteral("position x")), x, longestWait);
         QVERIFY(dock.valueOf(QStringLiteral("contact force")).toDouble() < 1e-6); // it is falling
     }
 
@@ -70,18 +70,18 @@ class InspectorDockTest : public QObject {
         for (int frame = 0; frame < 5; ++frame) {
             dock.showSnapshot(std::make_shared<const Snapshot>(world.snapshot()));
             heights.push_back(world.state().pose[1].position.y());
-            QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), heights, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), heights, longestWait);
             world.step();
         }
         dock.showSnapshot(std::make_shared<const Snapshot>(start)); // back at the start it begins anew
-        QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), std::vector<double>{5}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), std::vector<double>{5}, longestWait);
         dock.resize(400, 300);
         dock.show();
         QVERIFY(QTest::qWaitForWindowExposed(&dock));
         const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
         QVERIFY(!tree->isColumnHidden(2));
         dock.resize(200, 300);
-        QTRY_VERIFY_WITH_TIMEOUT(tree->isColumnHidden(2), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(tree->isColumnHidden(2), longestWait);
     }
 
     void aNarrowPanelCutsNamesAndNoValues() {

@@ -24,7 +24,7 @@ using namespace carom;
 
 namespace {
 
-using carom::test::patience;
+using carom::test::longestWait;
 
 const std::string falling = "gravity { accel 0,-10,0 }\n"
                             "sphere ball { radius .25 mass 2 centre 1,5,0 vel 3,0,0 }\n"
@@ -71,7 +71,7 @@ class PlotsDockTest : public QObject {
         Shown shown;
         shown.dock.reach(30);
         shown.add("ball", "position x");
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), longestWait);
         const ChartSeries& series = shown.dock.chart().series.front();
         for (std::size_t frame = 0; frame <= 30; ++frame) {
             QCOMPARE(series.x[frame], static_cast<double>(frame) / 60);
@@ -79,7 +79,7 @@ class PlotsDockTest : public QObject {
         }
         QCOMPARE(shown.dock.chart().y.unit, QStringLiteral("m"));
         shown.dock.reach(45); // the run goes on
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 46), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 46), longestWait);
     }
 
     void curvesOfDifferentUnitsNameThemAndTheWholeCanBePlotted() {
@@ -87,13 +87,13 @@ class PlotsDockTest : public QObject {
         shown.dock.reach(5);
         shown.add("ball", "speed");
         shown.add("the whole scene", "energy");
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(2, 6), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(2, 6), longestWait);
         QCOMPARE(shown.dock.chart().series[1].name, QStringLiteral("whole: energy [J]"));
         QCOMPARE(shown.dock.chart().series[1].y.front(), 9.0 + 100 + 50);
         QVERIFY(shown.dock.chart().y.unit.isEmpty());
         shown.named<QListWidget>("")->setCurrentRow(0);
         QTest::mouseClick(shown.named<QToolButton>("plotRemove"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), longestWait);
         QCOMPARE(shown.dock.chart().y.unit, QStringLiteral("J"));
     }
 
@@ -101,15 +101,15 @@ class PlotsDockTest : public QObject {
         Shown shown;
         shown.dock.reach(5);
         shown.add("ball", "position x");
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), longestWait);
         shown.dock.showPipeline(build("sphere { radius 1 mass 1 centre 7,7,7 }\n" + falling).pipeline);
         shown.dock.reach(3);
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4), longestWait);
         QCOMPARE(shown.dock.chart().series.front().y.front(), 1.0);
         shown.dock.showPipeline(build("sphere other { radius 1 mass 1 centre 7,7,7 }\n").pipeline);
         shown.dock.reach(3);
         QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 4) && std::isnan(shown.dock.chart().series.front().y.front()),
-                                 patience);
+                                 longestWait);
     }
 
     void aLongRunKeepsItsExtremesInBoundedMemory() {
@@ -123,7 +123,7 @@ class PlotsDockTest : public QObject {
             return !series.empty() && !series.front().x.empty() &&
                    std::abs(series.front().x.back() - 40'000.0 / 60) < 1e-6;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(arrived(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(arrived(), longestWait);
         QVERIFY(!shown.named<QLabel>("plotProgress")->isVisible());
         const ChartSeries& series = shown.dock.chart().series.front();
         QVERIFY(series.x.size() <= 2 * BoundedSeries::mostStretches + 2);
@@ -143,7 +143,7 @@ class PlotsDockTest : public QObject {
         Shown shown;
         shown.dock.reach(30);
         shown.add("ball", "position x");
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 31), longestWait);
         PlotWidget* plot = shown.dock.findChild<PlotWidget*>();
         QSignalSpy picked(&shown.dock, &PlotsDock::framePicked);
         QWidget* canvas = plot->findChild<QWidget*>();
@@ -161,7 +161,7 @@ class PlotsDockTest : public QObject {
             shown.dock.exportTo(QStringLiteral("/nowhere/plot.csv")).contains(QStringLiteral("no curves")));
         shown.dock.reach(5);
         shown.add("ball", "position x");
-        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(shown.has(1, 6), longestWait);
         const QTemporaryDir folder;
         const QString csv = folder.filePath(QStringLiteral("plot.csv"));
         QCOMPARE(shown.dock.exportTo(csv), QString());

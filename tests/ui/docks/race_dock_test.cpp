@@ -26,7 +26,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 
 SharedBuild built(const QByteArray& text) {
     auto result = std::make_shared<BuildResult>();
@@ -127,7 +127,7 @@ class RaceDockTest : public QObject {
         play->setChecked(false);
         child<QSlider>("raceSlider")->setValue(50);
         play->setChecked(true);
-        QTRY_VERIFY_WITH_TIMEOUT(!play->isChecked(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!play->isChecked(), longestWait);
         QCOMPARE(m_dock->shownFrame(), 60);
         play->setChecked(true); // from the start again
         QVERIFY(m_dock->shownFrame() < 60);
@@ -156,9 +156,9 @@ class RaceDockTest : public QObject {
         start->click();
         QCOMPARE(start->text(), QStringLiteral("Stop"));
         QTRY_VERIFY_WITH_TIMEOUT(m_dock->recording() != nullptr && m_dock->recording()->count() > 10,
-                                 patience);
+                                 longestWait);
         start->click();
-        QTRY_COMPARE_WITH_TIMEOUT(start->text(), QStringLiteral("Race"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(start->text(), QStringLiteral("Race"), longestWait);
         QVERIFY(m_dock->recording()->count() > 10);
         QCOMPARE(child<QSlider>("raceSlider")->maximum(), static_cast<int>(m_dock->recording()->count() - 1));
     }
@@ -171,7 +171,7 @@ class RaceDockTest : public QObject {
     void race() {
         QPushButton* start = child<QPushButton>("raceStart");
         start->click();
-        QTRY_COMPARE_WITH_TIMEOUT(start->text(), QStringLiteral("Race"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(start->text(), QStringLiteral("Race"), longestWait);
         child<QToolButton>("racePlay")->setChecked(false);
     }
 

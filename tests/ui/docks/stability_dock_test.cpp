@@ -17,7 +17,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 
 } // namespace
 
@@ -45,7 +45,7 @@ class StabilityDockTest : public QObject {
         QSignalSpy reported(m_dock.get(), &StabilityDock::reported);
         m_button->click();
         QVERIFY(m_dock->isRunning());
-        QTRY_VERIFY_WITH_TIMEOUT(!m_dock->isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dock->isRunning(), longestWait);
         for (int column = 2; column <= 4; ++column)
             QVERIFY(m_table->topLevelItem(0)->text(column).startsWith(QStringLiteral("holds: energy")));
         QCOMPARE(reported.size(), 1);
@@ -64,10 +64,10 @@ class StabilityDockTest : public QObject {
         std::vector<const HardCase*> cases = {findHardCase("1")};
         for (int i = 0; i < 1000; ++i) cases.push_back(findHardCase("4"));
         m_dock->run(cases);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_table->topLevelItem(0)->text(4).isEmpty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_table->topLevelItem(0)->text(4).isEmpty(), longestWait);
         QCOMPARE(m_button->text(), QStringLiteral("Stop"));
         m_button->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_dock->isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_dock->isRunning(), longestWait);
         QVERIFY(m_table->topLevelItem(0)->text(4).startsWith(QStringLiteral("holds")));
     }
 

@@ -22,7 +22,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 using test::readFile;
 
 /// Frames whose respond takes 1, 2, … ms; the first, apart, 500 ms.
@@ -52,13 +52,13 @@ class TimingDockTest : public QObject {
         TimingDock dock;
         dock.addSamples(countingSamples(100));
         const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
-        constexpr int respond = 3;                                                              // row
-        QTRY_COMPARE_WITH_TIMEOUT(table->text(respond, 1), QStringLiteral("50.500"), patience); // mean
-        QCOMPARE(table->text(respond, 0), QStringLiteral("100.000"));                           // now
-        QCOMPARE(table->text(respond, 2), QStringLiteral("50.500"));                            // median
-        QCOMPARE(table->text(respond, 3), QStringLiteral("95.000"));                            // p95
-        QCOMPARE(table->text(respond, 4), QStringLiteral("99.000"));                            // p99
-        QCOMPARE(table->text(respond, 5), QStringLiteral("100.000"));                           // max
+        constexpr int respond = 3;                                                                 // row
+        QTRY_COMPARE_WITH_TIMEOUT(table->text(respond, 1), QStringLiteral("50.500"), longestWait); // mean
+        QCOMPARE(table->text(respond, 0), QStringLiteral("100.000"));                              // now
+        QCOMPARE(table->text(respond, 2), QStringLiteral("50.500"));                               // median
+        QCOMPARE(table->text(respond, 3), QStringLiteral("95.000"));                               // p95
+        QCOMPARE(table->text(respond, 4), QStringLiteral("99.000"));                               // p99
+        QCOMPARE(table->text(respond, 5), QStringLiteral("100.000"));                              // max
         QCOMPARE(table->text(table->rowCount() - 1, 5), QStringLiteral("100.250"));
         bool apart = false;
         for (const QLabel* label : dock.findChildren<QLabel*>())
@@ -78,7 +78,7 @@ class TimingDockTest : public QObject {
         dock.addSamples(samples);
         const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         constexpr int render = 5, step = 6, total = 7; // rows
-        QTRY_COMPARE_WITH_TIMEOUT(table->text(render, 1), QStringLiteral("20.000"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(table->text(render, 1), QStringLiteral("20.000"), longestWait);
         QCOMPARE(table->text(step, 1), QStringLiteral("1.000"));
         QCOMPARE(table->text(total, 1), QStringLiteral("21.000"));
     }
@@ -90,7 +90,7 @@ class TimingDockTest : public QObject {
         dock.addSamples(samples);
         const ValueTable* table = dock.findChild<ValueTable*>(QStringLiteral("frameTimes"));
         constexpr int render = 5;
-        QTRY_COMPARE_WITH_TIMEOUT(table->text(render, 1), QStringLiteral("12.000"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(table->text(render, 1), QStringLiteral("12.000"), longestWait);
         QCOMPARE(table->text(render, 2), QStringLiteral("12.000"));
     }
 

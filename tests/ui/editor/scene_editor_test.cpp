@@ -101,14 +101,14 @@ class SceneEditorTest : public QObject {
         SceneEditor editor(m_theme);
         editor.resize(500, 400);
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor, patience));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         editor.setBytes(
             QByteArray("sphere { radius 1.5 mass 1 centre 0,0,0 colour blue }\n").repeated(100000));
         editor.send(Sci::SCI_DOCUMENTEND);
         editor.viewport()->repaint();
         const long all = editor.send(Sci::SCI_GETLENGTH);
         QVERIFY(editor.send(Sci::SCI_GETENDSTYLED) < all); // not all of it for this one picture
-        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_GETENDSTYLED), all, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_GETENDSTYLED), all, longestWait);
         QCOMPARE(editor.send(Sci::SCI_GETSTYLEAT, all - 4), long{SceneLexer::Word}); // the blue of the last
     }
 
@@ -260,7 +260,7 @@ class SceneEditorTest : public QObject {
         QVERIFY(editor.isListActive());
         QTest::keyClicks(&editor, QStringLiteral("e")); // the tutorial: `sphere`, then Tab for all of it
         QVERIFY(!editor.isListActive());
-        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().isEmpty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().isEmpty(), longestWait);
     }
 
     void nothingIsOfferedInAComment() {
@@ -325,9 +325,9 @@ class SceneEditorTest : public QObject {
         editor.show();
         QVERIFY(QTest::qWaitForWindowExposed(&editor));
         editor.setWrapsLines(true);
-        QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 5, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 5, longestWait);
         editor.setWrapsLines(false);
-        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0), 1L, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0), 1L, longestWait);
         QVERIFY(!editor.differsFromSaved());
     }
 
@@ -369,7 +369,8 @@ class SceneEditorTest : public QObject {
         bar.activate();
         QLineEdit* find = bar.findChild<QLineEdit*>(QStringLiteral("find"));
         QTest::keyClicks(find, QStringLiteral("radius"));
-        QTRY_COMPARE_WITH_TIMEOUT(bar.findChild<QLabel*>()->text(), QStringLiteral("1 of 20000"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(bar.findChild<QLabel*>()->text(), QStringLiteral("1 of 20000"),
+                                  longestWait);
         QVERIFY(editor.send(Sci::SCI_INDICATORVALUEAT, 14, 9 + 20 * 777) != 0); // all are marked
         QTest::keyClick(find, Qt::Key_Escape);
         QCOMPARE(editor.send(Sci::SCI_INDICATORVALUEAT, 14, 9 + 20 * 777), 0L);

@@ -54,12 +54,12 @@ class MemoryTest : public QObject {
         {
             const FailingMemory failing(piece);
             witness.simulation.load(pipeline);
-            QTRY_VERIFY_WITH_TIMEOUT(witness.hasStoppedForMemory(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(witness.hasStoppedForMemory(), longestWait);
             witness.simulation.play(); // to no effect, and no harm
             witness.simulation.seek(3);
         }
         witness.simulation.load(pipeline);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 0, longestWait);
         QCOMPARE(witness.simulation.status().state, RunState::Paused);
     }
 
@@ -68,18 +68,18 @@ class MemoryTest : public QObject {
         witness.simulation.load(crowd());
         witness.simulation.setSpeed(std::nullopt);
         witness.simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(witness.frame > 20, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frame > 20, longestWait);
         {
             const FailingMemory failing(piece);
-            QTRY_VERIFY_WITH_TIMEOUT(witness.hasStoppedForMemory(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(witness.hasStoppedForMemory(), longestWait);
         }
         const std::int64_t reached = witness.simulation.status().health.frame;
         QVERIFY(reached > 20);
         witness.simulation.seek(10);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 10, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.simulation.status().state, RunState::Paused, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 10, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.simulation.status().state, RunState::Paused, longestWait);
         witness.simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(witness.frame > reached, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frame > reached, longestWait);
     }
 
     void whatIsSaidOfARunLoadedOverIsDropped() {
@@ -93,7 +93,7 @@ class MemoryTest : public QObject {
         witness.simulation.play();
         QTest::qSleep(500); // it stops meanwhile, and this thread has not heard of it
         witness.simulation.load(crowd());
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 0, longestWait);
         for (const QList<QVariant>& change : changes)
             QVERIFY(change.first().value<RunStatus>().state != RunState::Stopped);
     }

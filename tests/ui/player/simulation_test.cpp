@@ -16,7 +16,7 @@ using namespace carom;
 
 namespace {
 
-using carom::test::patience;
+using carom::test::longestWait;
 
 /// Balls that meet each other and the floor again and again, so that a wrong broad-phase would show.
 std::string jostling() {
@@ -57,7 +57,7 @@ class SimulationTest : public QObject {
         Simulation simulation;
         Witness witness(simulation);
         simulation.load(compiled(jostling()));
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, longestWait);
         QVERIFY(simulation.isAtStart());
         QCOMPARE(witness.newest->pose.size(), std::size_t{25});
     }
@@ -68,11 +68,11 @@ class SimulationTest : public QObject {
         simulation.load(compiled(jostling()));
         simulation.setSpeed(std::nullopt);
         simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(witness.frames.size() > 500, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frames.size() > 500, longestWait);
         simulation.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(static_cast<std::int64_t>(witness.frames.size()), witness.frame(),
-                                  patience);
+                                  longestWait);
         for (std::size_t i = 0; i < witness.frames.size(); ++i)
             QCOMPARE(witness.frames[i], static_cast<std::int64_t>(i) + 1);
     }
@@ -83,10 +83,10 @@ class SimulationTest : public QObject {
         simulation.load(compiled(jostling()));
         simulation.step();
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, longestWait);
         QVERIFY(!simulation.isAtStart());
         simulation.reset();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, longestWait);
         QVERIFY(simulation.isAtStart());
     }
 
@@ -96,23 +96,23 @@ class SimulationTest : public QObject {
         Witness witness(simulation);
         simulation.load(pipeline);
         simulation.seek(150); // where it has not been yet
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 150, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 150, longestWait);
         simulation.seek(70);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 70, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 70, longestWait);
         World alone(pipeline);
         while (alone.state().frame < 70) alone.step();
         for (std::size_t body = 0; body < alone.state().pose.size(); ++body)
             QCOMPARE(witness.newest->pose[body].position, alone.state().pose[body].position);
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 71, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 71, longestWait);
         simulation.stepBack();
         simulation.stepBack();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 69, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 69, longestWait);
         simulation.seek(0);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, longestWait);
         simulation.stepBack(); // there is nothing before the start
         simulation.seek(151);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 151, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 151, longestWait);
         QCOMPARE(witness.frames.size(), std::size_t{151});
         for (std::size_t i = 0; i < witness.frames.size(); ++i)
             QCOMPARE(witness.frames[i], static_cast<std::int64_t>(i) + 1);
@@ -124,14 +124,14 @@ class SimulationTest : public QObject {
         simulation.load(compiled(jostling()));
         simulation.setSpeed(0.01); // a frame in 1.7 s: it plays, but moves by itself only after the checks
         simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning(), longestWait);
         simulation.seek(90);
-        QTRY_VERIFY_WITH_TIMEOUT(witness.frame() >= 90, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frame() >= 90, longestWait);
         QVERIFY(simulation.isRunning());
         simulation.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), longestWait);
         simulation.seek(10);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 10, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 10, longestWait);
         QVERIFY(!simulation.isRunning());
     }
 
@@ -141,9 +141,9 @@ class SimulationTest : public QObject {
         simulation.load(compiled(jostling()));
         for (int frame = 1000; frame > 0; frame -= 10) simulation.seek(frame);
         simulation.seek(5);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 5, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 5, longestWait);
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 6, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 6, longestWait);
         QVERIFY(witness.frames.size() < 1000); // the first wish was given up on the way
     }
 
@@ -157,11 +157,11 @@ class SimulationTest : public QObject {
         QSignalSpy landed(&simulation, &Simulation::landed);
         simulation.load(before);
         simulation.seek(40);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, longestWait);
         QVERIFY(!ghost.snapshot);
         witness.newest.reset();
         simulation.exchange(after);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 40, longestWait);
         QCOMPARE(landed.count(), 1);
         QVERIFY(!simulation.isRunning());
         const auto centreAt40 = [](const std::shared_ptr<const Pipeline>& pipeline) {
@@ -173,16 +173,16 @@ class SimulationTest : public QObject {
         QVERIFY(ghost.snapshot && ghost.pipeline == before);
         QCOMPARE(ghost.snapshot->pose[1].position, centreAt40(before));
         simulation.seek(20); // the ghost goes along
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, longestWait);
         QCOMPARE(ghost.snapshot->frame, std::int64_t{20});
         simulation.seek(41); // as far as it went
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 41, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 41, longestWait);
         QVERIFY(!ghost.snapshot);
         simulation.seek(30);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 30, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 30, longestWait);
         QVERIFY(ghost.snapshot);
         simulation.wantGhost(false);
-        QTRY_VERIFY_WITH_TIMEOUT(!ghost.snapshot, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ghost.snapshot, longestWait);
     }
 
     void aBreakpointStopsTheRunAndIsFoundBackwards() {
@@ -205,8 +205,8 @@ class SimulationTest : public QObject {
         simulation.setBreakpoints({{.kind = BreakKind::Contact, .a = 2}});
         for (std::size_t stop = 1; stop <= 5; ++stop) {
             simulation.play();
-            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, patience);
-            QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning() && witness.frame() == hits.back(), patience);
+            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning() && witness.frame() == hits.back(), longestWait);
         }
         QVERIFY(std::is_sorted(hits.begin(), hits.end()));
         for (std::size_t stop = 1; stop < 5; ++stop) QVERIFY(hits[stop] - hits[stop - 1] > 25);
@@ -214,13 +214,13 @@ class SimulationTest : public QObject {
         const std::vector<std::int64_t> forwards = std::exchange(hits, {});
         for (std::size_t stop = 1; stop <= 4; ++stop) {
             simulation.findBack();
-            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(hits.size(), stop, longestWait);
             QCOMPARE(hits.back(), forwards[4 - stop]);
-            QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), hits.back(), patience);
+            QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), hits.back(), longestWait);
         }
         simulation.findBack();
-        QTRY_COMPARE_WITH_TIMEOUT(misses, 1, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), forwards.front(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(misses, 1, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), forwards.front(), longestWait);
     }
 
     void aRunThatStoppedCanBeTakenBack() {
@@ -230,10 +230,10 @@ class SimulationTest : public QObject {
                                  "sphere { radius 1 mass 1 centre 0,0,0 }"));
         simulation.setSpeed(std::nullopt);
         simulation.play();
-        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, longestWait);
         simulation.seek(3);
-        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Paused, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 3, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Paused, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 3, longestWait);
         QVERIFY(witness.newest->health.finite);
     }
 
@@ -243,11 +243,11 @@ class SimulationTest : public QObject {
         QSignalSpy arrived(&simulation, &Simulation::snapshotArrived);
         simulation.load(compiled(jostling()));
         simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 3, patience); // it is well under way
+        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 3, longestWait); // it is well under way
         simulation.load(compiled("sphere { radius 1 mass 1 centre 0,0,0 }"));
         Witness witness(simulation);
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, longestWait);
         QCOMPARE(witness.newest->pose.size(), std::size_t{1});
         QCOMPARE(witness.frames, std::vector<std::int64_t>{1});
     }
@@ -262,12 +262,12 @@ class SimulationTest : public QObject {
             simulation.useBroadphase(&row);
             const std::int64_t before = witness.frame();
             simulation.play();
-            QTRY_VERIFY_WITH_TIMEOUT(witness.frame() > before + 20, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(witness.frame() > before + 20, longestWait);
         }
         simulation.pause();
-        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(static_cast<std::int64_t>(witness.frames.size()), witness.frame(),
-                                  patience);
+                                  longestWait);
 
         World alone(pipeline);
         while (alone.state().frame < witness.frame()) alone.step();
@@ -287,13 +287,13 @@ class SimulationTest : public QObject {
         const BroadphaseRow* grid = findBroadphase("uniform_grid");
         simulation.useBroadphase(grid);
         simulation.load(pipeline);
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 0, longestWait);
         QVERIFY(counts.empty());
         simulation.wantStructure(true);
-        QTRY_VERIFY_WITH_TIMEOUT(!counts.empty() && counts.back() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!counts.empty() && counts.back() > 0, longestWait);
 
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 1, longestWait);
         World alone(pipeline);
         alone.useBroadphase(*grid);
         alone.step();
@@ -302,7 +302,7 @@ class SimulationTest : public QObject {
         simulation.wantStructure(false);
         const std::size_t heard = counts.size();
         simulation.step();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 2, longestWait);
         QCOMPARE(counts.size(), heard);
     }
 
@@ -313,8 +313,8 @@ class SimulationTest : public QObject {
             compiled("simulation { step .01 duration .2 } sphere { radius 1 mass 1 centre 0,0,0 }"));
         simulation.setSpeed(std::nullopt);
         simulation.play();
-        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(witness.frame(), 20, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!simulation.isRunning(), longestWait);
     }
 
     void aLostFiniteStateStopsAndNamesTheBody() {
@@ -324,7 +324,7 @@ class SimulationTest : public QObject {
                                  "sphere { radius 1 mass 1 centre 0,0,0 }"));
         simulation.setSpeed(std::nullopt);
         simulation.play();
-        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(simulation.status().state, RunState::Stopped, longestWait);
         QVERIFY(!simulation.status().health.finite);
         QCOMPARE(simulation.status().health.body, BodyIndex{0});
     }
@@ -339,7 +339,7 @@ class SimulationTest : public QObject {
         QElapsedTimer wall;
         wall.start();
         simulation.play();
-        QTRY_VERIFY_WITH_TIMEOUT(witness.frame() >= 3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(witness.frame() >= 3, longestWait);
         const double mostFrames = static_cast<double>(wall.elapsed()) * 0.001 * 0.1 * 60 + 1;
         QVERIFY2(static_cast<double>(witness.frame()) <= mostFrames,
                  qPrintable(QString::number(witness.frame())));

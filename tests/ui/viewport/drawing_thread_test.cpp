@@ -21,7 +21,7 @@ class DrawingThreadTest : public QObject {
         const bool hasGraphicsCard = drawing.hasGraphicsCard(); // waits until the thread knows
         QSignalSpy ready(&drawing, &DrawingThread::ready);
         QSignalSpy failed(&drawing, &DrawingThread::failed);
-        QTRY_COMPARE_WITH_TIMEOUT(ready.count() + failed.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count() + failed.count(), 1, longestWait);
         QCOMPARE(ready.count(), 1);
         QCOMPARE(ready.first().first().toBool(), !hasGraphicsCard);
     }
@@ -44,9 +44,9 @@ class DrawingThreadTest : public QObject {
         again.setProcessChannelMode(QProcess::MergedChannels);
         again.start(QCoreApplication::applicationFilePath(),
                     {QStringLiteral("drawing_thread_test"), QStringLiteral("twoDrawAtOnce")});
-        const bool ended = again.waitForFinished(patience);
+        const bool ended = again.waitForFinished(longestWait);
         if (!ended) again.kill();
-        again.waitForFinished(patience);
+        again.waitForFinished(longestWait);
         QVERIFY2(ended && again.exitStatus() == QProcess::NormalExit && again.exitCode() == 0,
                  again.readAll().constData());
     }

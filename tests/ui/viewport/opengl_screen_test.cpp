@@ -46,9 +46,9 @@ class OpenGLScreenTest : public QObject {
         };
         viewport.showPipeline(pipelineOf(scene));
         viewport.setCamera(frontCamera());
-        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > 0, longestWait);
         QVERIFY(viewport.lastRenderTime() > 0);
-        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), longestWait);
         QVERIFY(leads(viewport.grab().toImage().pixel(side / 2, side / 2), red));
 
         const std::int64_t before = viewport.framesRendered();
@@ -56,22 +56,22 @@ class OpenGLScreenTest : public QObject {
         moved->pose[0].position = Vec3(-2, 1, 0);
         viewport.showSnapshot(moved);
         viewport.setSelectedBody(1);
-        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > before, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.framesRendered() > before, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), longestWait);
         QVERIFY(!leads(viewport.grab().toImage().pixel(side / 2, side / 2), red));
 
         // Letters are painted over it by another engine, which must leave OpenGL as it was.
         const QImage plain = viewport.grab().toImage();
         viewport.setOverlay(Overlay::Labels, true);
-        QTRY_VERIFY_WITH_TIMEOUT(viewport.grab().toImage() != plain && !matches(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport.grab().toImage() != plain && !matches(), longestWait);
         viewport.resize(side + 60, side - 40);
         viewport.setOverlay(Overlay::Labels, false);
-        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), longestWait);
 
         viewport.hide();
         viewport.showSnapshot(startOf(scene));
         viewport.show();
-        QTRY_VERIFY_WITH_TIMEOUT(matches(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(matches(), longestWait);
         QVERIFY(viewport.childAt(side / 2, side / 2) == nullptr); // the mouse belongs to the viewport
         QVERIFY(failed.isEmpty());
     }
@@ -87,7 +87,7 @@ class OpenGLScreenTest : public QObject {
             const QRgb middle = viewport->grab().toImage().pixel(side / 2, side / 2);
             return qRed(middle) > 150 && qRed(middle) > 2 * qGreen(middle);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), longestWait);
         QWidget window;
         window.resize(side, side);
         viewport->setParent(&window);
@@ -96,8 +96,8 @@ class OpenGLScreenTest : public QObject {
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         const std::int64_t before = viewport->framesRendered();
         viewport->setCamera(frontCamera(true));
-        QTRY_VERIFY_WITH_TIMEOUT(viewport->framesRendered() > before, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport->framesRendered() > before, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(showsRed(), longestWait);
     }
 };
 

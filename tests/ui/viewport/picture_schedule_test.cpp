@@ -9,7 +9,7 @@
 
 namespace carom {
 
-using test::patience;
+using test::longestWait;
 
 class PictureScheduleTest : public QObject {
     Q_OBJECT
@@ -23,14 +23,14 @@ class PictureScheduleTest : public QObject {
         schedule.setReady(false);
         schedule.changed();
         schedule.changed();
-        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, longestWait);
         QVERIFY(schedule.begin());
         QVERIFY(!schedule.begin());
         schedule.changed(); // while it is drawn
         QTest::qWait(1);
         QCOMPARE(due.count(), 1);
         schedule.ended(2);
-        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 2, longestWait);
         QVERIFY(schedule.begin());
         schedule.ended(2);
         QVERIFY(!schedule.begin()); // nothing has changed
@@ -46,7 +46,7 @@ class PictureScheduleTest : public QObject {
         QVERIFY(!schedule.begin());
         seen = true;
         schedule.changed();
-        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, longestWait);
         QVERIFY(schedule.begin());
     }
 
@@ -55,7 +55,7 @@ class PictureScheduleTest : public QObject {
         PictureSchedule schedule([] { return true; });
         QSignalSpy due(&schedule, &PictureSchedule::due);
         schedule.setReady(true);
-        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(due.count(), 1, longestWait);
         QVERIFY(schedule.begin());
         QVERIFY(!schedule.isSmooth() && schedule.hasShadows());
         schedule.ended(80); // dear: the next one goes without shadows
@@ -63,7 +63,7 @@ class PictureScheduleTest : public QObject {
         QVERIFY(schedule.begin());
         QVERIFY(!schedule.hasShadows());
         schedule.ended(20);
-        QTRY_VERIFY_WITH_TIMEOUT(schedule.isSmooth(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(schedule.isSmooth(), longestWait);
         QVERIFY(schedule.begin() && schedule.hasShadows()); // though nobody said changed()
     }
 

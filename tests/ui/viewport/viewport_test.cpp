@@ -95,7 +95,7 @@ class ViewportTest : public QObject {
         m_viewport->resize(side, side);
         m_viewport->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
-        QTRY_VERIFY_WITH_TIMEOUT(m_viewport->framesRendered() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_viewport->framesRendered() > 0, longestWait);
         QVERIFY(failed.isEmpty());
         m_viewport->setDarkTheme(false);
     }
@@ -406,7 +406,7 @@ class ViewportTest : public QObject {
             return colours.size();
         };
         const std::size_t moving = shades();
-        QTRY_VERIFY_WITH_TIMEOUT(shades() > moving + 10, patience); // mixtures along the edges
+        QTRY_VERIFY_WITH_TIMEOUT(shades() > moving + 10, longestWait); // mixtures along the edges
         m_viewport->setCamera(camera);
         QCOMPARE(shades(), moving);
     }
@@ -477,9 +477,9 @@ class ViewportTest : public QObject {
                        .lines = std::make_shared<const std::vector<LineVertex>>(),
                        .options = {.size = {40, 30}, .camera = frontCamera(), .theme = viewTheme(true)}};
         drawing.post(job);
-        QTRY_VERIFY_WITH_TIMEOUT(drawer != nullptr, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(drawer != nullptr, longestWait);
         QCOMPARE(drawer != QThread::currentThread(), QOpenGLContext::supportsThreadedOpenGL());
-        QTRY_COMPARE_WITH_TIMEOUT(ready.size(), 1, patience); // told from the window's thread, later
+        QTRY_COMPARE_WITH_TIMEOUT(ready.size(), 1, longestWait); // told from the window's thread, later
         QCOMPARE(drawing.draw(job).size(), QSize(40, 30));
         job.options.size = {0, 30};
         QVERIFY(drawing.draw(job).isNull());
@@ -490,7 +490,7 @@ class ViewportTest : public QObject {
         QSignalSpy rendered(m_viewport.get(), &Viewport::frameRendered);
         const std::int64_t before = m_viewport->framesRendered();
         m_viewport->setCamera(frontCamera(true));
-        QTRY_VERIFY_WITH_TIMEOUT(rendered.size() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(rendered.size() > 0, longestWait);
         QVERIFY(m_viewport->framesRendered() > before);
         QVERIFY(m_viewport->lastRenderTime() > 0);
     }

@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-using test::patience;
+using test::longestWait;
 using test::readFile;
 
 ChartSpec example(SeriesStyle style) {
@@ -196,9 +196,9 @@ class PlotTest : public QObject {
         other.series.resize(1);
         for (const ChartSpec& spec : {example(SeriesStyle::Stacked), other, example(SeriesStyle::Stacked)}) {
             plot.setChart(spec);
-            QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(plot.grab().toImage(), seriesColour(0)) > 500, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(pixelsOf(plot.grab().toImage(), seriesColour(0)) > 500, longestWait);
             QTRY_COMPARE_WITH_TIMEOUT(pixelsOf(plot.grab().toImage(), seriesColour(1)) > 500,
-                                      spec.series.size() > 1, patience);
+                                      spec.series.size() > 1, longestWait);
         }
     }
 };

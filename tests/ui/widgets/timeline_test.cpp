@@ -12,7 +12,7 @@ using namespace carom;
 
 namespace {
 
-using carom::test::patience;
+using carom::test::longestWait;
 
 constexpr double step = 0.01; // [s]
 
@@ -61,7 +61,7 @@ class TimelineTest : public QObject {
         QTest::mousePress(&shown.timeline, Qt::LeftButton, {}, shown.at(25));
         QCOMPARE(shown.lastSeek(), std::int64_t{25});
         QTest::mouseMove(&shown.timeline, shown.at(60));
-        QTRY_COMPARE_WITH_TIMEOUT(shown.lastSeek(), std::int64_t{60}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(shown.lastSeek(), std::int64_t{60}, longestWait);
         QTest::mouseRelease(&shown.timeline, Qt::LeftButton, {}, shown.at(60));
         QCOMPARE(shown.timeline.frame(), std::int64_t{60});
     }

@@ -88,13 +88,13 @@ class BodyDragTest : public QObject {
 
     void draggingABodyRewritesTheNumbersOfItsCentreOnly() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const Camera camera = ide.viewport.camera();
         drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-1, 2, 0}));
         const QByteArray text = ide.editor.bytes();
         QVERIFY2(text.contains("{ radius .5 mass 1 centre -1.00, # left, 1\n "), text.constData());
         QVERIFY2(text.contains(", 0 vel 0,3.0,0 }\nsphere other {"), text.constData());
-        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-1, 2, 0)).norm() < pixel, patience);
+        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-1, 2, 0)).norm() < pixel, longestWait);
         QCOMPARE(ide.viewport.camera().yaw, camera.yaw); // the view has not turned
         QCOMPARE(ide.bench.preview().shown()->scene().bodies[1].pose.position, Vec3(1, 1, 0));
 
@@ -104,7 +104,7 @@ class BodyDragTest : public QObject {
 
     void theBodyFollowsTheMouseBeforeTheTextIsBuilt() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QPoint there = pixelOf(ide, {-1, 2, 0});
         QVERIFY(ide.viewport.hitAt(there).body != 0);
         QTest::mousePress(&ide.viewport, Qt::LeftButton, {}, pixelOf(ide, {-1, 1, 0}));
@@ -124,7 +124,7 @@ class BodyDragTest : public QObject {
     void whateverInterruptsADragClosesItAndItsUndoStep() {
         QFETCH(QString, how);
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QPoint from = pixelOf(ide, {-1, 1, 0}), to = pixelOf(ide, {-1, 2, 0});
         ide.viewport.setFocus();
         QTest::mousePress(&ide.viewport, Qt::LeftButton, {}, from);
@@ -157,27 +157,28 @@ class BodyDragTest : public QObject {
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), scene);
         // And one can drag again.
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
-        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-1, 1, 0)).norm() < pixel, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-1, 1, 0)).norm() < pixel, longestWait);
         drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-1, 2, 0}));
         QVERIFY(ide.editor.bytes() != scene);
     }
 
     void seenFromAboveABodyStaysAtItsHeight() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         lookDown(ide);
         drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-2, 1, 0.5}));
-        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-2, 1, 0.5)).norm() < 3 * pixel, patience);
+        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).pose.position - Vec3(-2, 1, 0.5)).norm() < 3 * pixel,
+                                 longestWait);
         QCOMPARE(ballOf(ide).pose.position.y(), 1.0);
     }
 
     void withCtrlABodySnapsToRoundPlaces() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         lookDown(ide);
         drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {-1.87, 1, 0.53}), Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.x() < -1.5, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.x() < -1.5, longestWait);
         const double step = snapStep(ide.viewport.pixelSize());
         const Vec3 place = ballOf(ide).pose.position / step;
         QVERIFY(std::abs(place.x() - std::round(place.x())) < 1e-9);
@@ -187,12 +188,12 @@ class BodyDragTest : public QObject {
 
     void anArrowOfTheGizmoMovesAlongItsAxisOnly() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         lookDown(ide);
         ide.viewport.setSelectedBody(0);
         const QPoint arrow = handleOf(ide, GizmoPart::AxisY);
         drag(ide, arrow, arrow - QPoint(3, 60));
-        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.3, longestWait);
         QCOMPARE(ballOf(ide).pose.position.x(), -1.0);
         QCOMPARE(ballOf(ide).pose.position.z(), 0.0);
         QVERIFY2(ide.editor.bytes().contains("centre -1.00, # left, 1\n 1."), ide.editor.bytes().constData());
@@ -202,12 +203,12 @@ class BodyDragTest : public QObject {
 
     void aSquareOfTheGizmoMovesInItsPlane() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         lookDown(ide);
         ide.viewport.setSelectedBody(0);
         const QPoint square = handleOf(ide, GizmoPart::PlaneZ);
         drag(ide, square, square + QPoint(40, -50));
-        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ballOf(ide).pose.position.y() > 1.1, longestWait);
         QVERIFY(ballOf(ide).pose.position.x() > -0.9);
         QCOMPARE(ballOf(ide).pose.position.z(), 0.0);
     }
@@ -218,12 +219,12 @@ class BodyDragTest : public QObject {
             Ide ide("camera { position 0,2,6 target 0,1,0 fov 40 }\n"
                     "cuboid { size 1,1,1 mass 1 centre 0,1,0" +
                     QByteArray(rotation) + " }\n");
-            QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
             ide.viewport.setSelectedBody(0);
             const QPoint ring = handleOf(ide, GizmoPart::TurnY);
             drag(ide, ring, ring + QPoint(50, 0), Qt::ControlModifier);
             const double before = *rotation != 0 ? 20 : 0;
-            QTRY_VERIFY_WITH_TIMEOUT(turnOf(ide).y() > before + 10, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(turnOf(ide).y() > before + 10, longestWait);
             const double turned = (turnOf(ide).y() - before) / 15;
             QVERIFY2(std::abs(turned - std::round(turned)) < 1e-6, ide.editor.bytes().constData());
             QVERIFY(std::abs(turnOf(ide).x()) < 1e-9 && std::abs(turnOf(ide).z()) < 1e-9);
@@ -235,11 +236,11 @@ class BodyDragTest : public QObject {
     void aCylinderTurnsByItsAxis() {
         Ide ide("camera { position 0,2,6 target 0,1,0 fov 40 }\n"
                 "cylinder { radius .3 height 1 mass 1 centre 0,1,0 axis 0, 2, 0 }\n");
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         ide.viewport.setSelectedBody(0);
         const QPoint ring = handleOf(ide, GizmoPart::TurnZ);
         drag(ide, ring, ring + QPoint(45, 45), Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && !ide.editor.bytes().contains("axis 0, 2, 0"), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && !ide.editor.bytes().contains("axis 0, 2, 0"), longestWait);
         const Vec3 axis = ballOf(ide).pose.orientation * Vec3::UnitY();
         QVERIFY2(std::abs(axis.z()) < 1e-3 && std::abs(axis.x()) > 0.2, ide.editor.bytes().constData());
     }
@@ -247,7 +248,7 @@ class BodyDragTest : public QObject {
     void theDecimalsAreThoseOfTheText() {
         Ide ide("camera { position 0,1,6 target 0,1,0 fov 40 }\n"
                 "sphere { radius .5 mass 1 centre 0.123456789, 1.0, 0 }\n");
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         drag(ide, pixelOf(ide, {0.1, 1, 0}), pixelOf(ide, {0.1, 1.62, 0}));
         const QByteArray text = ide.editor.bytes();
         QVERIFY2(QRegularExpression(QStringLiteral("centre 0\\.123456789, 1\\.\\d, 0 "))
@@ -258,7 +259,7 @@ class BodyDragTest : public QObject {
 
     void theValueStandsBesideTheMouse() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         lookDown(ide);
         ide.viewport.setSelectedBody(0);
         const BodyGrab grab{.part = GizmoPart::AxisX, .start = {}};
@@ -272,10 +273,10 @@ class BodyDragTest : public QObject {
 
     void draggingTheTipOfAVelocityRewritesIt() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         ide.trigger(ActionId::ShowVelocities);
         drag(ide, pixelOf(ide, {-1, 1.3, 0}), pixelOf(ide, {-0.6, 1.3, 0}));
-        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).velocity - Vec3(4, 3, 0)).norm() < 10 * pixel, patience);
+        QTRY_VERIFY_WITH_TIMEOUT((ballOf(ide).velocity - Vec3(4, 3, 0)).norm() < 10 * pixel, longestWait);
         QCOMPARE(ballOf(ide).pose.position, Vec3(-1, 1, 0));
         QVERIFY(ide.editor.bytes().contains("centre -1.00, # left, 1\n"
                                             " 1.00, 0 vel "));
@@ -283,28 +284,28 @@ class BodyDragTest : public QObject {
 
     void whatIsWrittenInTheInspectorStandsInTheText() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         placeCaretBehind(ide.editor, "sphere ball");
         InspectorDock& inspector = ide.bench.window().inspector();
         QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
-                                  patience);
+                                  longestWait);
         inspector.edit(QStringLiteral("radius"), QStringLiteral("0.25"));
         QVERIFY(ide.editor.bytes().contains("sphere ball { radius 0.25 mass 1 centre -1.00, # left, 1\n"));
         QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.25"),
-                                  patience);
+                                  longestWait);
         inspector.edit(QStringLiteral("friction"), QStringLiteral("0.5")); // which it does not give
         QVERIFY2(ide.editor.bytes().contains("vel 0,3.0,0 friction 0.5 }\nsphere other"),
                  ide.editor.bytes().constData());
         inspector.edit(QStringLiteral("mass"), QStringLiteral("2 }")); // no number
         // A double click on the colour opens a dialog; what is chosen there is written.
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         ide.bench.window().open(inspector);
         QTreeWidget* tree = inspector.findChild<QTreeWidget*>();
         QTreeWidgetItem* colour =
             tree->findItems(QStringLiteral("colour"), Qt::MatchExactly | Qt::MatchRecursive).front();
         tree->editItem(colour, 1);
         QColorDialog* dialog = nullptr;
-        QTRY_VERIFY_WITH_TIMEOUT((dialog = inspector.findChild<QColorDialog*>()) != nullptr, patience);
+        QTRY_VERIFY_WITH_TIMEOUT((dialog = inspector.findChild<QColorDialog*>()) != nullptr, longestWait);
         Q_EMIT dialog->colorSelected(QColor::fromRgbF(1, 0.5F, 0));
         dialog->close();
         QVERIFY2(ide.editor.bytes().contains("friction 0.5 colour 1, 0.5, 0 }"),
@@ -317,13 +318,13 @@ class BodyDragTest : public QObject {
 
     void aSliderOfTheInspectorWritesTheLiteralAsOneUndoStep() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         placeCaretBehind(ide.editor, "sphere ball");
         InspectorDock& inspector = ide.bench.window().inspector();
         ide.bench.window().open(inspector);
         QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
-                                  patience);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+                                  longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         const auto slider = [&](const char* name) {
             return inspector.findChild<ValueSlider*>(QString::fromLatin1(name));
         };
@@ -333,12 +334,13 @@ class BodyDragTest : public QObject {
         QVERIFY2(ide.editor.bytes().contains("sphere ball { radius 0.60 mass 1"),
                  ide.editor.bytes().constData());
         QTRY_VERIFY_WITH_TIMEOUT( // live, and the slider is still the one that is held
-            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[0].shape).radius == 0.6, patience);
+            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[0].shape).radius == 0.6,
+            longestWait);
         radius->setValue(80);
         QCOMPARE(slider("radiusSlider"), radius);
         QVERIFY(ide.editor.bytes().contains("sphere ball { radius 0.80 mass 1"));
         radius->setSliderDown(false);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && slider("radiusSlider") != radius, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && slider("radiusSlider") != radius, longestWait);
         QCOMPARE(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.8"));
 
         ValueSlider* friction = slider("frictionSlider"); // which the text does not give
@@ -358,11 +360,11 @@ class BodyDragTest : public QObject {
 
     void aRightClickOffersWhatOneDoesWithABodyAndWithTheView() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QTest::mouseClick(&ide.viewport, Qt::RightButton, {}, pixelOf(ide, {1, 1, 0}));
         QMenu* menu = nullptr;
         QTRY_VERIFY_WITH_TIMEOUT((menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) != nullptr,
-                                 patience);
+                                 longestWait);
         QCOMPARE(menu->actions().front()->text(), QStringLiteral("other"));
         QCOMPARE(ide.viewport.selectedBody(), BodyIndex{1});
         const QList<QAction*> offered = menu->actions();
@@ -386,7 +388,7 @@ class BodyDragTest : public QObject {
     void laterInARunADragTurnsTheView() {
         Ide ide(scene);
         ide.trigger(ActionId::Step);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, longestWait);
         const double yaw = ide.viewport.camera().yaw;
         drag(ide, pixelOf(ide, {-1, 1, 0}), pixelOf(ide, {0, 1, 0}));
         QCOMPARE(ide.editor.bytes(), scene);
@@ -395,7 +397,7 @@ class BodyDragTest : public QObject {
 
     void onEmptySpaceADragTurnsTheViewAsEver() {
         Ide ide(scene);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const double yaw = ide.viewport.camera().yaw;
         drag(ide, ide.place(0.5, 0.05), ide.place(0.7, 0.05));
         QCOMPARE(ide.editor.bytes(), scene);

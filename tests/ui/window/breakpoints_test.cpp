@@ -33,7 +33,7 @@ struct Breaking : Ide {
     bool hasStoppedAfter(std::int64_t before) { return !simulation.isRunning() && frame > before; }
     void play() {
         trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning() || frame > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(simulation.isRunning() || frame > 0, longestWait);
     }
 };
 
@@ -47,25 +47,25 @@ class BreakpointsTest : public QObject {
     void f9OpensThePanelAndTheRunStopsWhenTheBallCrossesThePlane() {
         Breaking ide;
         QTest::keyClick(&ide.bench.window(), Qt::Key_F9);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.named<QComboBox>("breakKind")->hasFocus(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.named<QComboBox>("breakKind")->hasFocus(), longestWait);
         ide.choose("breakKind", "plane crossed");
         ide.choose("breakA", "left");
         ide.choose("breakAxis", "y");
         ide.named<QDoubleSpinBox>("breakLimit")->setValue(1.3); // starts at 1 m with 3 m/s upwards
         ide.add();
         ide.play();
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasStoppedAfter(4), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasStoppedAfter(4), longestWait);
         // The last state may come after the word that the run has stopped.
         QTRY_COMPARE_WITH_TIMEOUT(ide.bench.window().timeline().hits(), std::vector<std::int64_t>{ide.frame},
-                                  patience);
+                                  longestWait);
         const std::int64_t up = ide.frame;
         QVERIFY2(up >= 6 && up <= 8, qPrintable(QString::number(up)));
 
         ide.trigger(ActionId::Step);
         ide.trigger(ActionId::Step);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up + 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up + 2, longestWait);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F9, Qt::ShiftModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up, longestWait);
     }
 
     void aBreakpointThatIsSwitchedOffOrRemovedDoesNotStop() {
@@ -96,7 +96,7 @@ class BreakpointsTest : public QObject {
         ide.add();
         ide.editor.send(QsciScintillaBase::SCI_GOTOPOS, 0);
         QTest::keyClicks(&ide.editor, QStringLiteral("sphere { radius .1 mass 1 centre 0,9,0 } "));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QVERIFY(!ide.dock.empty());
         QCOMPARE(ide.dock.titleOf(0), QStringLiteral("right faster than 5 m/s"));
     }

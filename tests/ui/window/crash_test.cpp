@@ -77,7 +77,7 @@ class Session {
     void kill() {
         if (m_process.state() == QProcess::NotRunning) return;
         m_process.kill(); // SIGKILL: no handler runs, nothing is written any more
-        m_process.waitForFinished(patience);
+        m_process.waitForFinished(longestWait);
     }
 
   private:
@@ -90,7 +90,7 @@ class Session {
     bool becomes(const std::function<bool()>& holds) {
         QElapsedTimer clock;
         clock.start();
-        while (clock.elapsed() < patience && m_process.state() != QProcess::NotRunning) {
+        while (clock.elapsed() < longestWait && m_process.state() != QProcess::NotRunning) {
             m_process.waitForFinished(20); // lets time pass, and sees an early end
             if (holds()) return true;
         }
@@ -136,7 +136,7 @@ class CrashTest : public QObject {
             QVERIFY(session.focus(QStringLiteral("scene.sdl")));
             session.press("ctrl+End");
             session.type(typed);
-            QTRY_VERIFY_WITH_TIMEOUT(desk.swapFile().contains(typed), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(desk.swapFile().contains(typed), longestWait);
             session.kill();
         }
         QCOMPARE(readFile(desk.scene), original);
@@ -146,10 +146,10 @@ class CrashTest : public QObject {
         QVERIFY(next.focus(QStringLiteral("Unsaved text found")));
         next.press("Return"); // takes it up
         QVERIFY(next.loses(QStringLiteral("Unsaved text found")));
-        QTRY_VERIFY_WITH_TIMEOUT(!desk.swapFile().isEmpty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.swapFile().isEmpty(), longestWait);
         QVERIFY(next.focus(QStringLiteral("scene.sdl")));
         next.press("ctrl+s");
-        QTRY_COMPARE_WITH_TIMEOUT(readFile(desk.scene), original + typed, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(readFile(desk.scene), original + typed, longestWait);
     }
 
     void aKillWhileSavingLeavesAWholeFileAndNothingTypedIsLost() {
@@ -175,7 +175,7 @@ class CrashTest : public QObject {
                     }
                 };
                 const qint64 end = 300 + random.bounded(700);
-                while (clock.elapsed() < end || (turn == 0 && seen == 0 && clock.elapsed() < patience)) {
+                while (clock.elapsed() < end || (turn == 0 && seen == 0 && clock.elapsed() < longestWait)) {
                     const QByteArray word = QByteArray::number(random.bounded(1000000));
                     session.type("# " + word);
                     typed += "# " + word;
@@ -208,9 +208,9 @@ class CrashTest : public QObject {
         writeFile(desk.scene, text + "simulation { substeps 1000000 }\n");
         Session session(desk.home.path(), desk.scene, {QStringLiteral("--play")});
         QVERIFY(session.focus(QStringLiteral("scene.sdl")));
-        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(session.number(), "simulation") > intoTheFrame, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(processorTimeOf(session.number(), "simulation") > intoTheFrame, longestWait);
         session.press("ctrl+q");
-        QTRY_VERIFY_WITH_TIMEOUT(session.hasEnded(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.hasEnded(), longestWait);
         QCOMPARE(session.exitCode(), 0);
         QVERIFY(desk.swapFile().isEmpty());
     }

@@ -124,13 +124,13 @@ class DocumentTest : public QObject {
         QFileSystemWatcher watcher({later});
         QSignalSpy told(&watcher, &QFileSystemWatcher::fileChanged);
         writeFile(later, "two");
-        QTRY_VERIFY_WITH_TIMEOUT(told.count() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(told.count() > 0, longestWait);
         QCoreApplication::processEvents();
         QCOMPARE(outside.count(), 0);
         writeFile(path, "three");
-        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, longestWait);
         writeFile(path, "four");
-        QTRY_VERIFY_WITH_TIMEOUT(outside.count() > 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(outside.count() > 1, longestWait);
         QCOMPARE(outside.count(), 2); // once for each text
         QCOMPARE(document.onDisk(), OnDisk::Changed);
         QVERIFY(!document.reload());
@@ -152,7 +152,7 @@ class DocumentTest : public QObject {
             QTest::qWait(quiet / 3);
         }
         slow.close();
-        QTRY_COMPARE_WITH_TIMEOUT(found, whole, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(found, whole, longestWait);
     }
 
     void aFileDeletedOutsideLeavesItsTextUnsaved_data() {
@@ -166,12 +166,12 @@ class DocumentTest : public QObject {
         auto& [folder, path, buffer, document] = opened;
         QSignalSpy removals(&document, &Document::removedOutside);
         QVERIFY(moved ? QFile::rename(path, folder.filePath(QStringLiteral("b.sdl"))) : QFile::remove(path));
-        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, longestWait);
         QVERIFY(document.isModified());
         QCOMPARE(document.onDisk(), OnDisk::Missing);
         // Back as it was, as version control does it, it counts as saved again.
         writeFile(path, "one");
-        QTRY_VERIFY_WITH_TIMEOUT(!document.isModified(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isModified(), longestWait);
     }
 
     void aFileDeletedAndWrittenAnewIsWatchedOn() {
@@ -180,17 +180,17 @@ class DocumentTest : public QObject {
         QSignalSpy outside(&document, &Document::changedOutside),
             removals(&document, &Document::removedOutside);
         QVERIFY(QFile::remove(path));
-        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(removals.count(), 1, longestWait);
         writeFile(path, "two");
-        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 1, longestWait);
         QCOMPARE(document.onDisk(), OnDisk::Changed);
         writeFile(path, "three"); // the new file is watched, too
-        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 2, longestWait);
         // Replaced by a rename, as most editors do.
         const QString other = folder.filePath(QStringLiteral("b.sdl"));
         writeFile(other, "four");
         QVERIFY(std::rename(qPrintable(other), qPrintable(path)) == 0);
-        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 3, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(outside.count(), 3, longestWait);
     }
 
     void aPipeOrADeviceIsRefusedAtOnce() {

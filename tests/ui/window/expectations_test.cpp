@@ -55,7 +55,7 @@ struct Expecting : Ide {
     }
     void goTo(std::int64_t wanted) {
         simulation.seek(wanted);
-        QTRY_COMPARE_WITH_TIMEOUT(frame, wanted, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(frame, wanted, longestWait);
     }
     QRect placeOfRow(int row) const { return table().visualItemRect(table().topLevelItem(row)); }
 };
@@ -69,16 +69,16 @@ class ExpectationsTest : public QObject {
 
     void everyExpectationIsGreyBeforeTheRunAndGreenOrRedInIt() {
         Expecting ide;
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(fineLine, WaitingCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(fineLine, WaitingCheckMarker), longestWait);
         for (const int line : {placeLine, slowLine, laterLine, fineLine})
             QVERIFY(ide.hasMark(line, WaitingCheckMarker));
         QVERIFY(!ide.hasMark(placeLine - 1, WaitingCheckMarker));
         ide.goTo(10);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, HeldCheckMarker), patience); // so far
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, HeldCheckMarker), longestWait); // so far
         QVERIFY(ide.hasMark(placeLine, WaitingCheckMarker));
         QVERIFY(ide.messageUnder(slowLine).isEmpty());
         ide.goTo(afterTheMoment);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, FailedCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, FailedCheckMarker), longestWait);
         QVERIFY(!ide.hasMark(slowLine, HeldCheckMarker));
         QVERIFY(ide.hasMark(placeLine, HeldCheckMarker));
         QVERIFY(ide.hasMark(laterLine, WaitingCheckMarker));
@@ -96,39 +96,39 @@ class ExpectationsTest : public QObject {
     void anEditIsJudgedAnewAndMarksStayWithTheirLines() {
         Expecting ide;
         ide.goTo(afterTheMoment);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, FailedCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, FailedCheckMarker), longestWait);
         const auto replace = [&ide](const QByteArray& before, const QByteArray& now) {
             const qsizetype at = ide.editor.bytes().indexOf(before);
             ide.editor.replaceRange(
                 {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(before.size())}, now);
         };
         replace("max 4.05", "max 40");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, HeldCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(slowLine, HeldCheckMarker), longestWait);
         QVERIFY(!ide.hasMark(slowLine, FailedCheckMarker));
         QVERIFY(ide.messageUnder(slowLine).isEmpty());
         replace("value 3.75", "value 3.7");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(placeLine, FailedCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(placeLine, FailedCheckMarker), longestWait);
         QVERIFY2(ide.messageUnder(placeLine).contains("off by 0.05"),
                  ide.messageUnder(placeLine).constData());
         // A comment above changes no run.
         ide.editor.replaceRange({0, 0}, "// a comment\n");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.hasMark(placeLine + 1, FailedCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.hasMark(placeLine + 1, FailedCheckMarker), longestWait);
         QVERIFY(ide.hasMark(slowLine + 1, HeldCheckMarker));
         QVERIFY(!ide.hasMark(placeLine, FailedCheckMarker));
         // A text that does not build is not what runs.
         replace("radius .5", "raduis .5");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && !ide.hasMark(slowLine + 1, HeldCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && !ide.hasMark(slowLine + 1, HeldCheckMarker), longestWait);
     }
 
     void thePanelSaysWhatWasMeasuredAndWhatIsToSpare() {
         Expecting ide;
         QTest::keyClick(&ide.bench.window(), Qt::Key_F7);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.table().hasFocus(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.table().hasFocus(), longestWait);
         QCOMPARE(ide.table().topLevelItemCount(), 4);
         QVERIFY(ide.sum().startsWith(QStringLiteral("0 of 4 hold, 0 failed")));
         ide.goTo(afterTheMoment);
         QTRY_COMPARE_WITH_TIMEOUT(ide.sum(), QStringLiteral("1 of 4 hold, 1 failed, 1 not judged yet"),
-                                  patience);
+                                  longestWait);
         QVERIFY(ide.cell(0, 0).startsWith(QStringLiteral("place: y of `ball` at 0.5 s")));
         QVERIFY(ide.cell(0, 1).startsWith(QStringLiteral("3.75")));
         QVERIFY2(ide.cell(0, 2).contains(QStringLiteral("digits to spare")) ||
@@ -142,30 +142,30 @@ class ExpectationsTest : public QObject {
         QTest::mouseClick(ide.table().viewport(), Qt::LeftButton, {}, ide.placeOfRow(1).center());
         QVERIFY(ide.editor.selectedText().startsWith(QStringLiteral("expect slow")));
         QTest::mouseDClick(ide.table().viewport(), Qt::LeftButton, {}, ide.placeOfRow(1).center());
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, longestWait);
     }
 
     void theTimelineIsMarkedWhereOneFirstFailedAndAClickGoesThere() {
         Expecting ide;
         Timeline& timeline = ide.bench.window().timeline();
         ide.goTo(afterTheMoment);
-        QTRY_COMPARE_WITH_TIMEOUT(timeline.failures(), std::vector<std::int64_t>{tooFast}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(timeline.failures(), std::vector<std::int64_t>{tooFast}, longestWait);
         QTest::mouseClick(&timeline, Qt::LeftButton, {},
                           QPoint(static_cast<int>(std::lround(timeline.xOf(tooFast))), 27));
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, longestWait);
         // The mark in the margin leads there, too.
         ide.goTo(0);
         const long y = ide.editor.send(Sci::SCI_POINTYFROMPOSITION, 0,
                                        ide.editor.send(Sci::SCI_POSITIONFROMLINE, slowLine));
         QTest::mouseClick(ide.editor.viewport(), Qt::LeftButton, {}, QPoint(6, static_cast<int>(y) + 6));
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, tooFast, longestWait);
         // The run stays judged at its start, and another scene has nothing of it.
         ide.trigger(ActionId::Reset);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QCOMPARE(timeline.failures(), std::vector<std::int64_t>{tooFast});
         writeFile(ide.path, twoBalls);
         QVERIFY(!ide.bench.document().open(ide.path));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.expectations().rows().empty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.expectations().rows().empty(), longestWait);
         QVERIFY(timeline.failures().empty());
         QCOMPARE(ide.table().topLevelItemCount(), 0);
     }
@@ -175,7 +175,7 @@ class ExpectationsTest : public QObject {
         ide.bench.window().open(plots);
         ide.goTo(30);
         const QToolButton* button = plots.findChild<QToolButton*>(QStringLiteral("plotExpect"));
-        QTRY_VERIFY_WITH_TIMEOUT(plots.chart().series.front().y.size() > 30, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(plots.chart().series.front().y.size() > 30, longestWait);
         const QByteArray before = ide.editor.bytes();
         Q_EMIT button->menu()->aboutToShow();
         const QList<QAction*> offers = button->menu()->actions();
@@ -184,10 +184,10 @@ class ExpectationsTest : public QObject {
         offers[1]->trigger();
         QVERIFY(ide.editor.bytes().startsWith(before + "expect { quantity energy  at 0.5  value "));
         const int line = static_cast<int>(before.count('\n'));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(line, HeldCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(line, HeldCheckMarker), longestWait);
         ide.trigger(ActionId::Undo);
         QCOMPARE(ide.editor.bytes(), before);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.bench.expectations().rows().empty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.bench.expectations().rows().empty(), longestWait);
     }
 
     void aValueOfTheInspectorIsWrittenForTheBodyThatGetsALabelForIt() {
@@ -196,7 +196,7 @@ class ExpectationsTest : public QObject {
         inspector.showBody(0);
         ide.goTo(30);
         const QString name = QStringLiteral("velocity y");
-        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(name), QStringLiteral("-5"), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(name), QStringLiteral("-5"), longestWait);
         const QByteArray before = ide.editor.bytes();
         const std::unique_ptr<QMenu> menu(inspector.menuOf(name));
         QCOMPARE(menu->actions().size(), 2);
@@ -204,7 +204,7 @@ class ExpectationsTest : public QObject {
         QCOMPARE(ide.editor.bytes(),
                  "gravity { accel 0,-10,0 }\nsphere sphere0 { radius .5 mass 1 centre 0,5,0 }\n"
                  "expect { quantity velocity_y  of sphere0  at 0.5  value -5  within 1e-06 }\n");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(2, HeldCheckMarker), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasMark(2, HeldCheckMarker), longestWait);
         ide.trigger(ActionId::Undo); // one step
         QCOMPARE(ide.editor.bytes(), before);
     }

@@ -161,7 +161,7 @@ class LanguageTest : public QObject {
         QTest::keyClick(&ide.editor, Qt::Key_Tab);
         QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().size()));
         QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
-                                  patience);
+                                  longestWait);
     }
 
     void altAndTheWheelTurnTheNumberUnderTheMouse() {
@@ -211,7 +211,8 @@ class LanguageTest : public QObject {
         dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {12, 0});
         QVERIFY(ide.editor.bytes().contains("left { radius .52 mass"));
         QTRY_VERIFY_WITH_TIMEOUT(
-            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.52, patience);
+            std::get<Sphere>(ide.bench.preview().shown()->scene().bodies[1].shape).radius == 0.52,
+            longestWait);
         dragWithAlt(ide.editor, placeOfText(ide.editor, "left { radius ."), {-400, 0});
         QVERIFY(ide.editor.bytes().contains("left { radius .01 mass")); // a radius stays above 0
         ide.editor.undo();
@@ -236,7 +237,7 @@ class LanguageTest : public QObject {
         QCOMPARE(ide.editor.bytes(), twoBalls);
 
         hover(ide.editor, placeOfText(ide.editor, "left { radi")); // no number, and the handle goes
-        QTRY_VERIFY_WITH_TIMEOUT(!handle->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!handle->isVisible(), longestWait);
     }
 
     void aSelectedNumberHasAHandleAndASecondButtonEndsItsDrag() {
@@ -244,7 +245,7 @@ class LanguageTest : public QObject {
         const qsizetype at = twoBalls.indexOf("left { radius ") + 14;
         ide.editor.send(Sci::SCI_SETSEL, at, at + 2);
         QWidget* handle = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("numberHandle"));
-        QTRY_VERIFY_WITH_TIMEOUT(handle->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(handle->isVisible(), longestWait);
         QTest::mousePress(handle, Qt::LeftButton, Qt::NoModifier, {5, 5});
         QTest::mousePress(handle, Qt::RightButton, Qt::NoModifier, {5, 5});
         moveHandle(*handle, {50, 5}, Qt::NoModifier);
@@ -259,7 +260,7 @@ class LanguageTest : public QObject {
         Ide ide("sphere { radius 1 mass 1 centre 0,0,0 colour 1, 0, 0 }\n");
         QTRY_VERIFY_WITH_TIMEOUT(ide.editor.send(Sci::SCI_INDICATORVALUEAT, colourIndicator,
                                                  ide.editor.bytes().indexOf("1, 0, 0")) != 0,
-                                 patience);
+                                 longestWait);
         hover(ide.editor, placeOfText(ide.editor, "colour "));
         QWidget* swatch = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("colourSwatch"));
         QVERIFY(swatch->isVisible());
@@ -273,17 +274,17 @@ class LanguageTest : public QObject {
         ide.editor.undo();
         QVERIFY(ide.editor.bytes().contains("colour 1, 0, 0 }"));
         placeCaretBehind(ide.editor, "colour 1");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         ide.trigger(ActionId::PickColour);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.findChild<QColorDialog*>() != nullptr, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.findChild<QColorDialog*>() != nullptr, longestWait);
         ide.editor.findChild<QColorDialog*>()->close();
     }
 
     void aDragWithAltBesideNumbersSelectsARectangle() {
         Ide ide;
         ide.editor.setWrapsLines(false); // the place below is on the next line
-        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_WRAPCOUNT, 2), 1L, patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_VISIBLEFROMDOCLINE, 3), 3L, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_WRAPCOUNT, 2), 1L, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(Sci::SCI_VISIBLEFROMDOCLINE, 3), 3L, longestWait);
         const QPoint line(0, static_cast<int>(ide.editor.send(Sci::SCI_TEXTHEIGHT, 0)));
         dragWithAlt(ide.editor, placeOfText(ide.editor, "sph"), line + QPoint(12, 0));
         QVERIFY(ide.editor.send(Sci::SCI_SELECTIONISRECTANGLE) != 0);
@@ -331,7 +332,7 @@ class LanguageTest : public QObject {
                           rows->visualRect(rows->model()->index(3, 0)).center());
         QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("right {")));
         placeCaretBehind(ide.editor, "stiff");
-        QTRY_COMPARE_WITH_TIMEOUT(rows->currentIndex().row(), 4, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(rows->currentIndex().row(), 4, longestWait);
     }
 
     void theOutlineIsNarrowedByWhatOneWritesAboveIt() {
@@ -339,7 +340,7 @@ class LanguageTest : public QObject {
         OutlineDock& outline = ide.bench.window().outline();
         QTest::keyClick(&ide.bench.window(), Qt::Key_7, Qt::AltModifier);
         QLineEdit* filter = outline.findChild<QLineEdit*>(QStringLiteral("outlineFilter"));
-        QTRY_VERIFY_WITH_TIMEOUT(filter->hasFocus(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(filter->hasFocus(), longestWait);
         QTest::keyClicks(filter, QStringLiteral("RIGHT"));
         QCOMPARE(outline.findChild<QTreeView*>()->model()->rowCount(), 1);
         QTest::keyClick(filter, Qt::Key_Return);

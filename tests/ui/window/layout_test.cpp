@@ -193,7 +193,7 @@ class LayoutTest : public QObject {
         window.resize(size);
         placeCaretBehind(ide.editor, "sphere left");
         ide.trigger(ActionId::Step);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0, longestWait);
         ide.trigger(ActionId::Find);
         QStringList cut;
         for (const ActionId workspace : {ActionId::WorkspaceWrite, ActionId::WorkspaceWatch,

@@ -50,7 +50,7 @@ struct LongIde : Ide {
                 if (!std::exchange(done, true)) act();
             });
         QVERIFY(!bench.document().open(largePath));
-        QTRY_VERIFY_WITH_TIMEOUT(done, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(done, longestWait);
         QObject::disconnect(connection);
     }
 };
@@ -73,7 +73,7 @@ class LongWorkTest : public QObject {
                             ide.strip.findChild<QLabel*>()->text().contains(QStringLiteral("left")));
         });
         ide.openAnd([] {});
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QVERIFY(seen);
         QVERIFY(!ide.strip.isVisible());
         QVERIFY(!ide.cancel.isEnabled());
@@ -84,13 +84,13 @@ class LongWorkTest : public QObject {
     void theStatusBarKeepsItsHeight() {
         const Ide ide;
         const QStatusBar& bar = *ide.bench.window().statusBar();
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const int height = bar.height();
         QVERIFY2(bar.minimumSizeHint().height() <= height, qPrintable(QString::number(height)));
         ProgressStrip& strip = ide.bench.window().buildProgress();
         strip.showProgress(0.5, 3);
         const QToolButton* cancel = strip.findChild<QToolButton*>();
-        QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible() && cancel->height() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible() && cancel->height() > 0, longestWait);
         QCOMPARE(bar.height(), height);
         QVERIFY2(
             cancel->height() >= cancel->minimumSizeHint().height(), // nothing is cut off
@@ -107,7 +107,7 @@ class LongWorkTest : public QObject {
         QCOMPARE(ide.bodiesShown(), std::size_t{3}); // the scene before, and a word about it
         QVERIFY(ide.saysWhy());
         QTest::keyClick(&ide.editor, Qt::Key_NumberSign);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QCOMPARE(ide.bodiesShown(), std::size_t{balls - 1}); // one is a comment now
         QVERIFY(!ide.saysWhy());
     }
@@ -119,7 +119,7 @@ class LongWorkTest : public QObject {
             ide.editor.setFocus();
             QTest::keyClick(&ide.editor, Qt::Key_Escape, Qt::ShiftModifier);
         });
-        QTRY_COMPARE_WITH_TIMEOUT(cancelled.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(cancelled.count(), 1, longestWait);
         QVERIFY(ide.saysWhy());
     }
 
@@ -129,7 +129,7 @@ class LongWorkTest : public QObject {
             ide.editor.send(QsciScintillaBase::SCI_GOTOPOS, 0);
             QTest::keyClicks(&ide.editor, QStringLiteral("//"));
         });
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QCOMPARE(ide.bodiesShown(), std::size_t{balls - 1});
     }
 

@@ -36,7 +36,7 @@ class OutsideTest : public QObject {
     void aReloadIsOneStepThatCanBeUndone() {
         Ide ide;
         writeFile(ide.path, theirs);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.bytes(), theirs, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.bytes(), theirs, longestWait);
         QVERIFY(!ide.bench.document().isModified());
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), twoBalls);
@@ -80,7 +80,7 @@ class OutsideTest : public QObject {
             press(dialog, "take");
         });
         writeFile(ide.path, theirs);
-        QTRY_VERIFY_WITH_TIMEOUT(asked, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(asked, longestWait);
         QCOMPARE(ide.editor.bytes(), theirs);
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), mine);
@@ -96,7 +96,7 @@ class OutsideTest : public QObject {
             // While it stands there the file changes again: no second question over the first.
             QSignalSpy noticed(&ide.bench.document(), &Document::changedOutside);
             writeFile(ide.path, theirs + "// again\n");
-            QTRY_COMPARE_WITH_TIMEOUT(noticed.count(), 1, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(noticed.count(), 1, longestWait);
             QCOMPARE(QApplication::activeModalWidget(), &dialog);
             answerNextDialog([&](QWidget& next) {
                 second = next.findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("again"));
@@ -105,7 +105,7 @@ class OutsideTest : public QObject {
             press(dialog, "keep");
         });
         writeFile(ide.path, theirs);
-        QTRY_VERIFY_WITH_TIMEOUT(second, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(second, longestWait);
         QCOMPARE(questions, 1);
     }
 
@@ -113,7 +113,7 @@ class OutsideTest : public QObject {
         Ide ide;
         QSignalSpy reports(&ide.bench.files(), &FileCommands::reported);
         QVERIFY(QFile::remove(ide.path));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.window().isWindowModified(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.window().isWindowModified(), longestWait);
         QVERIFY(reports.last().first().toString().contains(QStringLiteral("deleted or moved")));
         bool asked = false;
         answerNextDialog([&asked](QWidget& box) {

@@ -55,9 +55,9 @@ QString cancelledAfter(int pictures, const Ide& ide, const QString& path) {
     Video video(plan);
     QSignalSpy ends(&video, &Video::finished), progress(&video, &Video::progressed);
     video.start();
-    if (!QTest::qWaitFor([&] { return progress.count() >= pictures; }, patience)) return {};
+    if (!QTest::qWaitFor([&] { return progress.count() >= pictures; }, longestWait)) return {};
     video.cancel();
-    if (!QTest::qWaitFor([&] { return ends.count() == 1; }, patience)) return {};
+    if (!QTest::qWaitFor([&] { return ends.count() == 1; }, longestWait)) return {};
     return ends.first().first().toString();
 }
 
@@ -70,7 +70,7 @@ class PicturesTest : public QObject {
 
     void aPictureOfAnySizeShowsTheRedBallWhereItIs() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         for (const QSize size : {QSize(320, 200), QSize(1800, 1300)}) {
             const QImage picture = ide.viewport.picture(size);
             QCOMPARE(picture.size(), size);
@@ -84,7 +84,7 @@ class PicturesTest : public QObject {
 
     void theDialogAsksForTheSize() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         bool asked = false;
         answerNextDialog([&asked](QWidget& dialog) {
             asked = dialog.findChild<QSpinBox*>(QStringLiteral("pictureWidth"))->value() > 100;
@@ -96,11 +96,11 @@ class PicturesTest : public QObject {
 
     void aVideoIsAnAnimationOfTheRun() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
         ide.bench.pictures().video(planOf(ide, path));
-        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, longestWait);
         QVERIFY2(reports.first().first().toString().startsWith(QStringLiteral("recorded")),
                  qPrintable(reports.first().first().toString()));
         QImageReader reader(path);
@@ -116,10 +116,10 @@ class PicturesTest : public QObject {
 
     void aVideoOfSinglePicturesIsNumbered() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
         ide.bench.pictures().video(plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.png"))));
-        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, longestWait);
         const QStringList written = QDir(ide.folder.path()).entryList({QStringLiteral("run-*.png")});
         QCOMPARE(written.size(), 5);
         QCOMPARE(written.last(), QStringLiteral("run-00004.png"));
@@ -127,7 +127,7 @@ class PicturesTest : public QObject {
 
     void withoutItsProgramAnMp4IsRefusedAndWithItItGetsThePictures() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QByteArray path = qgetenv("PATH");
         const VideoPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4")));
         qputenv("PATH", ide.folder.path().toLocal8Bit());
@@ -140,7 +140,7 @@ class PicturesTest : public QObject {
         QCOMPARE(objectionTo(plan), QString());
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
         ide.bench.pictures().video(plan);
-        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, longestWait);
         qputenv("PATH", path);
         const QByteArray told = readFile(plan.path);
         QVERIFY2(told.contains("-framerate 20") && told.contains("video-%05d.png"), told.constData());
@@ -156,7 +156,7 @@ class PicturesTest : public QObject {
         // ffmpeg takes `%03d` in a folder's name for the number of a picture, and finds none.
         QFETCH(QString, name);
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QString folder = ide.folder.filePath(name),
                       tools = ide.folder.filePath(QStringLiteral("tools"));
         QVERIFY(QDir().mkpath(folder) && QDir().mkpath(tools));
@@ -172,7 +172,7 @@ class PicturesTest : public QObject {
             Video video(plainPlanOf(ide, folder + u'/' + name + QLatin1StringView(ending)));
             QSignalSpy ends(&video, &Video::finished);
             video.start();
-            QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, longestWait);
             QCOMPARE(ends.first().first().toString(), QString());
         }
         qputenv("PATH", path);
@@ -186,7 +186,7 @@ class PicturesTest : public QObject {
 
     void aVideoCancelledInTheMiddleLeavesNoHalfFile() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
         writeFile(path, "the video before");
         const QStringList files = QDir(ide.folder.path()).entryList(QDir::Files | QDir::Hidden);
@@ -198,7 +198,7 @@ class PicturesTest : public QObject {
 
     void ofAVideoOfSinglePicturesWhatWasMadeStays() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QString problem = cancelledAfter(3, ide, ide.folder.filePath(QStringLiteral("run.png")));
         const QStringList made = QDir(ide.folder.path()).entryList({QStringLiteral("run-*.png")});
         QVERIFY(made.size() >= 3);
@@ -209,7 +209,7 @@ class PicturesTest : public QObject {
 
     void anMp4CanBeCancelledWhileItIsPutTogether() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         // Stands in for the encoder: writes half a video and never ends.
         const QByteArray before = qgetenv("PATH");
         writeFile(ide.folder.filePath(QStringLiteral("ffmpeg")),
@@ -222,9 +222,9 @@ class PicturesTest : public QObject {
                                    plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.mp4"))));
         QSignalSpy ends(&*video, &Video::finished), encoding(&*video, &Video::encoding);
         video->start();
-        QTRY_COMPARE_WITH_TIMEOUT(encoding.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(encoding.count(), 1, longestWait);
         video->cancel();
-        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, longestWait);
         video.reset();
         qputenv("PATH", before);
         QCOMPARE(ends.first().first().toString(),
@@ -234,7 +234,7 @@ class PicturesTest : public QObject {
 
     void theDialogShowsHowFarAVideoIsAndCancelsIt() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QSignalSpy reports(&ide.bench.pictures(), &PictureCommands::reported);
         VideoPlan plan = plainPlanOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         plan.to = 1000;
@@ -242,18 +242,18 @@ class PicturesTest : public QObject {
         const QProgressDialog* dialog =
             ide.bench.window().findChild<QProgressDialog*>(QStringLiteral("videoProgress"));
         QVERIFY(dialog != nullptr && !dialog->isModal());
-        QTRY_VERIFY_WITH_TIMEOUT(dialog->value() > 2 && dialog->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->value() > 2 && dialog->isVisible(), longestWait);
         QVERIFY(dialog->labelText().contains(QStringLiteral("of 20001")));
         QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
         QVERIFY(!dialog->isVisible());
-        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(reports.count(), 1, longestWait);
         QVERIFY(reports.first().first().toString().contains(QStringLiteral("cancelled")));
         QVERIFY(!QFile::exists(plan.path));
     }
 
     void theTextCanBeChangedWhileAVideoIsMade() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QString path = ide.folder.filePath(QStringLiteral("run.gif"));
         const Camera camera = ide.viewport.camera();
         Video video(planOf(ide, path));
@@ -262,8 +262,8 @@ class PicturesTest : public QObject {
         ide.editor.replaceRange({0, static_cast<std::uint32_t>(twoBalls.size())},
                                 "sphere { radius 1 mass 1 centre 0,0,0 colour green }");
         QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.bench.preview().shown()->scene().bodies.size() == 1,
-                                 patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+                                 longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, longestWait);
         QCOMPARE(ends.first().first().toString(), QString());
         QImageReader reader(path);
         QCOMPARE(reader.imageCount(), 5);
@@ -273,7 +273,7 @@ class PicturesTest : public QObject {
 
     void aVideoOfMorePicturesThanCanBeNumberedIsRefused() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         VideoPlan plan = planOf(ide, ide.folder.filePath(QStringLiteral("run.gif")));
         for (const double to : {1e5, 1e9, 1e300, std::numeric_limits<double>::infinity()}) {
             plan.to = to;
@@ -285,20 +285,20 @@ class PicturesTest : public QObject {
 
     void aVideoWithAWrongNameIsRefused() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QVERIFY(objectionTo(planOf(ide, QStringLiteral("run.avi"))).contains(QStringLiteral(".gif")));
         QVERIFY(!objectionTo(VideoPlan{}).isEmpty());
     }
 
     void theCameraIsWrittenIntoTheScene() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         Camera camera = ide.viewport.camera();
         camera.distance = 9;
         camera.yaw = 0.5;
         ide.viewport.setCamera(camera);
         ide.trigger(ActionId::CopyCamera);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.problems() == 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current() && ide.problems() == 0, longestWait);
         const CameraSettings& written = ide.bench.builds().latest()->scene().camera;
         QVERIFY((*written.position - camera.eye()).norm() < 0.01);
         QVERIFY(std::abs(*written.fieldOfView - camera.fieldOfView) < 0.001);

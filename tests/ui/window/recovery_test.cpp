@@ -38,9 +38,9 @@ class RecoveryTest : public QObject {
         victim.start(QCoreApplication::applicationFilePath(),
                      {QStringLiteral("recovery_test"), QStringLiteral("victim"), swaps, path,
                       QString::fromUtf8(text)});
-        if (!victim.waitForReadyRead(patience)) qFatal("the victim has not kept its text");
+        if (!victim.waitForReadyRead(longestWait)) qFatal("the victim has not kept its text");
         victim.kill();
-        victim.waitForFinished(patience);
+        victim.waitForFinished(longestWait);
     }
 
   private Q_SLOTS:
@@ -70,10 +70,10 @@ class RecoveryTest : public QObject {
         victim.start(QCoreApplication::applicationFilePath(),
                      {QStringLiteral("recovery_test"), QStringLiteral("victim"), folder.path(), QString(),
                       QString::fromUtf8("// größer\nsphere;")});
-        QVERIFY(victim.waitForReadyRead(patience));
+        QVERIFY(victim.waitForReadyRead(longestWait));
         QVERIFY(Recovery::lostTexts(folder.path()).texts.empty());
         victim.kill();
-        QVERIFY(victim.waitForFinished(patience));
+        QVERIFY(victim.waitForFinished(longestWait));
         std::vector<LostText> lost = Recovery::lostTexts(folder.path()).texts;
         QCOMPARE(lost.size(), std::size_t{1});
         QCOMPARE(lost[0].text, QByteArray("// gr\xC3\xB6\xC3\x9F"
@@ -188,10 +188,10 @@ class RecoveryTest : public QObject {
         {
             const FailingFiles full("write", 1, ENOSPC, qPrintable(swaps));
             bench.window().editor().insert(QStringLiteral("one"));
-            QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(warning->isVisible(), longestWait);
             QVERIFY(warning->text().contains(QStringLiteral("No space left on device")));
         }
-        QTRY_VERIFY_WITH_TIMEOUT(!warning->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!warning->isVisible(), longestWait);
         bench.window().editor().markSaved();
     }
 

@@ -42,11 +42,11 @@ class ScenesTest : public QObject {
         QCOMPARE(bench.document().open(path), std::nullopt);
         QVERIFY(bench.builds().isCurrent());
         QVERIFY(!bench.builds().latest()->build.hasErrors());
-        QTRY_COMPARE_WITH_TIMEOUT(frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(frame, 0, longestWait);
         bench.simulation().play();
         const std::int64_t before = bench.window().viewport().framesRendered();
         QTRY_VERIFY_WITH_TIMEOUT(frame >= 5 && bench.window().viewport().framesRendered() >= before + 5,
-                                 patience);
+                                 longestWait);
         QVERIFY(bench.simulation().status().state != RunState::Stopped);
         QVERIFY(failures.isEmpty());
     }

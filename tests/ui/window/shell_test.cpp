@@ -97,7 +97,7 @@ class ShellTest : public QObject {
         ide.trigger(ActionId::FindCommand);
         const CommandFinder* finder = ide.bench.window().findChild<CommandFinder*>();
         QLineEdit* words = finder->findChild<QLineEdit*>();
-        QTRY_VERIFY_WITH_TIMEOUT(words->hasFocus(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(words->hasFocus(), longestWait);
         QTest::keyClicks(words, QStringLiteral("toggle comm"));
         QTest::keyClick(words, Qt::Key_Return);
         QVERIFY(!finder->isVisible());
@@ -149,11 +149,11 @@ class ShellTest : public QObject {
         placeCaretBehind(ide.editor, "sphere");
         const QStatusBar& bar = *ide.bench.window().statusBar();
         const QLabel* place = bar.findChild<QLabel*>(QStringLiteral("caret"));
-        QTRY_VERIFY_WITH_TIMEOUT(place->text().contains(u'3'), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(place->text().contains(u'3'), longestWait);
         ide.bench.window().tell(QString(500, u'm'));
         QVERIFY(bar.currentMessage().endsWith(u'…'));
         QTRY_VERIFY_WITH_TIMEOUT(bar.fontMetrics().horizontalAdvance(bar.currentMessage()) < place->x(),
-                                 patience);
+                                 longestWait);
     }
 
     void aWorkspaceIsFoundAsItWasLeft() {
@@ -162,14 +162,14 @@ class ShellTest : public QObject {
         QDockWidget& outline = ide.bench.window().outline();
         QVERIFY(!timing.isVisible());
         QTest::keyClick(&ide.bench.window(), Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(timing.isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(timing.isVisible(), longestWait);
         timing.hide();
         ide.trigger(ActionId::WorkspaceWrite);
-        QTRY_VERIFY_WITH_TIMEOUT(outline.isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(outline.isVisible(), longestWait);
         ide.trigger(ActionId::WorkspaceMeasure);
         QVERIFY(!timing.isVisible()); // as it was left
         ide.trigger(ActionId::ResetWorkspace);
-        QTRY_VERIFY_WITH_TIMEOUT(timing.isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(timing.isVisible(), longestWait);
     }
 
     void theWorkspaceOfTheLastSessionIsTakenUp() {
@@ -205,7 +205,7 @@ class ShellTest : public QObject {
         placeCaretBehind(ide.editor, "sphere left");
         const std::uint32_t caret = ide.editor.caret();
         writeFile(ide.path, twoBalls + "// by somebody else\n");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.bytes().endsWith("else\n"), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.bytes().endsWith("else\n"), longestWait);
         QCOMPARE(ide.editor.caret(), caret);
     }
 
@@ -217,11 +217,11 @@ class ShellTest : public QObject {
             QListWidget* list = dialog.findChild<QListWidget*>();
             for (int i = 0; i < list->count(); ++i)
                 if (list->item(i)->data(Qt::UserRole) == QStringLiteral("brownian")) list->setCurrentRow(i);
-            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), longestWait);
             const qulonglong before = previews.last().first().toULongLong();
             dialog.findChild<QSpinBox*>(QStringLiteral("count"))->setValue(50);
             previews.clear();
-            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), longestWait);
             QVERIFY(previews.last().first().toULongLong() < before);
             QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("create")), Qt::LeftButton);
         });
@@ -239,7 +239,7 @@ class ShellTest : public QObject {
             if (!(list->item(i)->flags() & Qt::ItemIsSelectable)) continue;
             if (list->currentRow() != i) previews.clear(); // the first is chosen already
             list->setCurrentRow(i);
-            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(!previews.isEmpty(), longestWait);
             const Build built = build(dialog.text().toStdString());
             QVERIFY2(!built.hasErrors(), qPrintable(dialog.name()));
             QVERIFY2(!built.analysis.scene.bodies.empty(), qPrintable(dialog.name()));
@@ -273,7 +273,7 @@ class ShellTest : public QObject {
         placeCaretBehind(ide.editor, "wal");
         ide.trigger(ActionId::Manual);
         QCOMPARE(text->textCursor().selectedText(), QStringLiteral("wall"));
-        QTRY_COMPARE_WITH_TIMEOUT(text->horizontalScrollBar()->maximum(), 0, patience); // the page fits
+        QTRY_COMPARE_WITH_TIMEOUT(text->horizontalScrollBar()->maximum(), 0, longestWait); // the page fits
         int tables = 0;
         for (const QTextFrame* frame : text->document()->rootFrame()->childFrames())
             if (const QTextTable* table = qobject_cast<const QTextTable*>(frame);
@@ -361,7 +361,7 @@ class ShellTest : public QObject {
         ide.bench.help().showWelcome();
         const Welcome* welcome = openDialog<Welcome>(ide);
         QListWidget* gallery = welcome->findChild<QListWidget*>();
-        QTRY_VERIFY_WITH_TIMEOUT(gallery->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(gallery->isVisible(), longestWait);
         QTest::mouseClick(gallery->viewport(), Qt::LeftButton, {},
                           gallery->visualItemRect(gallery->item(0)).center());
         QVERIFY(ide.editor.bytes().contains("cue"));
@@ -402,18 +402,18 @@ class ShellTest : public QObject {
         {
             Ide ide;
             QVERIFY(ide.viewport.drawsInWindow());
-            QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, longestWait);
             const QPoint blue = ide.placeOf(2);
             const auto shown = [&ide, blue] {
                 const QImage window = ide.bench.window().grab().toImage();
                 return window.pixelColor(ide.viewport.mapTo(&ide.bench.window(), blue));
             };
-            QTRY_VERIFY_WITH_TIMEOUT(shown().blue() > 1.5 * shown().red(), patience);
+            QTRY_VERIFY_WITH_TIMEOUT(shown().blue() > 1.5 * shown().red(), longestWait);
         }
         Settings().setDrawingPlace(QStringLiteral("thread"));
         Ide ide;
         QVERIFY(!ide.viewport.drawsInWindow());
-        QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.viewport.framesRendered() > 0, longestWait);
         QCOMPARE(drawingPlace(QStringLiteral("no such")).place, DrawingPlace::Automatic);
     }
 
@@ -433,7 +433,7 @@ class ShellTest : public QObject {
         QCOMPARE(edit->keySequence(), QKeySequence(Qt::Key_F12));
         dialog->close();
         ide.bench.window().activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&ide.bench.window(), patience));
+        QVERIFY(QTest::qWaitForWindowActive(&ide.bench.window(), longestWait));
         placeCaretBehind(ide.editor, "camera");
         QTest::keyClick(&ide.editor, Qt::Key_F12);
         QVERIFY(ide.editor.bytes().startsWith("// camera"));

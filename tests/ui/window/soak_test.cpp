@@ -56,14 +56,14 @@ class WindowSoakTest : public QObject {
         const qsizetype at = text.indexOf("0,3,0") >= 0 ? text.indexOf("0,3,0") : text.indexOf("0,4,0");
         ide.editor.replaceRange({static_cast<std::uint32_t>(at), 5}, round % 2 == 0 ? "0,4,0" : "0,3,0");
         ide.bench.builds().hurry(); // nobody types on
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         ide.simulation.setSpeed(speed);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > played, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > played, longestWait);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         ide.simulation.seek(played / 2);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, played / 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, played / 2, longestWait);
         ide.trigger(ActionId::Save);
     }
 
@@ -73,7 +73,7 @@ class WindowSoakTest : public QObject {
     void aDayOfWorkHoldsNoMoreThanItsFirstMinutes() {
         const int rounds = roundsOf("CAROM_SOAK", 40);
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         // A picture may be on its way at any moment, which takes as much as hundreds of rounds: so the most
         // of the first rounds is compared with the least of the last.
         qint64 early = 0, late = std::numeric_limits<qint64>::max(), files = 0;

@@ -80,7 +80,7 @@ class ThemeTest : public QObject {
         list.setStyleSheet(loadTheme(true).styleSheet());
         list.addItems({QStringLiteral("one"), QStringLiteral("two")});
         list.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&list, patience));
+        QVERIFY(QTest::qWaitForWindowExposed(&list, longestWait));
         const auto firstInk = [&list](int row) { // column of pixels
             const QImage picture = list.viewport()->grab(list.visualItemRect(list.item(row))).toImage();
             const QColor ground = picture.pixelColor(2, picture.height() / 2);

@@ -30,16 +30,16 @@ void goTo(Ide& ide, std::int64_t frame) {
     Timeline& timeline = ide.bench.window().timeline();
     const QPoint place(static_cast<int>(std::lround(timeline.xOf(frame))), 19);
     QTest::mouseClick(&timeline, Qt::LeftButton, {}, place);
-    QTRY_COMPARE_WITH_TIMEOUT(ide.frame, timeline.frameAt(place.x()), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(ide.frame, timeline.frameAt(place.x()), longestWait);
     while (ide.frame < frame) {
         const std::int64_t before = ide.frame;
         QTest::keyClick(&timeline, Qt::Key_Right);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before, longestWait);
     }
     while (ide.frame > frame) {
         const std::int64_t before = ide.frame;
         QTest::keyClick(&timeline, Qt::Key_Left);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame < before, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame < before, longestWait);
     }
 }
 
@@ -68,7 +68,7 @@ class TimeTest : public QObject {
 
     void scrubbingBackShowsTheSamePictureAgain() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QImage start = ide.viewport.shownPicture();
         goTo(ide, middle);
         const QImage there = ide.viewport.shownPicture();
@@ -84,12 +84,12 @@ class TimeTest : public QObject {
         Ide ide;
         goTo(ide, middle);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F10, Qt::ShiftModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, longestWait);
         ide.viewport.setFocus();
         QTest::keyClick(&ide.viewport, Qt::Key_Left);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 2, longestWait);
         QTest::keyClick(&ide.viewport, Qt::Key_Right);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle - 1, longestWait);
     }
 
     void theTimelineMarksTheFramesInWhichBallsMeetTheFloor() {
@@ -109,8 +109,8 @@ class TimeTest : public QObject {
         const QImage before = ide.viewport.shownPicture();
         overwrite(ide.editor, "vel 0,3,0", "vel 0,5,0");
         QTRY_VERIFY_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies[1].velocity == Vec3(0, 5, 0),
-                                 patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle, patience);
+                                 longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle, longestWait);
         QVERIFY(!ide.simulation.isRunning());
         World alone(ide.bench.preview().shown()->build.pipeline);
         while (alone.state().frame < middle) alone.step();
@@ -121,7 +121,7 @@ class TimeTest : public QObject {
         QVERIFY(difference(before, after) > 100);
         ide.bench.window().actions()[ActionId::ShowGhost].trigger();
         // The ghost is wire: some hundred pixels, far fewer than a ball.
-        QTRY_VERIFY_WITH_TIMEOUT(difference(after, ide.viewport.shownPicture()) > 50, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(after, ide.viewport.shownPicture()) > 50, longestWait);
     }
 
     void aSettingRunInTheMiddleOfAnExchangeReplacesIt() {
@@ -130,9 +130,9 @@ class TimeTest : public QObject {
         Ide ide;
         ide.simulation.setSpeed(std::nullopt);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3000, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3000, longestWait);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         QStringList notices;
         bool asked = false;
         connect(&ide.bench.preview(), &LivePreview::noticeChanged, &ide.bench, [&](const QString& notice) {
@@ -146,14 +146,14 @@ class TimeTest : public QObject {
             });
         });
         typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,2,0 }");
-        QTRY_VERIFY_WITH_TIMEOUT(asked, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0 && ide.frame < 3000, patience); // a run from the start
+        QTRY_VERIFY_WITH_TIMEOUT(asked, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0 && ide.frame < 3000, longestWait); // a run from the start
         const std::int64_t reached = ide.frame;
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > reached + 5, patience); // and its frames come
-        QCOMPARE(notices.last(), QString());                         // nothing claims to be on its way
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > reached + 5, longestWait); // and its frames come
+        QCOMPARE(notices.last(), QString());                            // nothing claims to be on its way
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         const QPoint third = ide.placeOf(3);
         QVERIFY(third != QPoint(-1, -1)); // the pictures are of the run's scene
     }
@@ -161,16 +161,16 @@ class TimeTest : public QObject {
     void aRunThatPlaysGoesOnPlayingAfterAnEdit() {
         Ide ide;
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 5, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 5, longestWait);
         overwrite(ide.editor, "vel 0,3,0", "vel 0,5,0");
         QTRY_VERIFY_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies[1].velocity == Vec3(0, 5, 0),
-                                 patience);
+                                 longestWait);
         QVERIFY(ide.simulation.isRunning());
         const std::int64_t landed = ide.frame;
         QVERIFY(landed > 5);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > landed + 5, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > landed + 5, longestWait);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
     }
 
     void aCommentChangesNothingInTheMiddleOfARun() {
@@ -179,7 +179,7 @@ class TimeTest : public QObject {
         const SharedBuild before = ide.bench.preview().shown();
         const std::int64_t simulated = ide.bench.window().timeline().furthest();
         typeAtTheEnd(ide.editor, "// a comment");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QCOMPARE(ide.bench.preview().shown(), before);
         QCOMPARE(ide.bench.window().timeline().furthest(), simulated);
     }
@@ -188,11 +188,11 @@ class TimeTest : public QObject {
         Ide ide;
         goTo(ide, middle);
         typeAtTheEnd(ide.editor, "spere");
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QVERIFY(ide.viewport.findChild<QWidget*>(QStringLiteral("viewportBadge"))->isVisible());
         QCOMPARE(ide.frame, middle);
         ide.trigger(ActionId::Step);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle + 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle + 1, longestWait);
     }
 
     void resetShowsTheTextAsItIsNow() {
@@ -200,9 +200,9 @@ class TimeTest : public QObject {
         goTo(ide, middle);
         typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 }");
         QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
-                                  patience);
+                                  longestWait);
         ide.trigger(ActionId::Reset);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4});
     }
 
@@ -210,10 +210,10 @@ class TimeTest : public QObject {
         Ide ide;
         goTo(ide, middle);
         ide.trigger(ActionId::Reset);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QVERIFY(ide.bench.window().timeline().furthest() >= middle);
         overwrite(ide.editor, "centre 1,1,0", "centre 2,1,0"); // another scene has a run of its own
-        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.window().timeline().furthest(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.bench.window().timeline().furthest(), 0, longestWait);
     }
 
     void aHeldStepKeyDoesNotQueue() {
@@ -222,8 +222,8 @@ class TimeTest : public QObject {
         ide.simulation.seek(far);
         for (int i = 0; i < 5; ++i) // pressed once, then held
             QTest::simulateEvent(&ide.bench.window(), true, Qt::Key_F10, {}, {}, i > 0);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame >= far && !ide.simulation.isStepping(), patience);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, far + 1, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame >= far && !ide.simulation.isStepping(), longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, far + 1, longestWait);
     }
 
     void twoQuickPressesAreTwoSteps() {
@@ -232,16 +232,16 @@ class TimeTest : public QObject {
         goTo(ide, middle);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F10);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F10);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle + 2, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, middle + 2, longestWait);
     }
 
     void theKeyOfPlayEndsALongSeek() {
         Ide ide;
         ide.simulation.seek(1'000'000'000);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isSeeking(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isSeeking(), longestWait);
         QVERIFY(ide.bench.window().actions()[ActionId::Play].text().contains(QStringLiteral("Pause")));
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isSeeking(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isSeeking(), longestWait);
         QVERIFY(!ide.simulation.isRunning());
     }
 
@@ -253,7 +253,7 @@ class TimeTest : public QObject {
         ide.bench.document().startNew(large);
         ide.bench.playWhenBuilt();
         QVERIFY(!ide.current());
-        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning() && ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning() && ide.current(), longestWait);
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{8000});
     }
 
@@ -261,7 +261,7 @@ class TimeTest : public QObject {
         Ide ide;
         goTo(ide, middle);
         const QLabel* label = ide.bench.window().findChild<QLabel*>(QStringLiteral("memoryInUse"));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.memory().inUse() > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.bench.memory().inUse() > 0, longestWait);
         QVERIFY2(label->text().endsWith(QStringLiteral(" of 512 MiB")), qPrintable(label->text()));
         QVERIFY(label->toolTip().contains(QStringLiteral("states to go back to")));
         // What goes to the panels in batches is of the budget, too: ten minutes as fast as possible took 12
@@ -276,8 +276,8 @@ class TimeTest : public QObject {
                 "spring { from world  to bob  stiffness 1000  length 1 }\n");
         const int ofText = ide.problems();
         ide.trigger(ActionId::Play);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), ofText + 1, patience);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), ofText + 1, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         const QAbstractItemModel& rows =
             *ide.bench.window().problems().findChild<QAbstractItemView*>()->model();
         QStringList messages;
@@ -285,14 +285,14 @@ class TimeTest : public QObject {
         const QStringList gained = messages.filter(QStringLiteral("The run gained "));
         QCOMPARE(gained.size(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(gained.front().contains(QStringLiteral("by frame %1,").arg(ide.frame)),
-                                 patience);
+                                 longestWait);
         ide.trigger(ActionId::StopAtRise); // a run may go on all the same
         ide.trigger(ActionId::Reset);
         QCOMPARE(ide.problems(), ofText);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.problems() == ofText + 1 && ide.frame > 30, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.problems() == ofText + 1 && ide.frame > 30, longestWait);
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
     }
 
     void aClickOnAMarkOfTheTimelineSaysWhatMetWhat() {
@@ -303,10 +303,11 @@ class TimeTest : public QObject {
         while (timeline.impactsIn(landing) == 0) ++landing;
         const int x = static_cast<int>(std::lround(timeline.xOf(landing)));
         QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(x, 10)); // above the line
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, landing, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, landing, longestWait);
         const QLabel* notice =
             ide.bench.window().transport().findChild<QLabel*>(QStringLiteral("transportNotice"));
-        QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral(" met wall 0, impulse ")), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral(" met wall 0, impulse ")),
+                                 longestWait);
         QVERIFY2(notice->text().contains(QStringLiteral("Frame %1: ").arg(landing)),
                  qPrintable(notice->text()));
         QVERIFY(ide.viewport.selectedBody() != noBody);
@@ -322,14 +323,15 @@ class TimeTest : public QObject {
             const std::vector<ChartSeries>& series = plots.chart().series;
             return series.size() == 1 && series.front().x.size() > static_cast<std::size_t>(middle);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(measured(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(measured(), longestWait);
         QCOMPARE(plots.chart().series.front().name, QStringLiteral("whole: energy"));
         PlotWidget* plot = plots.findChild<PlotWidget*>();
-        QTRY_COMPARE_WITH_TIMEOUT(plot->cursor(), std::optional(static_cast<double>(middle) / 60), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(plot->cursor(), std::optional(static_cast<double>(middle) / 60),
+                                  longestWait);
         QWidget* canvas = plot->findChild<QWidget*>();
         const int x = static_cast<int>(std::lround(plot->xOf(11.0 / 60)));
         QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(x, canvas->height() / 3));
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 11, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 11, longestWait);
     }
 
     void theSpeedReachedIsShownWhereItIsLessThanAsked() {
@@ -356,12 +358,12 @@ class TimeTest : public QObject {
         timing.show();
         timing.raise();
         TimingStrip& strip = const_cast<TimingStrip&>(timing.strip());
-        QTRY_VERIFY_WITH_TIMEOUT(strip.isVisible() && strip.samples().size() >= 29, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(strip.isVisible() && strip.samples().size() >= 29, longestWait);
         int x = strip.width() - 1;
         while (x > 0 && strip.frameAt(x) != 11) --x;
         QCOMPARE(strip.frameAt(x), std::ptrdiff_t{11});
         QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(x, strip.height() / 2));
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, strip.samples()[11].statistics.frame, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, strip.samples()[11].statistics.frame, longestWait);
     }
 
     void theSpeedReachesFromAHundredthToAHundredTimes() {

@@ -77,7 +77,7 @@ class TranslationTest : public QObject {
         QProcess check;
         check.setProcessChannelMode(QProcess::MergedChannels);
         check.start(QStringLiteral(CAROM_SOURCE_DIR "/packaging/translate"), {QStringLiteral("--check")});
-        QVERIFY(check.waitForFinished(patience));
+        QVERIFY(check.waitForFinished(longestWait));
         QVERIFY2(check.exitCode() == 0, check.readAll().constData());
     }
 

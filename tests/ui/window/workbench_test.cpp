@@ -50,22 +50,22 @@ class WorkbenchTest : public QObject {
         QCOMPARE(ide.problems(), 0);
         placeCaretBehind(ide.editor, "colour red");
         QTest::keyClicks(&ide.editor, QStringLiteral(" raduis 2"));
-        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 1, longestWait);
         QVERIFY(hasErrorSquiggle(ide.editor, "raduis"));
         for (int i = 0; i < 9; ++i) QTest::keyClick(&ide.editor, Qt::Key_Backspace);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.problems(), 0, longestWait);
         QCOMPARE(ide.editor.send(Sci::SCI_INDICATOREND, 12, 0), 0L);
     }
 
     void theInspectorShowsTheBodyThatWasClicked() {
         // The viewport had selected it by then, and nobody was told.
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const InspectorDock& inspector = ide.bench.window().inspector();
         QVERIFY(inspector.valueOf(QStringLiteral("radius")).isEmpty());
         QTest::mouseClick(&ide.viewport, Qt::LeftButton, {}, ide.placeOf(1));
         QTRY_COMPARE_WITH_TIMEOUT(inspector.valueOf(QStringLiteral("radius")), QStringLiteral("0.5"),
-                                  patience);
+                                  longestWait);
     }
 
     void everyColourIsUnderlinedWithItself() {
@@ -75,12 +75,12 @@ class WorkbenchTest : public QObject {
                                    ide.editor.bytes().indexOf(word));
         };
         constexpr long isColour = 0x01000000;
-        QTRY_COMPARE_WITH_TIMEOUT(markAt("red"), isColour | 0x0000FF, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(markAt("red"), isColour | 0x0000FF, longestWait);
         QCOMPARE(markAt("blue"), isColour | 0xFF0000);
         QCOMPARE(markAt("radius"), 0L);
         const qsizetype at = ide.editor.bytes().indexOf("red");
         ide.editor.replaceRange({static_cast<std::uint32_t>(at), 3}, "0, 1, 0");
-        QTRY_COMPARE_WITH_TIMEOUT(markAt("0, 1, 0"), isColour | 0x00FF00, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(markAt("0, 1, 0"), isColour | 0x00FF00, longestWait);
     }
 
     void aFileThatIsNoSceneIsOpenedWithAWarning() {
@@ -92,7 +92,7 @@ class WorkbenchTest : public QObject {
             const QLabel* notice =
                 ide.bench.window().transport().findChild<QLabel*>(QStringLiteral("transportNotice"));
             QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral("does not look like a scene")),
-                                     patience);
+                                     longestWait);
             QCOMPARE(ide.editor.bytes(), text);
         }
     }
@@ -108,19 +108,19 @@ class WorkbenchTest : public QObject {
 
     void playMovesTheBallsAndResetBringsThemBack() {
         Ide ide;
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         const QImage start = ide.viewport.shownPicture();
         QTest::keyClick(&ide.bench.window(), Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 8, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 8, longestWait);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         QVERIFY(ide.viewport.shownPicture() != start);
         ide.simulation.seek(30); // the last state of the run may come after the word that it has stopped
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 30, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 30, longestWait);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F10);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 31, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 31, longestWait);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F5, Qt::ShiftModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         QCOMPARE(ide.viewport.shownPicture(), start);
     }
 
@@ -128,11 +128,11 @@ class WorkbenchTest : public QObject {
         Ide ide;
         ide.viewport.setFocus();
         QTest::keyClick(&ide.viewport, Qt::Key_Right);
-        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 1, longestWait);
         QTest::keyClick(&ide.viewport, Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.simulation.isRunning(), longestWait);
         QTest::keyClick(&ide.viewport, Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         const QByteArray before = ide.editor.bytes();
         ide.editor.setFocus();
         QTest::keyClick(&ide.editor, Qt::Key_Space);
@@ -150,14 +150,14 @@ class WorkbenchTest : public QObject {
         Q_EMIT ide.bench.window().accuracy().settingWanted(settings);
         QVERIFY(ide.editor.bytes().contains("integrator verlet"));
         QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->build.pipeline->settings().substeps, 8,
-                                  patience);
+                                  longestWait);
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), before);
 
         const auto pipeline =
             std::make_shared<const Pipeline>(ide.bench.preview().shown()->scene(), settings);
         Q_EMIT ide.bench.window().accuracy().runWanted(pipeline);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 3, longestWait);
     }
 
     void aSettingLosesNothingThatWasTypedWhileABuildIsUnderWay() {
@@ -166,7 +166,7 @@ class WorkbenchTest : public QObject {
         for (int i = 0; i < 20'000; ++i)
             balls += "sphere { radius .1 mass 1 centre " + QByteArray::number(i) + ",9,0 }\n";
         Ide ide(balls);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         ide.editor.send(Sci::SCI_GOTOPOS, 0);
         QTest::keyClicks(&ide.editor, QStringLiteral("// mine "));
         const QByteArray before = ide.editor.bytes();
@@ -178,7 +178,7 @@ class WorkbenchTest : public QObject {
         Q_EMIT ide.bench.window().accuracy().settingWanted(settings);
         QVERIFY(ide.editor.bytes().startsWith("// mine camera"));
         QVERIFY(ide.editor.bytes().contains("substeps 8"));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QCOMPARE(ide.problems(), 0);
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), before);
@@ -192,7 +192,7 @@ class WorkbenchTest : public QObject {
         QVERIFY2(ide.bench.window().windowTitle().contains(name),
                  qPrintable(ide.bench.window().windowTitle()));
         QVERIFY(!ide.bench.document().open(ide.bench.document().path()));
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         const QString said = ide.bench.window().output().findChild<QPlainTextEdit*>()->toPlainText();
         QVERIFY2(said.contains(name + QStringLiteral(": 3 bodies")), qPrintable(said));
         writeFile(ide.folder.filePath(name), "spere");
@@ -211,8 +211,8 @@ class WorkbenchTest : public QObject {
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
         typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,1,2 colour lime }");
         QTRY_COMPARE_WITH_TIMEOUT(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{4},
-                                  patience);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(3) != QPoint(-1, -1), patience);
+                                  longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(3) != QPoint(-1, -1), longestWait);
     }
 
     void errorsWhileTypingKeepTheLastGoodSceneDimmedWithABadge() {
@@ -220,11 +220,11 @@ class WorkbenchTest : public QObject {
         QLabel* badge = ide.viewport.findChild<QLabel*>(QStringLiteral("viewportBadge"));
         QVERIFY(!badge->isVisible());
         typeAtTheEnd(ide.editor, "spere { radius 1 }");
-        QTRY_VERIFY_WITH_TIMEOUT(badge->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(badge->isVisible(), longestWait);
         QVERIFY(badge->text().contains(QStringLiteral("1 error")));
         QCOMPARE(ide.bench.preview().shown()->scene().bodies.size(), std::size_t{3});
         while (ide.editor.isUndoAvailable()) ide.editor.undo();
-        QTRY_VERIFY_WITH_TIMEOUT(!badge->isVisible(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!badge->isVisible(), longestWait);
     }
 
     void aFileOpenedWithErrorsShowsWhatCouldBeBuilt() {
@@ -235,7 +235,7 @@ class WorkbenchTest : public QObject {
 
     void aClickOnABodyShowsItsDeclaration() {
         Ide ide;
-        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(2) != QPoint(-1, -1), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.placeOf(2) != QPoint(-1, -1), longestWait);
         QTest::mouseClick(&ide.viewport, Qt::LeftButton, {}, ide.placeOf(2));
         QCOMPARE(ide.viewport.selectedBody(), BodyIndex{2});
         QCOMPARE(ide.editor.caret(), static_cast<std::uint32_t>(ide.editor.bytes().indexOf("sphere right")));
@@ -247,11 +247,11 @@ class WorkbenchTest : public QObject {
         Ide ide;
         const auto caretBehind = [&](const QByteArray& word) { placeCaretBehind(ide.editor, word); };
         caretBehind("sphere le");
-        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{1}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{1}, longestWait);
         caretBehind("centre 1,1");
-        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{2}, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), BodyIndex{2}, longestWait);
         caretBehind("camera {");
-        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), noBody, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.viewport.selectedBody(), noBody, longestWait);
     }
 
     void theBroadphaseIsSwitchedWhileRunning() {
@@ -262,10 +262,10 @@ class WorkbenchTest : public QObject {
         for (int i = 1; i < box->count(); ++i) {
             box->setCurrentIndex(i);
             const std::int64_t before = ide.frame;
-            QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before + 2, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(ide.frame > before + 2, longestWait);
         }
         ide.trigger(ActionId::Play);
-        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         QCOMPARE(ide.simulation.status().state, RunState::Paused);
     }
 
@@ -325,10 +325,10 @@ class WorkbenchTest : public QObject {
         QDockWidget& broadphase = ide.bench.window().broadphase();
         QSignalSpy inFront(&broadphase, &QDockWidget::visibilityChanged);
         QTest::keyClick(&ide.bench.window(), Qt::Key_3, Qt::AltModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!inFront.isEmpty() && inFront.last().first().toBool(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!inFront.isEmpty() && inFront.last().first().toBool(), longestWait);
         QVERIFY(broadphase.findChild<QComboBox*>()->hasFocus());
         QTest::keyClick(&ide.bench.window(), Qt::Key_Escape);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.hasFocus(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.editor.hasFocus(), longestWait);
     }
 
     void findOpensWithItsKeyAndEscapeClosesIt() {
@@ -347,11 +347,11 @@ class WorkbenchTest : public QObject {
         QByteArray text = twoBalls;
         while (text.size() < 2'000'000) text += "sphere { radius .1 mass 1 centre 0,9,0 fixed yes }\n";
         Ide ide(text);
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         placeCaretBehind(ide.editor, "colour red");
         QTest::keyClicks(&ide.editor, QStringLiteral(" friction .5"));
         QVERIFY(!ide.current()); // typed, not yet built
-        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QCOMPARE(ide.bench.builds().latest()->scene().bodies[1].friction, 0.5);
     }
 };

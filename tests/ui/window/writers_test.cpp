@@ -74,7 +74,7 @@ QString video(const Ide& ide, const QString& path) {
     Video video(planOf(ide, 0.1, path));
     QSignalSpy ends(&video, &Video::finished);
     video.start();
-    return QTest::qWaitFor([&] { return ends.count() == 1; }, patience)
+    return QTest::qWaitFor([&] { return ends.count() == 1; }, longestWait)
                ? ends.first().first().toString()
                : QStringLiteral("the video does not end");
 }
@@ -109,7 +109,7 @@ void WritersTest::initTestCase() {
     writeFile(encoder, "#!/bin/sh\nfor last; do :; done\necho video > \"$last\"\n");
     QVERIFY(QFile::setPermissions(encoder, QFile::ReadOwner | QFile::ExeOwner));
     qputenv("PATH", m_tools->path().toLocal8Bit() + ":" + m_path);
-    QTRY_COMPARE_WITH_TIMEOUT(m_ide->frame, 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_ide->frame, 0, longestWait);
 }
 
 void WritersTest::cleanupTestCase() {
@@ -172,7 +172,7 @@ void WritersTest::aSaveOnAFullDiskKeepsFileAndTextAndTheWindowStays() {
     // A scene under 16 KiB waits in QSaveFile's buffer; Qt 6.4's commit() says true when writing it fails.
     // The window said "saved", emptied the file and closed without asking.
     Ide ide;
-    QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
     typeAtTheEnd(ide.editor, "// mine");
     QString said;
     answerNextDialog([&said](QWidget& box) {
@@ -205,7 +205,7 @@ void WritersTest::aFullDiskIsNoticedWhenAVideoIsWritten() {
     QSignalSpy ends(&video, &Video::finished);
     const FailingFiles full("write", 8, ENOSPC, qPrintable(m_folder->path()));
     video.start();
-    QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(ends.count(), 1, longestWait);
     QVERIFY(ends.first().first().toString().contains(QStringLiteral("No space left on device")));
 }
 
