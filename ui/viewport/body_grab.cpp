@@ -105,6 +105,15 @@ std::optional<BodyGrab> grabTip(const Camera& camera, const PictureSize& picture
     return nearest;
 }
 
+BodyGrab grabCentre(const Camera& camera, BodyIndex body, const Pose& pose, const Eigen::Vector2d& pixel) {
+    return {.body = body,
+            .handle = BodyHandle::Centre,
+            .start = {pose, {}},
+            .point = pose.position,
+            .normal = dragNormal(camera),
+            .pixel = pixel};
+}
+
 Vec3 dragNormal(const Camera& camera) {
     return std::abs(camera.forward().y()) > levelSeen ? Vec3(Vec3::UnitY()) : camera.forward();
 }

@@ -67,6 +67,9 @@ std::optional<BodyGrab> grabTip(const Camera& camera, const PictureSize& picture
                                 const Eigen::Vector2d& pixel, std::span<const Pose> poses,
                                 std::span<const Vec3> velocities, double arrowTime);
 
+/// A body itself, to be moved in the plane of dragNormal() through its centre.
+BodyGrab grabCentre(const Camera& camera, BodyIndex body, const Pose& pose, const Eigen::Vector2d& pixel);
+
 /// The normal of the plane in which a plain drag moves a body: the level plane, or the picture's where that
 /// is seen from its edge.
 Vec3 dragNormal(const Camera& camera);

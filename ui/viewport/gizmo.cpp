@@ -141,6 +141,20 @@ Vec3 pointOfRing(const Camera& camera, const PictureSize& picture, const Vec3& c
     return nearest;
 }
 
+BodyGrab grabPart(const Camera& camera, const PictureSize& picture, GizmoPart part, BodyIndex body,
+                  const Pose& pose, const Eigen::Vector2d& pixel) {
+    BodyGrab grab{.body = body,
+                  .handle = isTurn(part) ? BodyHandle::Turn : BodyHandle::Centre,
+                  .part = part,
+                  .start = {pose, {}},
+                  .point = pose.position,
+                  .normal = Vec3::Unit(axisOf(part)),
+                  .pixel = pixel};
+    // A ring follows the mouse at the place that is held: its point nearest to the ray.
+    if (isTurn(part)) grab.point = pointOfRing(camera, picture, pose.position, grab.normal, pixel);
+    return grab;
+}
+
 void paintGizmo(QPainter& painter, std::span<const GizmoHandle> handles, GizmoPart lit) {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const GizmoHandle& handle : handles) {

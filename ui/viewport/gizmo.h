@@ -38,6 +38,10 @@ GizmoPart partAt(std::span<const GizmoHandle> handles, const Eigen::Vector2d& pi
 Vec3 pointOfRing(const Camera& camera, const PictureSize& picture, const Vec3& centre, const Vec3& axis,
                  const Eigen::Vector2d& pixel);
 
+/// A part of the gizmo of a body, held at a pixel.
+BodyGrab grabPart(const Camera& camera, const PictureSize& picture, GizmoPart part, BodyIndex body,
+                  const Pose& pose, const Eigen::Vector2d& pixel);
+
 /// `lit` is the one under the mouse, or held.
 void paintGizmo(QPainter& painter, std::span<const GizmoHandle> handles, GizmoPart lit);
 

@@ -3,7 +3,6 @@
 
 #include "core/base/clock.h"
 #include "ui/viewport/instances.h"
-#include "ui/viewport/navigation.h"
 #include "ui/viewport/opengl_screen.h"
 #include "ui/viewport/overlay_legend.h"
 #include "ui/viewport/overlay_tips.h"
@@ -30,8 +29,7 @@ bool declared(const CameraSettings& camera) { return camera.position || camera.t
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
-    : QWidget(parent), m_badge(new QLabel(this)), m_legend(new OverlayLegend(this)),
-      m_navigation(&navigationPresets().front()) {
+    : QWidget(parent), m_badge(new QLabel(this)), m_legend(new OverlayLegend(this)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -48,6 +46,7 @@ Viewport::Viewport(QWidget* parent)
         showLegend();
         redraw();
     });
+    listenToGestures();
     connect(&m_schedule, &PictureSchedule::due, this, &Viewport::drawForScreen);
     connect(&m_drawing, &DrawingThread::ready, this,
             [this](bool software) { m_schedule.setReady(software); });
@@ -331,17 +330,18 @@ void Viewport::paintEvent(QPaintEvent*) {
 /// What lies over the picture and is of the widget, not of the scene: handles, labels, the cube.
 void Viewport::paintOver(QPainter& painter, const PictureJob& job) const {
     paintLabelsOf(painter, job);
-    const GizmoPart held = m_grab ? m_grab->part : m_lit;
-    paintGizmo(painter, gizmo(job), held);
+    const BodyGrab* held = m_gestures.held();
+    paintGizmo(painter, gizmo(job), held != nullptr ? held->part : m_lit);
     paintViewCube(painter, job.options.camera, cubePlace(pictureSize()), m_dark, m_litSide);
-    paintBeside(painter, m_lastAt, m_told, rect(), m_dark);
+    paintBeside(painter, m_mouseAt, m_told, rect(), m_dark);
 }
 
 /// Of the selected body, while it may be dragged.
 std::vector<GizmoHandle> Viewport::gizmo(const PictureJob& job) const {
     const BodyIndex body = job.options.selected;
     if (body == noBody || body != m_selected || job.stage != m_stage || !m_mayDrag) return {};
-    const bool held = m_grab && m_dragging && m_grab->body == body;
+    const BodyGrab* grab = m_gestures.held();
+    const bool held = grab != nullptr && m_gestures.isDragging() && grab->body == body;
     if (isWall(scene().bodies[body].shape) || (!held && !m_mayDrag(body, BodyHandle::Centre))) return {};
     return gizmoOf(job.options.camera, pictureSize(), job.poses()[body].position, mayTurn(body));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/viewport/body_grab.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/drawing_place.h"
 #include "ui/viewport/drawing_thread.h"
 #include "ui/viewport/explanations.h"
+#include "ui/viewport/gestures.h"
 #include "ui/viewport/gizmo.h"
 #include "ui/viewport/picking.h"
 #include "ui/viewport/picture_schedule.h"
@@ -26,7 +26,6 @@ class QPainter;
 
 namespace carom {
 
-struct NavigationRow;
 class OpenGLScreen;
 class OverlayLegend;
 
@@ -65,7 +64,7 @@ class Viewport : public QWidget {
     void setDarkTheme(bool dark);
 
     /// Which buttons turn, move and zoom.
-    void setNavigation(const NavigationRow& preset) { m_navigation = &preset; }
+    void setNavigation(const NavigationRow& preset) { m_gestures.setNavigation(preset); }
     /// Which explanations are drawn over the bodies.
     void setOverlays(Overlays overlays);
     void setOverlay(Overlay overlay, bool shown);
@@ -104,7 +103,7 @@ class Viewport : public QWidget {
     void frameAll();
 
     /// Ends a drag of a body, if one is under way, where it is.
-    void letGo();
+    void letGo() { m_gestures.letGo(); }
     void lookFrom(carom::ViewSide side);
     void setOrthographic(bool orthographic);
     /// Shows again what a drag has moved since the scene was shown: it has come to nothing.
@@ -148,11 +147,12 @@ class Viewport : public QWidget {
     void frameBox(const Aabb& box);
     void placeBadge();
     std::optional<BodyGrab> grabAt(const QPointF& position) const;
-    std::optional<BodyGrab> grabGizmo(const QPointF& position) const;
     std::vector<GizmoHandle> gizmo(const PictureJob& job) const;
     bool mayTurn(BodyIndex body) const;
     void dragBody(const QPointF& position, bool snaps);
-    void follow(const QPointF& position);
+    void click(Qt::MouseButton button, const QPointF& place);
+    void point(const QPointF& position);
+    void listenToGestures();
     void paintOver(QPainter& painter, const PictureJob& job) const;
     void repaintOver();
     void showLegend();
@@ -185,16 +185,13 @@ class Viewport : public QWidget {
     bool m_dimmed = false;
     BodyIndex m_selected = noBody;
     QLabel* m_badge = nullptr;
-    QPointF m_pressedAt, m_lastAt;
+    Gestures m_gestures{[this](const QPointF& place) { return grabAt(place); }};
     std::function<bool(BodyIndex, BodyHandle)> m_mayDrag;
-    std::optional<BodyGrab> m_grab; ///< between press and release
-    QString m_told;                 ///< what the drag has come to, or the overlays show under the mouse
+    QPointF m_mouseAt; ///< [px]
+    QString m_told;    ///< what the drag has come to, or the overlays show under the mouse
     OverlayLegend* m_legend;
     GizmoPart m_lit = GizmoPart::None; ///< under the mouse
     std::optional<ViewSide> m_litSide; ///< of the cube, likewise
-    bool m_dragging = false;
-    bool m_letGo = false;              ///< a drag has ended with a button down: nothing more until it is up
-    const NavigationRow* m_navigation; ///< never null
     std::int64_t m_framesRendered = 0;
 };
 
