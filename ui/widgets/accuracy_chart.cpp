@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace carom {
@@ -16,6 +17,8 @@ namespace {
 
 /// Where the diagram ends: exact to the last bit, and lost altogether.
 constexpr double leastShown = 1e-16, mostShown = 10;
+/// What did not finish stands so many times beyond what did, at most.
+constexpr double beyond = 2;
 constexpr double realTime = 1000; ///< [ms] a simulated second
 
 struct AccuracyChartTexts {
@@ -37,9 +40,40 @@ ChartSpec emptyChart(const QString& title, const AccuracyStudy& study) {
             .legendBeside = true};
 }
 
+/// What the points that finished span.
+struct Extent {
+    double leastX = std::numeric_limits<double>::infinity(), mostX = 0;
+    double leastY = std::numeric_limits<double>::infinity(), mostY = 0;
+};
+
+Extent extentOf(const AccuracyStudy& study) {
+    Extent extent;
+    for (const AccuracyPoint& point : study.points) {
+        if (!point.finished() || point.times.empty()) continue;
+        const double x = shownError(study, point);
+        extent.leastX = std::min(extent.leastX, x);
+        extent.mostX = std::max(extent.mostX, x);
+        extent.leastY = std::min(extent.leastY, point.cost());
+        extent.mostY = std::max(extent.mostY, point.cost());
+    }
+    return extent;
+}
+
+/// Where a point stands. One that did not finish has no error to be read off: axes are not stretched for it,
+/// it stands just beyond the others on the side where it is.
+QPointF placeOf(const AccuracyStudy& study, const AccuracyPoint& point) {
+    const double x = shownError(study, point), y = point.cost();
+    if (point.finished()) return {x, y};
+    const Extent all = extentOf(study);
+    if (!(all.mostX > 0)) return {x, y};
+    return {std::clamp(x, all.leastX / beyond, all.mostX * beyond),
+            std::clamp(y, all.leastY / beyond, all.mostY * beyond)};
+}
+
 void append(const AccuracyStudy& study, const AccuracyPoint& point, ChartSeries& series) {
-    series.x.push_back(shownError(study, point));
-    series.y.push_back(point.cost());
+    const QPointF place = placeOf(study, point);
+    series.x.push_back(place.x());
+    series.y.push_back(place.y());
     series.low.push_back(point.leastCost());
     series.high.push_back(point.mostCost());
     series.notes.push_back(describe(study, point));

@@ -57,6 +57,37 @@ class AccuracyChartTest : public QObject {
                 QVERIFY2(!alike, qPrintable(lines[a]->name + QStringLiteral(" and ") + lines[b]->name));
             }
     }
+
+    // One run that was lost after a millionth of the time, and one that took a thousand times as long as the
+    // others: the axes were stretched from 1e-16 to 10, and the lines were a dot in them.
+    void whatDidNotFinishDoesNotStretchTheAxes() {
+        AccuracyStudy study = everyFamily();
+        double least = 1e300, most = 0, dearest = 0;
+        for (const AccuracyPoint& point : study.points) {
+            least = std::min(least, point.errors.position);
+            most = std::max(most, point.errors.position);
+            dearest = std::max(dearest, point.cost());
+        }
+        for (const PointStatus status : {PointStatus::Failed, PointStatus::TimedOut}) {
+            AccuracyPoint point = study.points.front();
+            point.status = status;
+            point.errors.position = status == PointStatus::Failed ? 1e300 : 0;
+            point.times = {1000 * dearest};
+            study.points.push_back(point);
+        }
+        study.points.back().isDefault = true;
+        AccuracyChart chart = accuracyChart(study, QStringLiteral("all"));
+        markChosen(study, study.points.back(), chart.spec);
+        int crosses = 0;
+        for (const ChartSeries& series : chart.spec.series) {
+            if (series.mark == SeriesMark::Cross) crosses += static_cast<int>(series.x.size());
+            for (std::size_t i = 0; i < series.x.size(); ++i) {
+                QVERIFY(series.x[i] >= 0.4 * least && series.x[i] <= 2.5 * most);
+                QVERIFY(series.y[i] <= 2.5 * dearest);
+            }
+        }
+        QCOMPARE(crosses, 2);
+    }
 };
 
 } // namespace carom
