@@ -12,6 +12,8 @@ constexpr std::size_t fewPoints = 192;
 constexpr std::size_t manyPoints = 4 * fewPoints;
 /// So many times fewer points, so many times more looks in a substep.
 constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
+/// An island that needs so many times more sweeps than its block makes had better enter another.
+constexpr int tooFew = 4;
 
 /// Of so many bodies one at most is renewed: of more, pairs are found for all.
 constexpr std::size_t fewRenewed = 16;
@@ -23,8 +25,9 @@ constexpr double nearPart = 2 * slackPart;
 
 /// Bodies that move by more than this part of their size in the mean are busy.
 constexpr double busyPath = 0.1;
-/// But where a body has so many pairs in the mean, most of those it can meet in a frame are near already.
-constexpr std::size_t densePairs = 2;
+/// But where a body has so few pairs in the mean, there are few to be found in advance, and where it has so
+/// many, most of those it can meet in a frame are near already.
+constexpr double sparsePairs = 0.5, densePairs = 2;
 
 /// Whether a pair is so near that it touches, or soon does; of pairs that are solved as balls.
 bool isNear(const SteppedInput& input, BodyPair pair) {
@@ -33,18 +36,34 @@ bool isNear(const SteppedInput& input, BodyPair pair) {
     return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
 }
 
-/// From the fewest points to the most.
-constexpr std::array<Division, 5> divisionsOfSubstep{
-    Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 1}, {1, 1, 1}};
+/// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
+/// contacts, up to those of an island with few points; what turns comes down with another part of it, and is
+/// looked at the more often, the fewer its points are.
+constexpr std::array<Division, 7> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
+                                                     {1, 1, 2},         {1, 2, 1}, {1, 1, 1}};
+
+constexpr int sweepsOf(std::size_t number) {
+    const Division& division = divisionsOfSubstep[number];
+    return division.looks * division.steps * division.passes;
+}
+
+/// Balls alone enter these when they are few: what they meet later may need more.
+constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number == 4 || number == 6; }
 
 /// Which of them.
 std::uint8_t divisionNumber(const ContactCount& count) {
-    if (count.points > fewPoints) return count.round && count.points > manyPoints ? 4 : 3;
-    const std::size_t looks =
-        count.round
-            ? 1
-            : std::clamp(pointsOfOneLook / std::max<std::size_t>(count.points, 1), std::size_t{1}, mostLooks);
+    if (count.points > fewPoints) return count.round && count.points > manyPoints ? 6 : 5;
+    if (count.points == 0) return 2; // nobody knows yet
+    if (count.round) return count.points >= 8 ? 2 : count.points >= 4 ? 3 : count.points >= 2 ? 4 : 6;
+    const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);
     return looks >= 4 ? 0 : looks >= 2 ? 1 : 2;
+}
+
+/// Whether it makes more sweeps than such an island needs, or far fewer.
+bool isWrong(std::size_t number, const ContactCount& count) {
+    if (count.points == 0) return false;
+    const int sweeps = sweepsOf(number), needed = sweepsOf(divisionNumber(count));
+    return needed < sweeps || (isForFewBalls(number) && needed >= tooFew * sweeps);
 }
 
 Division divisionOf(std::uint8_t number, int passes) {
@@ -55,10 +74,12 @@ Division divisionOf(std::uint8_t number, int passes) {
 
 } // namespace
 
-bool BasePath::isBusy(const Bodies& bodies, const State& state, const Island& island, double time) {
-    if (island.pairs.size() >= densePairs * island.bodies.size()) return false;
+bool BasePath::isBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> island,
+                      std::size_t pairs, double time) {
+    const double perBody = static_cast<double>(pairs) / static_cast<double>(island.size());
+    if (perBody < sparsePairs || perBody >= densePairs) return false;
     double paths = 0, sizes = 0;
-    for (const BodyIndex i : island.bodies) {
+    for (const BodyIndex i : island) {
         paths += Neighbours::surfaceSpeed(bodies, state, i) * time;
         sizes += bodies.boundingRadius[i];
     }
@@ -278,41 +299,52 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
     }
     m_islands.find(input.bodies, list, m_pairs, links);
     m_isEmpty = m_isEmpty && list.empty();
+    m_numbers.clear();
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
-        std::uint8_t number = noBlock;
-        for (const std::uint32_t index : island.pairs)
-            if (const BodyIndex here = hereOf(m_entering[index].pair); here != noBody && number == noBlock)
-                number = m_block[here];
-        ContactCount count = countOf(island, manifolds);
-        if (number == noBlock) {
-            number = static_cast<std::uint8_t>(divisionNumber(count) + 1);
-        } else { // what it joins need not be round
-            count.round = false;
-            m_isBroken = m_isBroken || divisionNumber(count) >= number;
-        }
-        SteppedMotion& block = m_blocks[number - 1u];
+        m_numbers.push_back(numberFor(island, manifolds));
+        SteppedMotion& block = m_blocks[m_numbers[i] - 1u];
         if (block.isEmpty())
-            block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(number - 1), m_passes), substep);
+            block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(m_numbers[i] - 1), m_passes),
+                        substep);
         block.addIsland(input, island.bodies, island.links);
-        block.beginPairs();
-        for (const bool near : {true, false}) // what touches side by side: the others are idle together
-            for (const std::uint32_t index : island.pairs) {
-                Entry& entry = m_entering[index];
-                if (m_isNear[index] != near) continue;
-                const BodyIndex here = hereOf(entry.pair);
-                if (here != noBody && m_block[here] != number) {
-                    m_isBroken =
-                        true; // beyond the reach of this substep, or the solver would have begun anew
-                    if (entry.place != Manifolds::none) manifolds.remove(entry.place);
-                    continue;
-                }
-                if (here != noBody)
-                    block.joinIslands(block.islandOf(here), block.islandOf(island.bodies.front()));
-                block.addPair(input, entry, manifolds);
-            }
-        for (const BodyIndex body : island.bodies) m_block[body] = number;
     }
+    for (SteppedMotion& block : m_blocks)
+        if (!block.isEmpty()) block.beginPairs();
+    for (const bool near : {true, false}) // what touches side by side: the others are idle together
+        for (std::size_t i = 0; i < m_islands.count(); ++i)
+            for (const std::uint32_t index : m_islands[i].pairs)
+                if (m_isNear[index] == near)
+                    takeUp(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
+    for (std::size_t i = 0; i < m_islands.count(); ++i)
+        for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
+}
+
+// The block of an island that enters: that of those it meets there, or by its contacts.
+std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifolds) {
+    ContactCount count = countOf(island, manifolds);
+    for (const std::uint32_t index : island.pairs) {
+        const BodyIndex here = hereOf(m_entering[index].pair);
+        if (here == noBody) continue;
+        count.round = false; // what it joins need not be round
+        m_isBroken = m_isBroken || isWrong(m_block[here] - 1u, count);
+        return m_block[here];
+    }
+    return static_cast<std::uint8_t>(divisionNumber(count) + 1);
+}
+
+// A pair of an island whose bodies are in the block already, `member` among them.
+void BasePath::takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
+                      Manifolds& manifolds) {
+    SteppedMotion& block = m_blocks[number - 1u];
+    const BodyIndex here = hereOf(entry.pair);
+    if (here != noBody && m_block[here] != number) {
+        m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
+        if (entry.place != Manifolds::none) manifolds.remove(entry.place);
+        return;
+    }
+    if (here != noBody) block.joinIslands(block.islandOf(here), block.islandOf(member));
+    block.addPair(input, entry, manifolds);
 }
 
 SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {
@@ -337,9 +369,8 @@ bool BasePath::isOutgrown(const Manifolds& manifolds) {
         block.forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
             m_counts[island].add(points, isRound);
         });
-        if (std::any_of(m_counts.begin(), m_counts.end(), [&](const ContactCount& count) {
-                return count.points > 0 && divisionNumber(count) > number;
-            }))
+        if (std::any_of(m_counts.begin(), m_counts.end(),
+                        [&](const ContactCount& count) { return isWrong(number, count); }))
             return true;
     }
     return false;

@@ -91,15 +91,16 @@ class BasePath {
     /// All leave, and nothing is carried on.
     void clear();
 
-    /// Whether bodies of an island move so far in `time` [s], and have so few pairs, that these had better be
-    /// found each substep: a matter of cost alone.
-    static bool isBusy(const Bodies& bodies, const State& state, const Island& island, double time);
+    /// Whether bodies of an island with so many pairs of bodies that can move go so far in `time` [s] that
+    /// pairs had better be found each substep: a matter of cost alone.
+    static bool isBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> island,
+                       std::size_t pairs, double time);
     /// How an island with such contacts divides a substep.
     static Division divisionFor(const ContactCount& count, int passes);
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
-    static constexpr std::size_t divisions = 5;
+    static constexpr std::size_t divisions = 7;
     static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
     struct Renewed {
         BodyIndex body = 0;
@@ -122,6 +123,9 @@ class BasePath {
     void findPairs(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                    std::span<Manifolds::Entry> known);
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
+    std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
+    void takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
+                Manifolds& manifolds);
     /// The end of a pair that is here already, or noBody.
     BodyIndex hereOf(BodyPair pair) const { return has(pair.a) ? pair.a : has(pair.b) ? pair.b : noBody; }
 
@@ -137,7 +141,8 @@ class BasePath {
     Scratch<std::vector<BodyPair>> m_pairs;      // of m_entering
     Scratch<std::vector<std::uint8_t>> m_isNear; // of m_entering
     Scratch<Islands> m_islands;
-    Scratch<std::vector<ContactCount>> m_counts; // by island of a block
+    Scratch<std::vector<std::uint8_t>> m_numbers; // by island that enters: its block
+    Scratch<std::vector<ContactCount>> m_counts;  // by island of a block
     std::vector<Renewed> m_renewed;
     std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here
