@@ -27,7 +27,8 @@ void drawInto(const ChartSpec& chart, const QString& path) {
     if (!problem.isEmpty()) throw FileError(problem.toStdString());
 }
 
-void draw(const std::vector<NamedChart>& charts, const std::string& folder) {
+template<class Chart>
+void draw(const std::vector<Chart>& charts, const std::string& folder) {
     for (const NamedChart& chart : charts)
         for (const char* ending : {".svg", ".png"})
             drawInto(chart.chart, QString::fromStdString(folder) + QLatin1Char('/') + chart.name +

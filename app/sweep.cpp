@@ -106,7 +106,8 @@ int runSweepCommand(const Arguments& arguments) {
     const Shard shard = shardFrom(arguments);
     std::vector<NamedFile> files = {
         {"the scene", arguments.operands.empty() ? std::string() : arguments.operands.front()}};
-    for (const char* name : {"scene.sdl", "sweep.txt", "sweep.csv", "summary.csv", "summary.txt"})
+    for (const char* name :
+         {sweepfile::scene, sweepfile::record, sweepfile::table, sweepfile::summary, sweepfile::report})
         files.push_back({"`--output`", (std::filesystem::path(*output) / name).string()});
     refuseSharedFiles(files);
     const std::shared_ptr<const Sweep> sweep = sweepFrom(arguments);
@@ -114,7 +115,7 @@ int runSweepCommand(const Arguments& arguments) {
     const ItemRange part = isShard ? stretchOf(shard, sweep->weights()) : ItemRange{0, sweep->runs()};
     catchInterrupts();
     const SweepFolder folder(*output, *sweep);
-    const std::string table = isShard ? "shard-" + std::to_string(shard.number) + ".csv" : "sweep.csv";
+    const std::string table = isShard ? "shard-" + std::to_string(shard.number) + ".csv" : sweepfile::table;
     SweepJournal journal(folder, *sweep, table, part, arguments.has("resume"));
     const bool complete = journal.isComplete() || runPart(*sweep, part, threads, journal);
     if (!complete) {

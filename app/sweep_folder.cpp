@@ -21,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* recordFile = "sweep.txt";
-constexpr const char* sceneFile = "scene.sdl";
-constexpr const char* tableFile = "sweep.csv";
 constexpr std::size_t mostChartPoints = 100'000;
 constexpr std::size_t mostGapsNamed = 20;
 
@@ -80,7 +77,7 @@ class Gaps {
 
 SweepFolder::SweepFolder(std::string path, const Sweep& sweep) : m_path(std::move(path)), m_sweep(sweep) {
     const std::string record = sweepRecord(sweep, version());
-    const std::string place = pathOf(recordFile);
+    const std::string place = pathOf(sweepfile::record);
     if (fs::exists(place)) {
         if (readText(place) != record)
             throw UsageError("`" + m_path + "` has the runs of another sweep (see `" + place +
@@ -88,17 +85,17 @@ SweepFolder::SweepFolder(std::string path, const Sweep& sweep) : m_path(std::mov
         return;
     }
     makeFolder(m_path);
-    if (sweep.definition().generate.empty()) writeFile(m_path, sceneFile, sweep.baseText());
-    writeFile(m_path, recordFile, record);
+    if (sweep.definition().generate.empty()) writeFile(m_path, sweepfile::scene, sweep.baseText());
+    writeFile(m_path, sweepfile::record, record);
 }
 
 std::shared_ptr<const Sweep> SweepFolder::read(const std::string& path) {
-    const std::string place = (fs::path(path) / recordFile).string();
+    const std::string place = (fs::path(path) / sweepfile::record).string();
     const std::optional<SweepDefinition> definition =
         fs::exists(place) ? definitionInRecord(readText(place)) : std::nullopt;
     if (!definition) throw UsageError("`" + path + "` is no folder of a sweep: it has no `sweep.txt` of one");
     std::string text;
-    if (definition->generate.empty()) text = readText((fs::path(path) / sceneFile).string());
+    if (definition->generate.empty()) text = readText((fs::path(path) / sweepfile::scene).string());
     ReadSweep read = readSweep(*definition, std::move(text));
     if (!read.sweep) throw UsageError("`" + place + "`: " + read.objection);
     return read.sweep;
@@ -178,7 +175,7 @@ SweepJournal::SweepJournal(const SweepFolder& folder, const Sweep& sweep, std::s
     m_known.assign(part.count(), false);
     std::string text = sweepColumns(sweep);
     if (resume)
-        folder.forRows(m_name + ".part", [&](std::size_t run, std::string_view line) {
+        folder.forRows(m_name + sweepfile::partEnding, [&](std::size_t run, std::string_view line) {
             if (isNew(run)) text += line;
         });
     open();
@@ -233,13 +230,13 @@ void SweepJournal::close() {
 
 SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {
     SweepReport report;
-    TableWriter table(folder.pathOf("summary.csv"));
+    TableWriter table(folder.pathOf(sweepfile::summary));
     table.write(summaryColumns(sweep));
     SweepSummary summary(sweep, [&](const SweepPoint& point) {
         table.write(summaryRows(sweep, point));
         if (report.points.size() <= mostChartPoints) report.points.push_back(point);
     });
-    folder.forRows(tableFile, [&](std::size_t, std::string_view line) {
+    folder.forRows(sweepfile::table, [&](std::size_t, std::string_view line) {
         if (const std::optional<SweepResult> result = resultOfRow(sweep, line)) summary.add(*result);
     });
     summary.finish();
@@ -250,7 +247,7 @@ SweepReport writeSweepSummary(const SweepFolder& folder, const Sweep& sweep) {
         report.points.clear();
         report.text += "\nThere is no chart of more than " + std::to_string(mostChartPoints) + " points.\n";
     }
-    replaceFile(folder.pathOf("summary.txt"), report.text);
+    replaceFile(folder.pathOf(sweepfile::report), report.text);
     return report;
 }
 
@@ -258,7 +255,7 @@ std::string mergeShards(const SweepFolder& folder, const Sweep& sweep) {
     const std::vector<std::string> tables = folder.shardTables();
     if (tables.empty()) throw FileError("`" + folder.pathOf("") + "` has no tables of shards to merge");
     Gaps gaps;
-    TableWriter table(folder.pathOf(tableFile));
+    TableWriter table(folder.pathOf(sweepfile::table));
     table.write(sweepColumns(sweep));
     std::size_t next = 0;
     for (const std::string& name : tables)

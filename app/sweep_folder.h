@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/sweep_summary.h"
-#include "core/study/sweep_table.h"
+#include "core/study/sweep_files.h"
 
 #include <cstddef>
 #include <functional>
@@ -12,14 +11,7 @@
 #include <string_view>
 #include <vector>
 
-// The folder of a sweep:
-//
-//     sweep.txt       the definition, the program's version and a hash: what the folder belongs to
-//     scene.sdl       the scene's text, where it is not generated
-//     sweep.csv.part  rows in the order in which the runs ended; gone once all have
-//     sweep.csv       a row a run, in order            of a shard: shard-2.csv.part, shard-2.csv
-//     summary.csv     a row a point and measure        with all runs only
-//     summary.txt     what was printed
+// The folder of a sweep (core/study/sweep_files.h), written row by row.
 
 namespace carom {
 
@@ -69,7 +61,7 @@ class SweepJournal {
   private:
     void open();
     void append(std::string_view text);
-    std::string partPath() const { return m_folder.pathOf(m_name + ".part"); }
+    std::string partPath() const { return m_folder.pathOf(m_name + sweepfile::partEnding); }
 
     const SweepFolder& m_folder;
     const Sweep& m_sweep;

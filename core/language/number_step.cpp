@@ -52,8 +52,23 @@ std::string putTogether(const Literal& literal) {
     return (literal.digits < 0 ? "-" : "") + digits + std::string(literal.exponent);
 }
 
-void bound(NumberAt& number, Constraint constraint) {
+double valueOf(std::string_view literal) {
+    std::string joined(literal);
+    std::erase_if(joined, [](char c) { return c == ' ' || c == '\t'; });
+    return numberIn(joined).value_or(0);
+}
+
+} // namespace
+
+bool NumberAt::allows(double value) const {
+    const bool above = leastIsAllowed ? value >= least : value > least;
+    const bool below = greatestIsAllowed ? value <= greatest : value < greatest;
+    return above && below;
+}
+
+NumberAt boundsOf(Constraint constraint) {
     constexpr double halfTurn = 180; // degrees
+    NumberAt number;
     switch (constraint) {
     case Constraint::Positive:
         number.leastIsAllowed = false;
@@ -77,20 +92,7 @@ void bound(NumberAt& number, Constraint constraint) {
     case Constraint::NonzeroVector: // one component alone may be anything
         break;
     }
-}
-
-double valueOf(std::string_view literal) {
-    std::string joined(literal);
-    std::erase_if(joined, [](char c) { return c == ' ' || c == '\t'; });
-    return numberIn(joined).value_or(0);
-}
-
-} // namespace
-
-bool NumberAt::allows(double value) const {
-    const bool above = leastIsAllowed ? value >= least : value > least;
-    const bool below = greatestIsAllowed ? value <= greatest : value < greatest;
-    return above && below;
+    return number;
 }
 
 std::optional<NumberAt> numberAt(const Analysis& analysis, std::uint32_t offset) {
@@ -106,16 +108,17 @@ std::optional<NumberAt> numberAt(const Analysis& analysis, std::uint32_t offset)
     }
     if (token == tokens.end() || token->kind != TokenKind::Number) return std::nullopt;
     const bool negative = token != tokens.begin() && (token - 1)->kind == TokenKind::Minus;
-    NumberAt number{negative ? spanning((token - 1)->range, token->range) : token->range};
-    if (number.range.offset > offset) return std::nullopt;
+    const SourceRange range = negative ? spanning((token - 1)->range, token->range) : token->range;
+    if (range.offset > offset) return std::nullopt;
 
     const DeclarationSyntax* declaration = declarationAt(analysis, token->range.offset);
     const ParameterSyntax* parameter =
         declaration == nullptr ? nullptr : parameterAt(analysis, *declaration, token->range.offset);
-    if (parameter == nullptr) return number;
-    const DeclarationRow* row = findDeclaration(textOf(analysis.text, declaration->type));
+    const DeclarationRow* row =
+        parameter == nullptr ? nullptr : findDeclaration(textOf(analysis.text, declaration->type));
     const ParameterRow* known = row == nullptr ? nullptr : row->find(textOf(analysis.text, parameter->name));
-    if (known != nullptr) bound(number, known->constraint);
+    NumberAt number = boundsOf(known == nullptr ? Constraint::None : known->constraint);
+    number.range = range;
     return number;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/language/analysis.h"
+#include "core/scene/schema.h"
 
 #include <cstdint>
 #include <limits>
@@ -16,7 +17,7 @@ namespace carom {
 
 /// A number in the text, and what it may become.
 struct NumberAt {
-    SourceRange range; ///< with its minus
+    SourceRange range{}; ///< with its minus
     double least = -std::numeric_limits<double>::infinity();
     double greatest = std::numeric_limits<double>::infinity();
     bool leastIsAllowed = true; ///< false: the value stays above `least`
@@ -24,6 +25,9 @@ struct NumberAt {
 
     bool allows(double value) const;
 };
+
+/// What a constraint allows; the range is empty.
+NumberAt boundsOf(Constraint constraint);
 
 /// The number whose digits or sign hold the place (ends included), with the bounds its parameter sets.
 std::optional<NumberAt> numberAt(const Analysis& analysis, std::uint32_t offset);

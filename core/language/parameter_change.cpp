@@ -285,4 +285,13 @@ std::string ParameterChanges::text() const {
     return changed;
 }
 
+std::string withValues(const Analysis& analysis, const std::vector<ParameterValue>& values) {
+    ParameterChanges changes(analysis);
+    for (const ParameterValue& value : values) {
+        const ParameterPlace place = findParameter(analysis, value.path);
+        if (place.parameter != nullptr) changes.set(place, value.literal);
+    }
+    return changes.text();
+}
+
 } // namespace carom

@@ -73,4 +73,12 @@ class ParameterChanges {
     std::map<Key, std::size_t> m_known;
 };
 
+/// A value for what a path leads to.
+struct ParameterValue {
+    ParameterPath path;
+    std::string literal;
+};
+/// The text with such values; paths that lead nowhere are left out.
+std::string withValues(const Analysis& analysis, const std::vector<ParameterValue>& values);
+
 } // namespace carom

@@ -8,8 +8,9 @@
 
 namespace carom {
 
-/// The run that an exchanged scene took the place of, at the time of the snapshot it comes with; both null
-/// where there is none, or where it never came so far.
+/// Another run beside the one on screen, at the time of the snapshot it comes with: the one that an exchanged
+/// scene took the place of, or one that somebody asked for. Both null where there is none, or where it never
+/// came so far.
 struct Ghost {
     std::shared_ptr<const Pipeline> pipeline;
     std::shared_ptr<const Snapshot> snapshot;

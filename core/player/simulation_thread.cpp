@@ -103,7 +103,8 @@ std::list<SimulationCommand> SimulationThread::nextCommand(const std::stop_token
 void SimulationThread::execute(const LoadCommand& command) {
     m_run = command.run;
     if (command.frame > 0) {
-        if (m_world && m_shown && m_ghostWanted) m_ghost = {std::move(m_world), std::move(m_recording)};
+        if (m_world && m_shown && m_ghostWanted)
+            m_ghost = {std::move(m_world), std::move(m_recording), false};
         begin(command.pipeline);
         if (m_state == RunState::Stopped) m_state = RunState::Paused;
         tell(); // what was said of the run before is dropped from now on
@@ -176,7 +177,7 @@ void SimulationThread::execute(const SeekCommand& command) {
 void SimulationThread::execute(const ResetCommand& command) {
     if (!m_world) return;
     m_run = command.run;
-    m_ghost.reset();
+    if (m_ghost && !m_ghost->goesOn) m_ghost.reset();
     shareBudget();
     m_torn = false;
     m_world->reset();
@@ -217,6 +218,17 @@ void SimulationThread::execute(const GhostCommand& command) {
     m_ghostWanted = command.wanted;
     if (m_ghostWanted || !m_ghost) return;
     m_ghost.reset();
+    shareBudget();
+    publish(true);
+}
+
+void SimulationThread::execute(const GhostRunCommand& command) {
+    if (!m_world) return;
+    m_ghost.reset();
+    if (command.pipeline) {
+        m_ghost = {std::make_unique<World>(command.pipeline), Recording(m_budget / 2), true};
+        m_ghost->recording.restart(*m_ghost->world);
+    }
     shareBudget();
     publish(true);
 }
@@ -398,12 +410,13 @@ void SimulationThread::publish(bool always) {
     m_listener.published();
 }
 
-/// The old run where the new one is now; as far as it went.
+/// The other run where the one on screen is now; an old one as far as it went.
 Ghost SimulationThread::ghost() {
     if (!m_ghost) return {};
     World& old = *m_ghost->world;
     const std::int64_t frame = std::llround(m_world->state().time / old.pipeline().settings().step);
-    if (frame > m_ghost->recording.furthest()) return {};
+    if (frame > m_ghost->recording.furthest() && !m_ghost->goesOn) return {};
+    if (!old.health().finite && frame >= old.state().frame) return {};
     const bool there = m_ghost->recording.seek(old, frame, [this](bool) { return !superseded(); });
     if (!there) return {};
     return {old.sharedPipeline(), std::make_shared<const Snapshot>(old.snapshot())};

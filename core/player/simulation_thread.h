@@ -85,6 +85,11 @@ struct BudgetCommand {
 struct GhostCommand {
     bool wanted = true;
 };
+/// A run to show as the ghost of the one on screen, simulated along as far as that goes, until another scene
+/// is loaded; null: none any more.
+struct GhostRunCommand {
+    std::shared_ptr<const Pipeline> pipeline;
+};
 /// To frame 0, paused. What was simulated stays at hand; its statistics are sent again when it comes by.
 struct ResetCommand {
     std::uint64_t run = 0;
@@ -122,8 +127,8 @@ struct ExplainCommand {
 
 using SimulationCommand =
     std::variant<LoadCommand, RunCommand, PauseCommand, StepCommand, SeekCommand, ResetCommand, SpeedCommand,
-                 BroadphaseCommand, StructureCommand, BudgetCommand, GhostCommand, GuardCommand,
-                 BreakpointsCommand, FindBackCommand, ExplainCommand>;
+                 BroadphaseCommand, StructureCommand, BudgetCommand, GhostCommand, GhostRunCommand,
+                 GuardCommand, BreakpointsCommand, FindBackCommand, ExplainCommand>;
 
 struct PublishedSnapshot {
     std::uint64_t run = 0;
@@ -179,6 +184,7 @@ class SimulationThread {
     void execute(const StructureCommand& command);
     void execute(const BudgetCommand& command);
     void execute(const GhostCommand& command);
+    void execute(const GhostRunCommand& command);
     void execute(const GuardCommand& command);
     void execute(const BreakpointsCommand& command);
     void execute(const FindBackCommand& command);
@@ -219,6 +225,7 @@ class SimulationThread {
     struct Past {
         std::unique_ptr<World> world;
         Recording recording;
+        bool goesOn = false; ///< further than it has been
     };
     std::unique_ptr<World> m_world;
     std::size_t m_budget = defaultBudget;

@@ -1325,6 +1325,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <source>Choose another colour in place of the one at the caret (the square beside it does it, too)</source>
         <translation>Eine andere Farbe anstelle der an der Schreibmarke wählen (das Quadrat daneben tut es auch)</translation>
     </message>
+    <message>
+        <source>S&amp;weep the value at the caret…</source>
+        <translation>Den Wert an der Einfügemarke &amp;variieren …</translation>
+    </message>
+    <message>
+        <source>Run the scene with a range of values in the place of the number at the caret, and measure each run</source>
+        <translation>Die Szene mit mehreren Werten anstelle der Zahl an der Einfügemarke laufen lassen und jeden Lauf messen</translation>
+    </message>
 </context>
 <context>
     <name>carom::BreakpointsDock</name>
@@ -2553,6 +2561,14 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>A double click chooses another one</source>
         <translation>Ein Doppelklick wählt eine andere</translation>
+    </message>
+    <message>
+        <source>Sweep this value…</source>
+        <translation>Diesen Wert variieren …</translation>
+    </message>
+    <message>
+        <source>Sweep its %1…</source>
+        <translation>%1 davon variieren …</translation>
     </message>
 </context>
 <context>
@@ -3855,6 +3871,265 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
     <message>
         <source>Stopped: %1</source>
         <translation>Angehalten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>carom::SweepCommands</name>
+    <message>
+        <source>Sweep this value…</source>
+        <translation>Diesen Wert variieren …</translation>
+    </message>
+    <message>
+        <source>Sweep it together with %1…</source>
+        <translation>Zusammen mit %1 variieren …</translation>
+    </message>
+</context>
+<context>
+    <name>carom::SweepDock</name>
+    <message>
+        <source>Sweep</source>
+        <translation>Variieren</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command that makes this sweep in a shell</source>
+        <translation>Den Befehl kopieren, der dasselbe in einer Shell berechnet</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Show this chart together with the next one</source>
+        <translation>Dieses Diagramm zusammen mit dem nächsten zeigen</translation>
+    </message>
+    <message>
+        <source>Use these values</source>
+        <translation>Diese Werte übernehmen</translation>
+    </message>
+    <message>
+        <source>Hide the ghost</source>
+        <translation>Schatten ausblenden</translation>
+    </message>
+    <message>
+        <source>A sweep runs the scene with other numbers in its text and measures each run.
+Right-click a number in the text, or a value in the inspector, and choose Sweep this value; the simulation above goes on meanwhile.</source>
+        <translation>Hier läuft die Szene mit anderen Zahlen in ihrem Text, und jeder Lauf wird gemessen.
+Klicken Sie mit der rechten Maustaste auf eine Zahl im Text oder einen Wert im Inspektor und wählen Sie „Diesen Wert variieren“; die Simulation oben läuft währenddessen weiter.</translation>
+    </message>
+    <message>
+        <source>Measure of the chart</source>
+        <translation>Maß des Diagramms</translation>
+    </message>
+    <message>
+        <source>Which measure the chart shows</source>
+        <translation>Welches Maß das Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>Write the values of the run chosen into the text</source>
+        <translation>Die Werte des gewählten Laufs in den Text schreiben</translation>
+    </message>
+    <message>
+        <source>Show the run chosen beside the scene no longer</source>
+        <translation>Den gewählten Lauf nicht mehr neben der Szene zeigen</translation>
+    </message>
+    <message>
+        <source>copied: %1</source>
+        <translation>kopiert: %1</translation>
+    </message>
+    <message>
+        <source>Folder as the command line writes it…</source>
+        <translation>Ordner, wie ihn die Befehlszeile schreibt …</translation>
+    </message>
+    <message>
+        <source>the values of run %1 stand in the text</source>
+        <translation>die Werte von Lauf %1 stehen im Text</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Keep what was computed so far; the runs under way are begun anew later</source>
+        <translation>Behalten, was schon berechnet ist; angefangene Läufe beginnen später neu</translation>
+    </message>
+    <message>
+        <source>Make the runs that are missing</source>
+        <translation>Die fehlenden Läufe berechnen</translation>
+    </message>
+    <message>
+        <source>Make a run for each combination of values</source>
+        <translation>Für jede Kombination von Werten einen Lauf berechnen</translation>
+    </message>
+    <message>
+        <source>Say first what is varied and what is measured</source>
+        <translation>Sagen Sie zuerst, was variiert und was gemessen wird</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>wird gelesen</translation>
+    </message>
+    <message>
+        <source>the sweep has %1 runs and the window makes at most %2; copy it as a command</source>
+        <translation>es wären %1 Läufe, und das Fenster berechnet höchstens %2; kopieren Sie sie als Befehl</translation>
+    </message>
+    <message>
+        <source>no sweep: %1</source>
+        <translation>nichts variiert: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs</source>
+        <translation>%1 von %2 Läufen</translation>
+    </message>
+    <message>
+        <source>, %1 s left</source>
+        <translation>, noch %1 s</translation>
+    </message>
+    <message>
+        <source>%1 runs, %2 s of processor time</source>
+        <translation>%1 Läufe, %2 s Rechenzeit</translation>
+    </message>
+    <message>
+        <source>paused: %1 of %2 runs</source>
+        <translation>angehalten: %1 von %2 Läufen</translation>
+    </message>
+    <message>
+        <source>; %1 lost: not finite any more</source>
+        <translation>; %1 verloren: nicht mehr endlich</translation>
+    </message>
+    <message>
+        <source>; %1 faulty: their text has errors</source>
+        <translation>; %1 fehlerhaft: ihr Text hat Fehler</translation>
+    </message>
+    <message>
+        <source>sweep of %1: %2</source>
+        <translation>%1 variiert: %2</translation>
+    </message>
+    <message>
+        <source>There is no chart of this; export the table.</source>
+        <translation>Davon gibt es kein Diagramm; exportieren Sie die Tabelle.</translation>
+    </message>
+    <message>
+        <source>Click a point to see its run.</source>
+        <translation>Klicken Sie auf einen Punkt, um seinen Lauf zu sehen.</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>Lauf %1</translation>
+    </message>
+    <message>
+        <source>lost: not finite any more</source>
+        <translation>verloren: nicht mehr endlich</translation>
+    </message>
+    <message>
+        <source>faulty: its text has errors</source>
+        <translation>fehlerhaft: sein Text hat Fehler</translation>
+    </message>
+    <message>
+        <source>nothing was swept yet; choose Sweep first</source>
+        <translation>es wurde noch nichts variiert; wählen Sie zuerst „Variieren“</translation>
+    </message>
+    <message>
+        <source>there is no chart of this sweep; its table can be exported</source>
+        <translation>davon gibt es kein Diagramm; die Tabelle lässt sich exportieren</translation>
+    </message>
+    <message>
+        <source>`%1` has the runs of another sweep; choose another folder</source>
+        <translation>`%1` enthält andere Läufe; wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>Folder for the sweep</source>
+        <translation>Ordner für die Läufe</translation>
+    </message>
+</context>
+<context>
+    <name>carom::SweepForm</name>
+    <message>
+        <source>What is varied</source>
+        <translation>Was variiert wird</translation>
+    </message>
+    <message>
+        <source>What is measured</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Measures that suit what is varied</source>
+        <translation>Maße, die zu dem passen, was variiert wird</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>zusammen</translation>
+    </message>
+    <message>
+        <source>Frames of each run</source>
+        <translation>Bilder jedes Laufs</translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <translation>wie die Szene</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Startwerte</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Runs of each point, each with the next seed of the generated scene</source>
+        <translation>Läufe je Punkt, jeder mit dem nächsten Startwert der erzeugten Szene</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>Draws from laws such as `uniform 4:12` and `normal 8:0.5`</source>
+        <translation>Ziehungen aus Verteilungen wie `uniform 4:12` und `normal 8:0.5`</translation>
+    </message>
+    <message>
+        <source>Which numbers are varied, one a line: `first:last:count`, `log 1e-3:1:7`, a list `1,4,16` of numbers or words, or a law</source>
+        <translation>Welche Zahlen variiert werden, eine je Zeile: `erster:letzter:Anzahl`, `log 1e-3:1:7`, eine Liste `1,4,16` von Zahlen oder Wörtern oder eine Verteilung</translation>
+    </message>
+    <message>
+        <source>Which figures are taken from each run, one a line: `final y of ball`, `speed of ball at 1.5`, `first impact of a and b`</source>
+        <translation>Was an jedem Lauf gemessen wird, eines je Zeile: `final y of ball`, `speed of ball at 1.5`, `first impact of a and b`</translation>
+    </message>
+    <message>
+        <source>Values go together, first with first, instead of each with each</source>
+        <translation>Werte gehen zusammen, der erste mit dem ersten, statt jeder mit jedem</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Variiert</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>

@@ -209,7 +209,29 @@ void InspectorDock::take(const QString& parameter, const QString& text) {
     if (isValue(text)) Q_EMIT valueWanted(m_body, parameter, text.trimmed());
 }
 
+/// Of a value that the scene says.
+QMenu* InspectorDock::declaredMenu(const QTreeWidgetItem& row) {
+    const QString parameter = row.data(Value, parameterRole).toString();
+    if (parameter.isEmpty() || parameter == colourParameter || m_pipeline->scene().isGenerated(m_body))
+        return nullptr;
+    QMenu* menu = new QMenu(this);
+    const auto offer = [&](const QString& words, const QString& path) {
+        connect(menu->addAction(words), &QAction::triggered, this,
+                [this, path, body = m_body] { Q_EMIT sweepWanted(body, path); });
+    };
+    if (!row.data(Value, literalRole).toString().contains(u',')) {
+        offer(tr("Sweep this value…"), parameter);
+        return menu;
+    }
+    for (const char* component : {"x", "y", "z"})
+        offer(tr("Sweep its %1…").arg(QLatin1StringView(component)),
+              parameter + u'.' + QLatin1StringView(component));
+    return menu;
+}
+
 QMenu* InspectorDock::menuOf(const QString& name) {
+    for (const QTreeWidgetItem* item : m_tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive, Name))
+        if (item->data(Value, parameterRole).isValid()) return declaredMenu(*item);
     if (m_live == nullptr) return nullptr;
     const std::span<const QuantityRow> rows = m_body == noBody ? wholeQuantities() : bodyQuantities();
     for (int i = 0; i < m_live->childCount(); ++i) {
@@ -231,7 +253,7 @@ QMenu* InspectorDock::menuOf(const QString& name) {
 
 void InspectorDock::showMenu(const QPoint& place) {
     const QTreeWidgetItem* item = m_tree->itemAt(place);
-    if (item == nullptr || item->parent() != m_live) return;
+    if (item == nullptr || item->parent() == nullptr) return;
     QMenu* menu = menuOf(item->text(Name));
     if (menu == nullptr) return;
     menu->setAttribute(Qt::WA_DeleteOnClose);

@@ -51,6 +51,8 @@ class InspectorDock : public Panel {
     /// Until slideEnded() the values that are wanted of a parameter are those a slider passes: one change.
     void slideBegan(carom::BodyIndex body, const QString& parameter);
     void slideEnded();
+    /// A parameter of the body is to be swept: "radius", or "vel.x" with the component of a vector.
+    void sweepWanted(carom::BodyIndex body, const QString& parameter);
     /// A value at the moment on screen is to be expected of the scene from now on.
     void expectationWanted(const carom::Expectation& expectation);
 
@@ -78,6 +80,7 @@ class InspectorDock : public Panel {
     void pickColour();
     void take(const QString& parameter, const QString& text);
     void showMenu(const QPoint& place);
+    QMenu* declaredMenu(const QTreeWidgetItem& row);
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::shared_ptr<const Snapshot> m_snapshot, m_before; ///< shown, and the one before it

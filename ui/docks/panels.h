@@ -13,6 +13,7 @@
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/race_dock.h"
 #include "ui/docks/stability_dock.h"
+#include "ui/docks/sweep_dock.h"
 #include "ui/docks/timing_dock.h"
 
 // Every panel of panels.def.

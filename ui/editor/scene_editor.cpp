@@ -6,8 +6,10 @@
 #include "ui/editor/scene_lexer.h"
 #include "ui/base/theme.h"
 
+#include <QContextMenuEvent>
 #include <QDragEnterEvent>
 #include <QFontDatabase>
+#include <QMenu>
 #include <QMimeData>
 #include <QUrl>
 
@@ -289,7 +291,12 @@ void SceneEditor::markUnsaved() {
 }
 
 void SceneEditor::exchangeBytes(const QByteArray& bytes) {
-    // Only what differs: caret, folds and marks elsewhere stay as they are.
+    changeBytes(bytes);
+    setEolMode(lineEndOf(bytes));
+    markSaved();
+}
+
+void SceneEditor::changeBytes(const QByteArray& bytes) {
     const QByteArray before = this->bytes();
     const auto common = [](auto a, auto aEnd, auto b, auto bEnd) {
         return std::mismatch(a, aEnd, b, bEnd).first - a;
@@ -302,12 +309,23 @@ void SceneEditor::exchangeBytes(const QByteArray& bytes) {
     send(SCI_SETTARGETRANGE, head, before.size() - tail);
     SendScintilla(SCI_REPLACETARGET, static_cast<uintptr_t>(middle.size()), middle.constData());
     send(SCI_ENDUNDOACTION);
-    setEolMode(lineEndOf(bytes));
-    markSaved();
 }
 
 long SceneEditor::send(unsigned int message, std::int64_t a, std::int64_t b) const {
     return SendScintilla(message, static_cast<unsigned long>(a), static_cast<long>(b));
+}
+
+void SceneEditor::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu* menu = createStandardContextMenu();
+    if (menu == nullptr) return;
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const bool isAtMouse = event->reason() == QContextMenuEvent::Mouse;
+    const auto offset =
+        isAtMouse
+            ? static_cast<std::uint32_t>(send(SCI_POSITIONFROMPOINT, event->pos().x(), event->pos().y()))
+            : caret();
+    Q_EMIT menuOpens(*menu, offset);
+    menu->popup(event->globalPos());
 }
 
 void SceneEditor::dragEnterEvent(QDragEnterEvent* event) {

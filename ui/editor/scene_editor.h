@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+class QMenu;
+
 namespace carom {
 
 struct Theme;
@@ -56,6 +58,9 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void selectNextOccurrence();
     /// One undo step. Nothing goes before a byte order mark.
     void replaceRange(SourceRange range, const QByteArray& text);
+    /// Another text in the place of all: one undo step of what differs; caret, folds and marks elsewhere
+    /// stay.
+    void changeBytes(const QByteArray& bytes);
     /// A text of our own making, with its line ends as the scene has them.
     QByteArray withLineEnds(QByteArray text) const;
     /// What stands there; less where the text ends before.
@@ -74,8 +79,12 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void caretMoved(std::uint32_t offset);
     void savedStateChanged(bool differs);
     void fileDropped(const QString& path);
+    /// The menu of a right click, or of the menu key, is about to open at a place of the text: who has
+    /// something to offer adds it.
+    void menuOpens(QMenu& menu, std::uint32_t offset);
 
   protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;

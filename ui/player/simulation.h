@@ -49,6 +49,11 @@ class Simulation : public QObject {
     /// Whether exchange() keeps the old run as a ghost.
     void wantGhost(bool wanted) { m_thread.post(GhostCommand{wanted}); }
 
+    /// Shows another run, from its start, as the ghost of the one that is loaded; null: none any more.
+    void showGhostRun(std::shared_ptr<const Pipeline> pipeline) {
+        m_thread.post(GhostRunCommand{std::move(pipeline)});
+    }
+
     const RunStatus& status() const { return m_status; }
     bool isRunning() const { return m_status.state == RunState::Running; }
     /// On the way to another frame for so long that it can be ended: by pause().
@@ -88,7 +93,7 @@ class Simulation : public QObject {
     void rewound();
     /// The exchanged scene has come to the time on screen: its first snapshot follows.
     void landed();
-    /// The run before the exchange, at the time of the snapshot that comes next.
+    /// The run before the exchange, or the one asked for, at the time of the snapshot that comes next.
     void ghostArrived(const carom::Ghost& ghost);
     /// The broad-phase's grid cells or tree nodes in the snapshot that comes next.
     void structureArrived(const std::vector<carom::Aabb>& boxes);

@@ -92,6 +92,10 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
     m_plot->setMouseTracking(true);
     connect(m_plot, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
         const Hit hit = pointNear(event->position());
+        if (const std::optional<Cell> cell = cellAt(event->position())) {
+            QToolTip::showText(event->globalPosition().toPoint(), describe(*cell), m_plot);
+            return;
+        }
         if (hit.series < 0) {
             QToolTip::hideText();
             return;
@@ -105,7 +109,9 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
     connect(m_plot, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
         if ((event->position() - m_pressed).manhattanLength() > clickSlack) return; // dragged
         const Hit hit = pointNear(event->position());
-        if (hit.series >= 0)
+        if (const std::optional<Cell> cell = cellAt(event->position()))
+            Q_EMIT cellClicked(static_cast<int>(cell->column), static_cast<int>(cell->row));
+        else if (hit.series >= 0)
             Q_EMIT pointClicked(hit.series, hit.point);
         else if (event->button() == Qt::LeftButton && m_plot->axisRect()->rect().contains(event->pos()))
             Q_EMIT placeClicked(m_plot->xAxis->pixelToCoord(event->position().x()));
@@ -135,6 +141,28 @@ PlotWidget::Hit PlotWidget::pointNear(const QPointF& place) const {
         }
     }
     return nearest;
+}
+
+std::optional<PlotWidget::Cell> PlotWidget::cellAt(const QPointF& place) const {
+    if (!m_spec.map || !m_plot->axisRect()->rect().contains(place.toPoint())) return std::nullopt;
+    const double x = std::round(m_plot->xAxis->pixelToCoord(place.x()));
+    const double y = std::round(m_plot->yAxis->pixelToCoord(place.y()));
+    if (!(x >= 0 && y >= 0 && x < static_cast<double>(m_spec.map->columns) &&
+          y < static_cast<double>(m_spec.map->rows)))
+        return std::nullopt;
+    const Cell cell{static_cast<std::size_t>(x), static_cast<std::size_t>(y)};
+    if (std::isnan(m_spec.map->values[cell.row * m_spec.map->columns + cell.column])) return std::nullopt;
+    return cell;
+}
+
+QString PlotWidget::describe(const Cell& cell) const {
+    const ChartMap& map = *m_spec.map;
+    const auto named = [](const ChartAxis& axis, std::size_t index) {
+        return axis.label + u' ' + (index < axis.names.size() ? axis.names[index] : QString::number(index));
+    };
+    return named(m_spec.x, cell.column) + u'\n' + named(m_spec.y, cell.row) + u'\n' + map.scale.label + u' ' +
+           QString::number(map.values[cell.row * map.columns + cell.column]) +
+           (map.scale.unit.isEmpty() ? QString() : u' ' + map.scale.unit);
 }
 
 void PlotWidget::setChart(const ChartSpec& spec) {

@@ -117,6 +117,8 @@ class PlotWidget : public QWidget {
     void placeClicked(double x);
     /// A click on, or within a few pixels of, a point that has a note.
     void pointClicked(int series, int point);
+    /// A click on a cell of a map that has a value.
+    void cellClicked(int column, int row);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -128,6 +130,11 @@ class PlotWidget : public QWidget {
         int series = -1, point = -1;
     };
     Hit pointNear(const QPointF& place) const;
+    struct Cell {
+        std::size_t column = 0, row = 0;
+    };
+    std::optional<Cell> cellAt(const QPointF& place) const;
+    QString describe(const Cell& cell) const;
     void showCursor();
 
     ChartSpec m_spec;

@@ -78,13 +78,12 @@ class Charts {
             if (k != m_along) m_lines *= m_axes[k].count;
     }
 
-    std::vector<NamedChart> make() const {
-        std::vector<NamedChart> charts;
+    std::vector<SweepChart> make() const {
+        std::vector<SweepChart> charts;
         const bool isMap = m_lines > mostLines;
         if (m_axes.empty() || (isMap && m_axes.size() > 2)) return charts;
         for (std::size_t measure = 0; measure < m_sweep.measures().size(); ++measure)
-            charts.push_back(
-                {QStringLiteral("sweep-%1").arg(measure + 1), isMap ? map(measure) : lines(measure)});
+            charts.push_back(isMap ? map(measure) : lines(measure));
         return charts;
     }
 
@@ -98,7 +97,12 @@ class Charts {
         return m_several ? SweepChartsTexts::tr("%1 runs a point").arg(m_sweep.runsOfPoint()) : QString();
     }
 
-    ChartSpec lines(std::size_t measure) const {
+    SweepChart chartOf(std::size_t measure, ChartSpec chart,
+                       std::vector<std::vector<std::size_t>> runs) const {
+        return {{QStringLiteral("sweep-%1").arg(measure + 1), std::move(chart)}, std::move(runs)};
+    }
+
+    SweepChart lines(std::size_t measure) const {
         const PointAxis& along = m_axes[m_along];
         const bool byName = !along.isNumeric();
         std::map<std::size_t, std::vector<const SweepPoint*>> byLine;
@@ -109,6 +113,7 @@ class Charts {
                         .y = measureAxis(measure),
                         .series = {},
                         .levels = {}};
+        std::vector<std::vector<std::size_t>> runs;
         std::size_t colour = 0;
         for (const auto& [line, points] : byLine) {
             ChartSeries middle{.name = nameOfLine(line),
@@ -121,7 +126,9 @@ class Charts {
                 band->style = SeriesStyle::Band;
                 band->inLegend = false;
             }
+            std::vector<std::size_t> runsOfLine;
             for (const SweepPoint* point : points) {
+                runsOfLine.push_back(point->firstRun);
                 const FigureSpread& spread = point->spreads[measure];
                 const std::size_t index = along.indexOf(numberOf(*point));
                 const double x = byName ? static_cast<double>(index)
@@ -136,28 +143,36 @@ class Charts {
                 most.high.push_back(spread.q95);
                 middle.notes.push_back(noteOf(*point, measure));
             }
-            if (m_several) chart.series.insert(chart.series.end(), {most, quartiles});
+            if (m_several) {
+                chart.series.insert(chart.series.end(), {most, quartiles});
+                runs.resize(runs.size() + 2);
+            }
             chart.series.push_back(std::move(middle));
+            runs.push_back(std::move(runsOfLine));
         }
         chart.legend = byLine.size() > 1;
         if (m_several)
             chart.note += SweepChartsTexts::tr("; line: median, bands: half of the runs, and nine of ten");
-        return chart;
+        return chartOf(measure, std::move(chart), std::move(runs));
     }
 
-    ChartSpec map(std::size_t measure) const {
+    SweepChart map(std::size_t measure) const {
         ChartMap cells{.columns = m_axes[1].count, .rows = m_axes[0].count, .scale = measureAxis(measure)};
         cells.values.assign(cells.columns * cells.rows, std::numeric_limits<double>::quiet_NaN());
-        for (const SweepPoint& point : m_points)
-            cells.values[numberOf(point)] = point.spreads[measure].median; // the second axis is the faster
+        std::vector<std::vector<std::size_t>> runs(cells.rows, std::vector<std::size_t>(cells.columns));
+        for (const SweepPoint& point : m_points) { // the second axis is the faster
+            cells.values[numberOf(point)] = point.spreads[measure].median;
+            runs[numberOf(point) / cells.columns][numberOf(point) % cells.columns] = point.firstRun;
+        }
         if (m_several) cells.scale.label = SweepChartsTexts::tr("%1, median").arg(cells.scale.label);
-        return {.title = textOf(m_sweep.measures()[measure].text),
-                .note = note(),
-                .x = chartAxisOf(m_axes[1], m_sweep.definition(), true),
-                .y = chartAxisOf(m_axes[0], m_sweep.definition(), true),
-                .series = {},
-                .levels = {},
-                .map = std::move(cells)};
+        ChartSpec chart{.title = textOf(m_sweep.measures()[measure].text),
+                        .note = note(),
+                        .x = chartAxisOf(m_axes[1], m_sweep.definition(), true),
+                        .y = chartAxisOf(m_axes[0], m_sweep.definition(), true),
+                        .series = {},
+                        .levels = {},
+                        .map = std::move(cells)};
+        return chartOf(measure, std::move(chart), std::move(runs));
     }
 
     /// The point without its place along the chart.
@@ -192,7 +207,7 @@ class Charts {
 
 } // namespace
 
-std::vector<NamedChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points) {
+std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points) {
     return Charts(sweep, points).make();
 }
 

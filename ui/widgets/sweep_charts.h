@@ -8,10 +8,16 @@
 
 namespace carom {
 
+/// A chart of a sweep, and which points stand where in it.
+struct SweepChart : NamedChart {
+    /// By series and mark of the chart, or by row and column of its map: a point's first run.
+    std::vector<std::vector<std::size_t>> runs;
+};
+
 /// A chart a measure, `sweep-1`, `sweep-2`, ...: over one axis a line, with bands of the quartiles and of 90
 /// % where a point has several runs; over several a line for each combination of the shorter ones, or, of two
 /// axes with too many of these, a map of colours. None where nothing is listed to be varied, or where three
 /// axes make too many lines.
-std::vector<NamedChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points);
+std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points);
 
 } // namespace carom

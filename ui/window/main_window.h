@@ -36,6 +36,7 @@ class Workspaces;
 ///     timeline ──────────────────────────
 ///     transport ─────────────────────────
 ///     problems | timing | broad-phase | plots | accuracy | breakpoints | checks | output | stability | race
+///     | sweep
 class MainWindow : public QMainWindow {
     Q_OBJECT
   public:

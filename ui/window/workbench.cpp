@@ -14,6 +14,7 @@
 #include "ui/docks/problems_dock.h"
 #include "ui/docks/race_dock.h"
 #include "ui/docks/stability_dock.h"
+#include "ui/docks/sweep_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/editor/colour_marks.h"
 #include "ui/editor/diagnostic_marks.h"
@@ -41,6 +42,7 @@
 #include "ui/window/recovery_dialog.h"
 #include "ui/window/run_commands.h"
 #include "ui/window/selection.h"
+#include "ui/window/sweep_commands.h"
 #include "ui/base/theme.h"
 #include "ui/window/view_commands.h"
 
@@ -72,6 +74,7 @@ Workbench::Workbench()
     new ViewCommands(*m_window, *m_preview);
     new InspectorEdits(m_window->inspector(), m_window->editor(), *m_builds, *m_preview);
     new BodyDrag(m_window->editor(), m_window->viewport(), *m_simulation, *m_builds, *m_preview);
+    new SweepCommands(*m_window, *m_simulation, *m_builds);
     m_pictures = new PictureCommands(*m_window, *m_simulation, *m_builds, *m_preview);
     connectText();
     connectProgress();
@@ -206,6 +209,7 @@ void Workbench::showBuild(const SharedBuild& result) {
     m_window->effects().show(result);
     m_window->accuracy().setScene(result, m_document->name());
     m_window->race().setScene(result, m_document->name());
+    m_window->sweep().setScene(result, m_document->name(), m_document->path());
     m_preview->take(result);
     m_expectations->takeText();
     m_selection->followCaret();

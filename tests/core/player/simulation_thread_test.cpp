@@ -267,6 +267,31 @@ class SimulationThreadTest : public QObject {
         QVERIFY(player.waitFor([&] { return player.ghost.snapshot == nullptr; }));
     }
 
+    void aRunThatIsAskedForIsAGhostFromItsStartAndGoesAlong() {
+        Player player;
+        player.post(LoadCommand{threeBalls(), 1, 0});
+        player.post(SeekCommand{20});
+        QVERIFY(player.waitFor([&] { return player.frame() == 20; }));
+        const auto isThereWith = [&](std::int64_t frame) {
+            return player.waitFor([&] {
+                return player.frame() == frame && player.ghost.snapshot &&
+                       player.ghost.snapshot->frame == frame;
+            });
+        };
+        player.post(GhostRunCommand{threeBalls()});
+        QVERIFY(isThereWith(20));
+        player.post(SeekCommand{50}); // where neither has been
+        QVERIFY(isThereWith(50));
+        player.post(ResetCommand{2});
+        QVERIFY(isThereWith(0));
+        player.post(GhostRunCommand{nullptr});
+        QVERIFY(player.waitFor([&] { return player.ghost.snapshot == nullptr; }));
+        player.post(GhostRunCommand{threeBalls()});
+        QVERIFY(isThereWith(0));
+        player.post(LoadCommand{threeBalls(), 3, 0}); // another scene
+        QVERIFY(player.waitFor([&] { return player.ghost.snapshot == nullptr; }));
+    }
+
     void afterAResetTheRunIsStillAtHandAndItsFramesComeAgain() {
         const std::shared_ptr<const Pipeline> pipeline = threeBalls();
         Player player;

@@ -47,7 +47,7 @@ ChartedSweep charted(std::vector<std::string> vary, std::int64_t seeds = 0) {
     return result;
 }
 
-std::vector<NamedChart> chartsOf(const ChartedSweep& made) {
+std::vector<SweepChart> chartsOf(const ChartedSweep& made) {
     return carom::chartsOf(*made.sweep, made.points);
 }
 
@@ -58,7 +58,7 @@ class SweepChartsTest : public QObject {
 
   private Q_SLOTS:
     void oneNumberGivesALine() {
-        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=log 1e-2:1:3"}));
+        const std::vector<SweepChart> charts = chartsOf(charted({"ball.vel.x=log 1e-2:1:3"}));
         QCOMPARE(charts.size(), std::size_t(1));
         const ChartSpec& chart = charts[0].chart;
         QCOMPARE(chart.series.size(), std::size_t(1));
@@ -71,7 +71,7 @@ class SweepChartsTest : public QObject {
 
     // Of the seeds 0 to 8 half lie from 2 to 6, nine of ten from 0 to 8.
     void seedsGiveBands() {
-        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1,2,3"}, 9));
+        const std::vector<SweepChart> charts = chartsOf(charted({"ball.vel.x=1,2,3"}, 9));
         const ChartSpec& chart = charts[0].chart;
         QCOMPARE(chart.series.size(), std::size_t(3));
         QVERIFY(chart.series[0].style == SeriesStyle::Band && chart.series[1].style == SeriesStyle::Band);
@@ -82,7 +82,7 @@ class SweepChartsTest : public QObject {
     }
 
     void fewValuesOfASecondGiveALineEach() {
-        const std::vector<NamedChart> charts =
+        const std::vector<SweepChart> charts =
             chartsOf(charted({"simulation.method=contacts,microcollisions", "ball.vel.x=1:5:5"}));
         const ChartSpec& chart = charts[0].chart;
         QCOMPARE(chart.series.size(), std::size_t(2));
@@ -92,7 +92,7 @@ class SweepChartsTest : public QObject {
     }
 
     void manyValuesOfASecondGiveAMap() {
-        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
+        const std::vector<SweepChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
         const ChartMap& map = charts[0].chart.map.value();
         QCOMPARE(map.columns, std::size_t(9));
         QCOMPARE(map.rows, std::size_t(7));
@@ -110,7 +110,7 @@ class SweepChartsTest : public QObject {
     void aMapIsDrawnWithItsScale() {
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("map.png"));
-        const std::vector<NamedChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
+        const std::vector<SweepChart> charts = chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}));
         QCOMPARE(writeChart(charts[0].chart, path), QString());
         const QImage image(path);
         const QColor low = image.pixelColor(image.width() / 8, image.height() * 7 / 8);
