@@ -14,12 +14,16 @@ namespace {
 
 constexpr double b = 0.4144907717943757;
 constexpr std::array<double, 5> orderFour = {b, b, 1 - 4 * b, b, b}, fiveEqual = {0.2, 0.2, 0.2, 0.2, 0.2};
+constexpr std::array<double, 9> nineEqual = {1.0 / 9, 1.0 / 9, 1.0 / 9, 1.0 / 9, 1.0 / 9,
+                                             1.0 / 9, 1.0 / 9, 1.0 / 9, 1.0 / 9};
 constexpr std::array<double, 9> orderSix = {
     0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
     0.08221359629355080023,  0.79854399093482996340, 0.08221359629355080023,
     -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
-/// λ h up to which a part that runs backwards serves: a third of where it has no solution.
-constexpr double mostDamping = 1;
+/// λ h up to which a part that runs backwards serves: there what is left of the fastest velocity after a step
+/// is as far off as by equal parts, whose number is the same (2.8e-3 by five, 8.5e-4 by nine), so that
+/// neither work nor error jumps.
+constexpr double mostDamping = 1.6;
 /// Rounds of the iteration at most, and what each must gain: slower, Newton's method costs less.
 constexpr int mostRounds = 60;
 constexpr double leastGain = 0.5;
@@ -249,10 +253,11 @@ bool SpringSteps::find(const SpringNetwork& network, double h, int order, const 
     const int cuts = cutsFor(network, h, state);
     const double step = h / cuts;
     std::span<const double> parts = orderFour;
-    if (fastestDamping() * step > mostDamping)
+    const bool isResolved = fastestDamping() * step <= mostDamping;
+    if (order > 4)
+        parts = isResolved ? std::span<const double>(orderSix) : nineEqual;
+    else if (!isResolved)
         parts = fiveEqual;
-    else if (order > 4)
-        parts = orderSix;
     double before = 0;
     for (int cut = 0; cut < cuts; ++cut)
         for (const double share : parts) {

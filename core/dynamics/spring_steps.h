@@ -26,8 +26,8 @@
 // equations", Mathematics of Computation 66, 1997).
 //
 // A part that runs backwards adds the energy that a damper takes, and needs the damping resolved: it would
-// have no solution where the rate λ at which velocities vanish is 2/(h |1 − 4b|). Beyond λ h = 1
-// five equal parts are taken, of order two.
+// have no solution where the rate λ at which velocities vanish is 2/(h |1 − 4b|). Beyond λ h = 1.6 as many
+// equal parts are taken, of order two: there both leave the same error in what vanishes so fast.
 //
 // Where a body that is tied off its centre turns, or swings about its own tie, far within a step, the step is
 // cut into shorter ones: over a turn of an arm, its middle would be nearer the centre than the arm is long.

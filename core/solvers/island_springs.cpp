@@ -148,7 +148,10 @@ bool IslandMotion::solveSpringsAlone(const MotionInput& input, double duration) 
     for (int round = 0; round < mostNewtonRounds; ++round) {
         rememberVelocities();
         linkSprings(input, duration);
-        if (!m_springSolver.step(m_problem, m_springSlopes)) return false;
+        const bool isStep = m_springSolver.step(m_problem, m_springSlopes);
+        ++report.work.factorisations;
+        report.work.operations += m_springSolver.work();
+        if (!isStep) return false;
         const double change = changeOfVelocities();
         if (change <= std::max(roundsEnd * m_fastest, m_tolerance)) return true;
         if (change <= maybeRounding * m_fastest && change > 0.5 * before) return true;

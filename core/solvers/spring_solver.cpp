@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/spring_solver.h"
 
+#include "core/solvers/contacts/work_budget.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,13 @@ void SpringSolver::prepare(const ContactProblem& problem) {
     m_matrix.setZero();
     chooseUnits(problem, m_units);
     m_step.assign(problem.bodies.size(), Vec6::Zero());
+}
+
+// Of a matrix that is not symmetric both halves are eliminated.
+double SpringSolver::work() const {
+    const double bodies = static_cast<double>(m_step.size()), edges = static_cast<double>(m_edges.size());
+    return work::ordering * (edges + bodies) + work::body * bodies + work::row * edges +
+           2 * work::block * (static_cast<double>(m_matrix.updates()) + bodies);
 }
 
 bool SpringSolver::step(ContactProblem& problem, std::span<const Mat3> slopes) {

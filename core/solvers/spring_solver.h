@@ -22,6 +22,8 @@ class SpringSolver {
     /// spring; on return both are those of the step's end. False, and nothing is changed, where the step does
     /// not exist.
     bool step(ContactProblem& problem, std::span<const Mat3> slopes);
+    /// What the last one took [operations].
+    double work() const;
 
   private:
     void prepare(const ContactProblem& problem);
