@@ -203,7 +203,7 @@ double ExpectationWatch::measure(const Followed& followed, const Expectation& as
     if (asked.quantity.empty() || !m_impacts) return 0;
     if (body == noBody) return part < 1 ? m_allImpactsBefore : m_allImpacts;
     return static_cast<double>(std::ranges::count_if(
-        m_impacts->record()[body], [time](const Impact& impact) { return impact.time <= time; }));
+        m_impacts->record()[body], [time](const SeenImpact& impact) { return impact.time <= time; }));
 }
 
 void ExpectationWatch::judge(std::size_t i, const Moment& moment, double part, std::int64_t frame,

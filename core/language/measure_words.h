@@ -12,9 +12,14 @@
 //     final y of ball                    at the end of the run
 //     max penetration                    over all frames; also min, and mean (of all but the first frame)
 //     speed of ball at 1.5               at one moment; between two frames the path through both is read
-//     first impact of a and b            the time at the end of the frame in which they meet [s]
+//     first impact of a and b            when they meet [s]
 //     first y of ball below 0.5          when it first is, on the straight line between two frames [s]
 //     min distance of a and b
+//
+// The time of an impact is read on the paths that bodies had at the beginning of the frame in which they
+// meet, under gravity alone. It is exact up to rounding where a body meets the first one in its frame and
+// nothing else has acted in it; where springs, air or contacts have, it is off by what they bend the path,
+// and never by more than a frame.
 //
 // A body is a label, `body 7`, or a family (`log` for log1, log2, ...). Where a quantity that only bodies
 // have names none, it is asked of each that can move. Of several bodies `max` and `min` take the largest and

@@ -23,13 +23,14 @@
 
 namespace carom {
 
-struct Impact {
+/// Of one body.
+struct SeenImpact {
     double time = 0;            ///< [s]
     Vec3 change = Vec3::Zero(); ///< of the body's velocity [m/s]
 };
 
 /// By body, in order of time.
-using ImpactRecord = std::vector<std::vector<Impact>>;
+using ImpactRecord = std::vector<std::vector<SeenImpact>>;
 
 /// Watches a run frame by frame.
 class ImpactWatch {

@@ -10,34 +10,34 @@ namespace {
 constexpr double alikeWithin = 0.5, strongEnough = 0.01;
 
 /// The longest time up to `end` in which the body is not hit [s].
-double longestPause(const std::vector<Impact>& impacts, double end) {
+double longestPause(const std::vector<SeenImpact>& impacts, double end) {
     double longest = 0, last = 0;
-    for (const Impact& impact : impacts) {
+    for (const SeenImpact& impact : impacts) {
         longest = std::max(longest, std::min(impact.time, end) - last);
         last = std::min(impact.time, end);
     }
     return std::max(longest, end - last);
 }
 
-bool alike(const Impact& a, const Impact& b, double mostApart) {
+bool alike(const SeenImpact& a, const SeenImpact& b, double mostApart) {
     return std::abs(a.time - b.time) <= mostApart &&
            (a.change - b.change).norm() <= alikeWithin * std::max(a.change.norm(), b.change.norm());
 }
 
-std::vector<Impact> strong(const std::vector<Impact>& impacts, double least) {
-    std::vector<Impact> kept;
-    for (const Impact& impact : impacts)
+std::vector<SeenImpact> strong(const std::vector<SeenImpact>& impacts, double least) {
+    std::vector<SeenImpact> kept;
+    for (const SeenImpact& impact : impacts)
         if (impact.change.norm() >= least) kept.push_back(impact);
     return kept;
 }
 
-void compareBody(const std::vector<Impact>& reference, const std::vector<Impact>& run, double end,
+void compareBody(const std::vector<SeenImpact>& reference, const std::vector<SeenImpact>& run, double end,
                  ImpactErrors& errors) {
     std::size_t same = 0;
     const double mostApart = longestPause(reference, end);
     while (same < reference.size() && same < run.size() && alike(reference[same], run[same], mostApart))
         ++same;
-    const auto within = [end](const Impact& impact) { return impact.time <= end; };
+    const auto within = [end](const SeenImpact& impact) { return impact.time <= end; };
     const auto expected = static_cast<std::size_t>(std::ranges::count_if(reference, within));
     auto seen = static_cast<std::size_t>(std::ranges::count_if(run, within));
     // A pair that belongs together may lie on both sides of the end: it counts where the true one lies.
@@ -58,8 +58,8 @@ void compareBody(const std::vector<Impact>& reference, const std::vector<Impact>
 ImpactErrors compareImpacts(const ImpactRecord& reference, const ImpactRecord& run,
                             const std::vector<double>& ends) {
     double strongest = 0;
-    for (const std::vector<Impact>& impacts : reference)
-        for (const Impact& impact : impacts) strongest = std::max(strongest, impact.change.norm());
+    for (const std::vector<SeenImpact>& impacts : reference)
+        for (const SeenImpact& impact : impacts) strongest = std::max(strongest, impact.change.norm());
     ImpactErrors errors;
     for (std::size_t i = 0; i < reference.size(); ++i)
         compareBody(strong(reference[i], strongEnough * strongest), strong(run[i], strongEnough * strongest),

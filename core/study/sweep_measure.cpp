@@ -2,7 +2,7 @@
 #include "core/study/sweep_measure.h"
 
 #include "core/base/text.h"
-#include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/time_of_impact.h"
 #include "core/scene/schema.h"
 #include "core/solvers/solver.h"
 
@@ -138,7 +138,7 @@ void MeasureWatch::take(Followed& followed, const World& world, const Moment& mo
     const double time = world.state().time;
     if (measure.quantity == impact) {
         if (std::isnan(followed.figure) && world.state().frame > 0 && followed.meeting.check(world))
-            followed.figure = time;
+            followed.figure = momentOfImpact(followed);
         return;
     }
     const double near = sameMoment * m_pipeline->settings().step;
@@ -177,6 +177,26 @@ void MeasureWatch::take(Followed& followed, const World& world, const Moment& mo
     if (followed.row == nullptr || !followed.row->audited || world.state().frame == 0) return;
     for (std::size_t k = 0; k < followed.bodies.size(); ++k)
         followed.sums[k] += followed.row->measure(moment, followed.bodies[k]);
+}
+
+double MeasureWatch::momentOfImpact(const Followed& followed) const {
+    const Bodies& bodies = m_pipeline->bodies();
+    const auto moving = [&](BodyIndex i) {
+        MovingShape shape{.start = {&bodies.shape[i], &m_before.pose[i]}};
+        if (bodies.mobile[i] == 0) return shape;
+        shape.velocity = m_before.velocity[i];
+        shape.angularVelocity = m_before.angularVelocity[i];
+        shape.acceleration = m_pipeline->gravity();
+        return shape;
+    };
+    const BodyIndex body = followed.bodies.front();
+    double first = m_pipeline->settings().step;
+    for (BodyIndex other = 0; other < bodies.count(); ++other) {
+        if (other == body || (followed.other != noBody && other != followed.other)) continue;
+        const std::optional<Impact> met = timeOfImpact(moving(body), moving(other), first);
+        if (met && met->time > 0) first = met->time; // what it rests on it does not meet
+    }
+    return m_before.time + first;
 }
 
 void MeasureWatch::takeFirst(Followed& followed, const World& world, const std::vector<double>& now) {
@@ -221,7 +241,7 @@ double MeasureWatch::impactsOf(BodyIndex body, double time) const {
     if (!m_impacts) return 0;
     if (body == noBody) return m_allImpacts;
     return static_cast<double>(std::ranges::count_if(
-        m_impacts->record()[body], [time](const Impact& seen) { return seen.time <= time; }));
+        m_impacts->record()[body], [time](const SeenImpact& seen) { return seen.time <= time; }));
 }
 
 std::vector<double> MeasureWatch::figures() const {

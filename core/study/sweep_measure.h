@@ -57,6 +57,9 @@ class MeasureWatch {
     std::vector<double> measured(const Followed& followed, const Moment& moment, double part,
                                  double time) const;
     double impactsOf(BodyIndex body, double time) const;
+    /// Of a body that met another in the frame that ends now [s]: on the paths that all had at its beginning,
+    /// under gravity alone; the frame's end where these do not meet.
+    double momentOfImpact(const Followed& followed) const;
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::vector<Followed> m_followed;

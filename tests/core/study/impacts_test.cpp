@@ -29,7 +29,7 @@ ImpactRecord watched(const char* text, int frames) {
     return watch.record();
 }
 
-Impact hit(double time, double change) { return {time, Vec3(0, change, 0)}; }
+SeenImpact hit(double time, double change) { return {time, Vec3(0, change, 0)}; }
 
 } // namespace
 
@@ -44,7 +44,7 @@ class ImpactsTest : public QObject {
                     "simulation { method events }",
                     120);
         const reference::BouncingPoint ball{.height = 1, .gravity = 9.81, .restitution = 0.9};
-        const std::vector<Impact>& impacts = record[1];
+        const std::vector<SeenImpact>& impacts = record[1];
         QVERIFY(impacts.size() >= 2 && impacts.size() <= 4);
         for (std::size_t k = 0; k < impacts.size(); ++k)
             QVERIFY(std::abs(impacts[k].time - ball.impactTime(static_cast<int>(k) + 1)) < timeRounding);
@@ -72,7 +72,7 @@ class ImpactsTest : public QObject {
                                             "sphere { radius 0.1 mass 1 centre 0.5, 0, 0 }\n"
                                             "simulation { method events }",
                                             60);
-        for (const std::vector<Impact>& impacts : record) {
+        for (const std::vector<SeenImpact>& impacts : record) {
             QCOMPARE(impacts.size(), std::size_t{1});
             QVERIFY(std::abs(impacts[0].time - 0.3) < timeRounding);
             QVERIFY(std::abs(impacts[0].change.norm() - 1) < timeRounding);
@@ -85,7 +85,7 @@ class ImpactsTest : public QObject {
                     "cuboid { size 1, 1, 1 mass 1 centre 0, .5, 0 friction .5 elastic 0 }\n"
                     "cuboid { size 1, 1, 1 mass 1 centre 5, .5, 0 vel 2, 0, 0 friction .5 elastic 0 }",
                     60);
-        for (const std::vector<Impact>& impacts : record) QVERIFY(impacts.empty());
+        for (const std::vector<SeenImpact>& impacts : record) QVERIFY(impacts.empty());
     }
 
     void recordsAreComparedImpactByImpact() {

@@ -83,6 +83,34 @@ class SweepMeasureTest : public QObject {
         QVERIFY(std::isnan(figures[4]));
     }
 
+    // A fall of 3 m takes 0.7745... s, which is within frame 47 and within a step, whatever the method.
+    void anImpactIsTimedWithinItsFrame() {
+        std::string text = droppedBall;
+        text.replace(text.find("5.1"), 3, "3.1");
+        for (const char* method : {"events", "contacts"}) {
+            text.replace(text.rfind("method "), text.rfind(" }") - text.rfind("method "),
+                         std::string("method ") + method);
+            const std::vector<double> figures =
+                figuresOf(text, {"first impact of ball and floor", "first impact of ball"}, 60);
+            for (const double time : figures)
+                QVERIFY2(near(time, std::sqrt(0.6), 1e-9), qPrintable(QString::number(time, 'g', 17)));
+        }
+    }
+
+    // Two balls on a floor, 1 m apart between their surfaces, one with 3 m/s: the floor, which both touch all
+    // the time, is met by none.
+    void whatRestsOnAFloorMeetsTheOtherBallOnly() {
+        const std::vector<double> figures =
+            figuresOf("gravity { accel 0, -10, 0 }\n"
+                      "wall floor { normal 0, 1, 0 toOrig 0 }\n"
+                      "sphere a { radius 0.1 mass 1 centre 0, 0.1, 0 vel 3, 0, 0 }\n"
+                      "sphere b { radius 0.1 mass 1 centre 1.2, 0.1, 0 }\n"
+                      "simulation { method contacts }\n",
+                      {"first impact of a and b", "first impact of b"}, 60);
+        for (const double time : figures)
+            QVERIFY2(near(time, 1.0 / 3, 1e-6), qPrintable(QString::number(time, 'g', 17)));
+    }
+
     // The ball meets the floor with 10 m/s and leaves with 5: 2 kg lose 75 J. Both frames that are asked for
     // lie behind the impact, one of them between two frames.
     void whatIsBookedFrameByFrameIsAddedUp() {
