@@ -89,6 +89,8 @@ TextTooLarge::TextTooLarge(const std::string& name)
 
 std::string displayName(const std::string& path) { return path == "-" ? "<stdin>" : path; }
 
+std::string titleOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
 OutputFile::OutputFile(const std::string& path)
     : m_path(path),
       m_descriptor(path == "-" ? STDOUT_FILENO

@@ -20,6 +20,9 @@ std::string readText(const std::string& path);
 /// How messages name a scene: its path, or `<stdin>`.
 std::string displayName(const std::string& path);
 
+/// What a scene is called in tables and folders: its file without folder and ending.
+std::string titleOf(const std::string& path);
+
 /// A text file being written as its content is found; what was written stays if the program stops early.
 class OutputFile {
   public:

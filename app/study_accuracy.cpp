@@ -172,8 +172,6 @@ std::exception_ptr count(AccuracyStudy& study, const std::string& path,
     return nullptr;
 }
 
-std::string titleOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
-
 /// One scene of the command line, read and planned.
 struct PlannedStudy {
     std::string path;

@@ -94,6 +94,18 @@ std::string figuresAsCsv(const GasStudy& study, const StudyOrigin& origin) {
     return table.take();
 }
 
+std::string gasesColumns() {
+    return CsvTable("scene,figure,value,uncertainty,theory,unit,command,version,machine").take();
+}
+
+std::string gasesRows(const std::string& scene, const GasStudy& study, const StudyOrigin& origin) {
+    CsvTable table;
+    for (const Row& row : rowsOf(study))
+        table.row(scene, row.name, row.estimate.value, row.estimate.uncertainty, row.estimate.theory,
+                  row.unit, origin.command, origin.version, origin.machine);
+    return table.take();
+}
+
 std::string speedsAsCsv(const GasStudy& study) {
     CsvTable table("from,to,density,theory");
     for (const SpeedBin& bin : study.speeds) table.row(bin.from, bin.to, bin.density, bin.theory);

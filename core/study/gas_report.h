@@ -14,6 +14,9 @@ std::string summaryOf(const GasStudy& study);
 /// `figure,value,uncertainty,theory,unit,command,version,machine`, a row a figure; what there is none of is
 /// empty.
 std::string figuresAsCsv(const GasStudy& study, const StudyOrigin& origin);
+/// The same of several scenes: `scene,figure,...`, and the rows of one.
+std::string gasesColumns();
+std::string gasesRows(const std::string& scene, const GasStudy& study, const StudyOrigin& origin);
 /// `from,to,density,theory`, speeds in units of √(kT/m).
 std::string speedsAsCsv(const GasStudy& study);
 /// `from,to,balls,theory,temperature,temperature_uncertainty`, heights in m.

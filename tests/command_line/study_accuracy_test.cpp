@@ -175,6 +175,37 @@ class StudyAccuracyTest : public QObject {
         QCOMPARE(readFile(folder + "/accuracy.csv"), before);
     }
 
+    void gasesAreSharedAndMerged() {
+        const QString gases = m_folder.filePath("gases");
+        QVERIFY(QDir().mkpath(gases));
+        QStringList words{"study", "gas", "--settle=2", "--collisions=8", "--batches=2"};
+        for (const char* seed : {"1", "2", "3"}) {
+            const QString path = gases + "/copy" + seed + ".sdl";
+            writeFile(
+                path,
+                carom({"generate", "brownian", "--n=20", QStringLiteral("--seed=") + seed}).out.toUtf8());
+            words << path;
+        }
+        const QString whole = m_folder.filePath("gases-whole"), shared = m_folder.filePath("gases-shared");
+        QCOMPARE(carom(words + QStringList{"-o", whole}).exitCode, 0);
+        QVERIFY(QFile::exists(whole + "/copy2/gas.csv"));
+        for (const char* shard : {"--shard=2/2", "--shard=1/2"})
+            QCOMPARE(carom(words + QStringList{"-o", shared, shard}).exitCode, 0);
+        QVERIFY(!QFile::exists(shared + "/gases.csv"));
+        QCOMPARE(carom({"study", "gas", "--merge", shared}).exitCode, 0);
+        // The command, which names folder and shard, stands in every row.
+        const auto figures = [](const QString& folder) {
+            QByteArrayList rows;
+            for (const QByteArray& row : readFile(folder + "/gases.csv").split('\n'))
+                rows += row.left(row.indexOf(",carom "));
+            return rows;
+        };
+        QVERIFY(figures(whole).size() > 6);
+        QVERIFY(figures(whole)[1].startsWith("copy1,"));
+        QCOMPARE(figures(shared), figures(whole));
+        QCOMPARE(carom({"study", "gas", words[5], "--shard=1/2"}).exitCode, 2);
+    }
+
     void whatIsNoGasIsRefusedWithItsPlace() {
         const Ended ended = carom({"study", "gas", source("scenes/tower.sdl")});
         QCOMPARE(ended.exitCode, 1);
