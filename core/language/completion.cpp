@@ -6,6 +6,7 @@
 #include "core/language/description.h"
 #include "core/language/navigation.h"
 #include "core/language/open_list.h"
+#include "core/language/sweep_completion.h"
 #include "core/scene/schema.h"
 
 #include <algorithm>
@@ -49,6 +50,10 @@ class Completer {
 
     CompletionList run() {
         m_list.replaced = {m_offset, 0};
+        if (const std::optional<std::size_t> text = textAround()) {
+            completeText(*text);
+            return std::move(m_list);
+        }
         const std::vector<Token>& tokens = m_analysis.tokens;
         const auto touching = std::lower_bound(
             tokens.begin(), tokens.end(), m_offset,
@@ -76,6 +81,36 @@ class Completer {
         const std::optional<std::size_t> last = tokenBefore(m_analysis.tokens, place);
         if (!last || endsList(*last)) return addDeclarations();
         if (const std::optional<OpenList> list = openListAt(m_analysis, place)) completeInside(*list, place);
+    }
+
+    /// The text in quotation marks that the place is inside of; one that is not closed yet goes to the end of
+    /// its line.
+    std::optional<std::size_t> textAround() const {
+        const std::vector<Token>& tokens = m_analysis.tokens;
+        const auto behind = std::ranges::lower_bound(tokens, m_offset, {},
+                                                     [](const Token& token) { return token.range.offset; });
+        if (behind == tokens.begin()) return std::nullopt;
+        const auto i = static_cast<std::size_t>(behind - tokens.begin()) - 1;
+        const std::uint32_t begin = token(i).range.offset;
+        if (token(i).kind == TokenKind::Text)
+            return m_offset < token(i).range.end() ? std::optional(i) : std::nullopt;
+        const bool isOpen = token(i).kind == TokenKind::Faulty && m_analysis.text[begin] == '"';
+        const std::string_view before = textOf(m_analysis.text, {begin, m_offset - begin});
+        if (!isOpen || before.find_first_of("\r\n") != before.npos) return std::nullopt;
+        return i;
+    }
+
+    /// Only those of a `sweep` have a language.
+    void completeText(std::size_t text) {
+        const std::optional<OpenList> open = openListAt(m_analysis, text);
+        const std::optional<std::size_t> name = tokenBefore(m_analysis.tokens, text);
+        if (!open || open->row->name != "sweep" || !name) return;
+        const std::string_view parameter = spelling(*name);
+        if (parameter != "vary" && parameter != "measure") return;
+        const std::uint32_t begin = token(text).range.offset + 1;
+        const std::string_view rest = std::string_view(m_analysis.text).substr(begin);
+        m_list = sweepCompletions(m_analysis, parameter, rest.substr(0, rest.find_first_of("\"\r\n")), begin,
+                                  m_offset);
     }
 
     void completeInside(const OpenList& open, std::size_t place) {

@@ -31,7 +31,8 @@ struct CompletionList {
 
 /// Everything that may stand at the place, whatever is written there already, best first: declaration types
 /// between declarations; in a list the parameters still missing, required ones first; behind a parameter that
-/// takes one, its words, labels or colour names. Nothing in comments and where a number belongs.
+/// takes one, its words, labels or colour names; in the texts of a `sweep` what may stand there. Nothing in
+/// comments and where a number belongs.
 CompletionList completionsAt(const Analysis& analysis, std::uint32_t offset);
 
 struct HoverText {

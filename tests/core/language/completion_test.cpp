@@ -56,6 +56,36 @@ class CompletionTest : public QObject {
         QCOMPARE(names("sp|here { }"), std::string(types));
     }
 
+    void textsOfASweepAreCompleted() {
+        const auto inSweep = [](const std::string& text) {
+            return names("sphere cue { radius 1 mass 1 centre 0,0,0 vel 0,0,-8 }\n"
+                         "sphere log1 { radius 1 mass 1 centre 9,0,0 }\nsimulation { substeps 4 }\nsweep { " +
+                         text + "\n");
+        };
+        QCOMPARE(inSweep("vary \"|"), std::string("cue log1 log bodies simulation gravity air"));
+        QCOMPARE(inSweep("vary \"cu|"), inSweep("vary \"|"));
+        QVERIFY(inSweep("vary \"cue.|\"").starts_with("radius mass centre vel "));
+        QCOMPARE(inSweep("vary \"cue.vel.|"), std::string("x y z"));
+        QCOMPARE(inSweep("vary \"cue.mass.|"), std::string());
+        QVERIFY(inSweep("vary \"simulation.method=contacts,|").find("events") != std::string::npos);
+        QCOMPARE(inSweep("vary \"cue.mass=|"), std::string());
+        QVERIFY(inSweep("measure \"|").starts_with("final max min mean first "));
+        QVERIFY(inSweep("measure \"first |").starts_with("impact "));
+        QVERIFY(inSweep("measure \"max spe|").find(" speed ") != std::string::npos);
+        QCOMPARE(inSweep("measure \"max speed of |\" frames 9"), std::string("cue log1 log"));
+        QCOMPARE(inSweep("measure \"speed |"), std::string("of at"));
+        QCOMPARE(inSweep("measure \"first y of cue |"), std::string("and above below"));
+        QCOMPARE(inSweep("vary \"\"|"), std::string());           // behind it
+        QCOMPARE(names("expect { label \"|\" }"), std::string()); // other texts
+    }
+
+    void aParameterOfASweepComesWithARange() {
+        const CompletionList list =
+            completed("sphere cue { radius 1 mass 1 centre 0,0,0 }\nsweep { vary \"cue.rad|ius=3\" }");
+        QCOMPARE(list.entries.front().snippet, std::string("radius=0.5:1.5:9"));
+        QCOMPARE(list.replaced.length, std::uint32_t(6)); // radius
+    }
+
     void behindATypeNothingIsOffered() {
         QCOMPARE(names("sphere |"), std::string());
         QCOMPARE(names("sphere cue | { }"), std::string());
