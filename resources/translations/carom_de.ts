@@ -3921,14 +3921,6 @@ Right-click a number in the text, or a value in the inspector, and choose Sweep 
 Klicken Sie mit der rechten Maustaste auf eine Zahl im Text oder einen Wert im Inspektor und wählen Sie „Diesen Wert variieren“; die Simulation oben läuft währenddessen weiter.</translation>
     </message>
     <message>
-        <source>Measure of the chart</source>
-        <translation>Maß des Diagramms</translation>
-    </message>
-    <message>
-        <source>Which measure the chart shows</source>
-        <translation>Welches Maß das Diagramm zeigt</translation>
-    </message>
-    <message>
         <source>Write the values of the run chosen into the text</source>
         <translation>Die Werte des gewählten Laufs in den Text schreiben</translation>
     </message>
@@ -4055,6 +4047,14 @@ Klicken Sie mit der rechten Maustaste auf eine Zahl im Text oder einen Wert im I
     <message>
         <source>Folder for the sweep</source>
         <translation>Ordner für die Läufe</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Diagramm</translation>
+    </message>
+    <message>
+        <source>Which chart is shown</source>
+        <translation>Welches Diagramm gezeigt wird</translation>
     </message>
 </context>
 <context>

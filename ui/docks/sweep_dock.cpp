@@ -110,8 +110,8 @@ QWidget* SweepDock::makeFigures() {
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_shown->setObjectName(QStringLiteral("sweepShown"));
-    m_shown->setAccessibleName(tr("Measure of the chart"));
-    m_shown->setToolTip(tr("Which measure the chart shows"));
+    m_shown->setAccessibleName(tr("Chart"));
+    m_shown->setToolTip(tr("Which chart is shown"));
     m_keep->setCheckable(true);
     m_point->setObjectName(QStringLiteral("sweepPoint"));
     m_point->setWordWrap(true);
@@ -145,7 +145,7 @@ void SweepDock::connectControls() {
     connect(m_shown, &QComboBox::currentIndexChanged, this, &SweepDock::showChart);
     connect(m_keep, &QToolButton::toggled, this, [this](bool kept) {
         m_kept.reset();
-        if (kept && shownMeasure() < m_charts.size()) m_kept = m_charts[shownMeasure()].chart;
+        if (kept && shownChart() != nullptr) m_kept = shownChart()->chart;
         showChart();
     });
     connect(&m_export->addEntry(tr("Folder as the command line writes it…")), &QAction::triggered, this,
@@ -305,12 +305,6 @@ void SweepDock::collect() {
         if (m_begun) m_sweep = m_begun;
     }
     if (!m_sweep) return;
-    if (m_shown->count() != static_cast<int>(m_sweep->measures().size()) ||
-        m_shown->itemText(0) != textOf(m_sweep->measures().front().text)) {
-        const QSignalBlocker quiet(m_shown);
-        m_shown->clear();
-        for (const SweepMeasure& measure : m_sweep->measures()) m_shown->addItem(textOf(measure.text));
-    }
     const auto middle = static_cast<std::ptrdiff_t>(m_results.size());
     m_results.insert(m_results.end(), std::make_move_iterator(came.begin()),
                      std::make_move_iterator(came.end()));
@@ -358,8 +352,22 @@ void SweepDock::finish() {
                                           : tr("Click a point to see its run."));
 }
 
-std::size_t SweepDock::shownMeasure() const {
-    return static_cast<std::size_t>(std::max(0, m_shown->currentIndex()));
+const SweepChart* SweepDock::shownChart() const {
+    const auto index = static_cast<std::size_t>(std::max(0, m_shown->currentIndex()));
+    return index < m_charts.size() ? &m_charts[index] : nullptr;
+}
+
+/// The list of charts, where it is another one.
+void SweepDock::nameCharts() {
+    QStringList titles, before;
+    for (const SweepChart& chart : m_charts) titles += chart.chart.title;
+    for (int i = 0; i < m_shown->count(); ++i) before += m_shown->itemText(i);
+    if (titles == before) return;
+    const QSignalBlocker quiet(m_shown);
+    const QString chosen = m_shown->currentText();
+    m_shown->clear();
+    m_shown->addItems(titles);
+    m_shown->setCurrentIndex(std::max(0, m_shown->findText(chosen)));
 }
 
 void SweepDock::showChart() {
@@ -367,9 +375,10 @@ void SweepDock::showChart() {
     const Stopwatch cost;
     m_points = pointsOf(*m_sweep, m_results);
     m_charts = chartsOf(*m_sweep, m_points.points);
+    nameCharts();
     ChartSpec shown;
-    if (shownMeasure() < m_charts.size()) {
-        const SweepChart& chart = m_charts[shownMeasure()];
+    if (shownChart() != nullptr) {
+        const SweepChart& chart = *shownChart();
         shown = chart.chart;
         shown.title.clear();
         if (m_kept) addKept(*m_kept, shown, tr("kept"));
@@ -395,18 +404,19 @@ void SweepDock::showChart() {
 
 /// Of the runs of a point the one whose figure is nearest to the point's median.
 void SweepDock::choosePoint(std::size_t series, std::size_t mark) {
-    if (shownMeasure() >= m_charts.size()) return;
-    const auto& runs = m_charts[shownMeasure()].runs;
+    if (shownChart() == nullptr) return;
+    const std::vector<std::vector<std::size_t>>& runs = shownChart()->runs;
+    const std::size_t measure = shownChart()->measure;
     if (series >= runs.size() || mark >= runs[series].size()) return;
     const std::size_t first = runs[series][mark], end = first + m_sweep->runsOfPoint();
     const auto point = std::ranges::find(m_points.points, first, &SweepPoint::firstRun);
     if (point == m_points.points.end()) return;
-    const double median = point->spreads[shownMeasure()].median;
+    const double median = point->spreads[measure].median;
     std::size_t nearest = first;
     double least = INFINITY;
     for (const SweepResult& result : m_results) {
         if (result.run < first || result.run >= end || result.outcome != SweepOutcome::Done) continue;
-        const double away = std::abs(result.figures[shownMeasure()] - median);
+        const double away = std::abs(result.figures[measure] - median);
         if (!(away < least)) continue;
         least = away;
         nearest = result.run;
@@ -466,7 +476,7 @@ QString SweepDock::exportTo(const QString& path) const {
     if (!m_sweep || m_results.empty()) return tr("nothing was swept yet; choose Sweep first");
     if (!isCsv(path)) {
         if (m_charts.empty()) return tr("there is no chart of this sweep; its table can be exported");
-        return writeChart(m_charts[shownMeasure()].chart, path);
+        return writeChart(shownChart()->chart, path);
     }
     std::string table = sweepColumns(*m_sweep);
     for (const SweepResult& result : m_results) table += sweepRow(*m_sweep, result);

@@ -82,7 +82,8 @@ class SweepDock : public Panel {
     void buildChosen();
     void askForFolder();
     void updateControls();
-    std::size_t shownMeasure() const;
+    const SweepChart* shownChart() const; ///< null: none
+    void nameCharts();
 
     SharedBuild m_build;
     QString m_name, m_path;
@@ -90,7 +91,7 @@ class SweepDock : public Panel {
     QString m_sweptName;
     std::vector<SweepResult> m_results; ///< in the order of the runs
     SweepPoints m_points;
-    std::vector<SweepChart> m_charts; ///< by measure
+    std::vector<SweepChart> m_charts;
     std::optional<ChartSpec> m_kept;
     std::optional<std::size_t> m_chosen; ///< a run
     bool m_ghostIsWanted = false;        ///< of the run chosen: to be built when the one before is

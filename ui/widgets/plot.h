@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QCPItemStraightLine;
@@ -70,6 +71,8 @@ struct ChartMap {
     std::size_t columns = 0, rows = 0;
     std::vector<double> values{}; ///< row by row; NaN leaves the ground
     ChartAxis scale{};            ///< what the colours say
+    /// The least and the greatest value that have a colour; absent: those that are there.
+    std::optional<std::pair<double, double>> range{};
 };
 
 struct ChartSpec {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace carom {
 namespace {
@@ -184,6 +185,7 @@ void addMap(QCustomPlot& plot, const ChartMap& map, const ChartColours& colours)
             least = std::min(least, value);
             most = std::max(most, value);
         }
+    if (map.range) std::tie(least, most) = *map.range;
     cells->setInterpolate(false);
     QCPColorScale* scale = new QCPColorScale(&plot);
     int row = 0; // of the axes, below the headings

@@ -8,13 +8,14 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
 namespace carom {
 namespace {
 
-constexpr std::size_t mostLines = 6;
+constexpr std::size_t mostLines = 6, mostMaps = 12;
 
 struct SweepChartsTexts {
     Q_DECLARE_TR_FUNCTIONS(SweepCharts)
@@ -76,14 +77,26 @@ class Charts {
             if (m_axes[k].count > m_axes[m_along].count) m_along = k;
         for (std::size_t k = 0; k < m_axes.size(); ++k)
             if (k != m_along) m_lines *= m_axes[k].count;
+        // Of a map: the two longest, the one given first upwards.
+        std::size_t next = m_along == 0 ? 1 : 0;
+        for (std::size_t k = 0; k < m_axes.size(); ++k)
+            if (k != m_along && m_axes[k].count > m_axes[next].count) next = k;
+        m_rows = std::min(m_along, next);
+        m_columns = std::max(m_along, next);
     }
 
     std::vector<SweepChart> make() const {
         std::vector<SweepChart> charts;
+        if (m_axes.empty()) return charts;
         const bool isMap = m_lines > mostLines;
-        if (m_axes.empty() || (isMap && m_axes.size() > 2)) return charts;
+        const std::size_t ofMap = isMap ? m_axes[m_rows].count * m_axes[m_columns].count : 1;
+        const std::size_t maps = isMap ? m_axes[m_along].count * m_lines / ofMap : 1;
+        if (maps > mostMaps) return charts;
         for (std::size_t measure = 0; measure < m_sweep.measures().size(); ++measure)
-            charts.push_back(isMap ? map(measure) : lines(measure));
+            if (isMap)
+                addMaps(measure, charts);
+            else
+                charts.push_back(lines(measure));
         return charts;
     }
 
@@ -99,7 +112,7 @@ class Charts {
 
     SweepChart chartOf(std::size_t measure, ChartSpec chart,
                        std::vector<std::vector<std::size_t>> runs) const {
-        return {{QStringLiteral("sweep-%1").arg(measure + 1), std::move(chart)}, std::move(runs)};
+        return {{QStringLiteral("sweep-%1").arg(measure + 1), std::move(chart)}, measure, std::move(runs)};
     }
 
     SweepChart lines(std::size_t measure) const {
@@ -116,7 +129,7 @@ class Charts {
         std::vector<std::vector<std::size_t>> runs;
         std::size_t colour = 0;
         for (const auto& [line, points] : byLine) {
-            ChartSeries middle{.name = nameOfLine(line),
+            ChartSeries middle{.name = nameWithout(line, {m_along}),
                                .x = {},
                                .y = {},
                                .style = SeriesStyle::LineAndMarks,
@@ -156,35 +169,67 @@ class Charts {
         return chartOf(measure, std::move(chart), std::move(runs));
     }
 
-    SweepChart map(std::size_t measure) const {
-        ChartMap cells{.columns = m_axes[1].count, .rows = m_axes[0].count, .scale = measureAxis(measure)};
+    /// A map for each combination of the axes that it does not have, all with the same colours.
+    void addMaps(std::size_t measure, std::vector<SweepChart>& charts) const {
+        std::map<std::size_t, std::vector<const SweepPoint*>> byMap;
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (const SweepPoint& point : m_points) {
+            byMap[mapOf(numberOf(point))].push_back(&point);
+            const double value = point.spreads[measure].median;
+            if (!std::isfinite(value)) continue;
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+        int number = 0;
+        for (const auto& [slice, points] : byMap) {
+            SweepChart chart = map(measure, points);
+            if (const QString name = nameWithout(slice, {m_rows, m_columns}); !name.isEmpty()) {
+                chart.name += QStringLiteral("-%1").arg(++number);
+                chart.chart.title += QStringLiteral(", ") + name;
+                if (least <= most) chart.chart.map->range = {least, most};
+            }
+            charts.push_back(std::move(chart));
+        }
+    }
+
+    SweepChart map(std::size_t measure, const std::vector<const SweepPoint*>& points) const {
+        const PointAxis &across = m_axes[m_columns], &upwards = m_axes[m_rows];
+        ChartMap cells{.columns = across.count, .rows = upwards.count, .scale = measureAxis(measure)};
         cells.values.assign(cells.columns * cells.rows, std::numeric_limits<double>::quiet_NaN());
         std::vector<std::vector<std::size_t>> runs(cells.rows, std::vector<std::size_t>(cells.columns));
-        for (const SweepPoint& point : m_points) { // the second axis is the faster
-            cells.values[numberOf(point)] = point.spreads[measure].median;
-            runs[numberOf(point) / cells.columns][numberOf(point) % cells.columns] = point.firstRun;
+        for (const SweepPoint* point : points) {
+            const std::size_t column = across.indexOf(numberOf(*point)),
+                              row = upwards.indexOf(numberOf(*point));
+            cells.values[row * cells.columns + column] = point->spreads[measure].median;
+            runs[row][column] = point->firstRun;
         }
         if (m_several) cells.scale.label = SweepChartsTexts::tr("%1, median").arg(cells.scale.label);
         ChartSpec chart{.title = textOf(m_sweep.measures()[measure].text),
                         .note = note(),
-                        .x = chartAxisOf(m_axes[1], m_sweep.definition(), true),
-                        .y = chartAxisOf(m_axes[0], m_sweep.definition(), true),
+                        .x = chartAxisOf(across, m_sweep.definition(), true),
+                        .y = chartAxisOf(upwards, m_sweep.definition(), true),
                         .series = {},
                         .levels = {},
                         .map = std::move(cells)};
         return chartOf(measure, std::move(chart), std::move(runs));
     }
 
+    /// The point without its place in a map.
+    std::size_t mapOf(std::size_t point) const {
+        for (const std::size_t k : {m_rows, m_columns}) point -= m_axes[k].indexOf(point) * m_axes[k].stride;
+        return point;
+    }
     /// The point without its place along the chart.
     std::size_t lineOf(std::size_t point) const {
         return point - m_axes[m_along].indexOf(point) * m_axes[m_along].stride;
     }
-    QString nameOfLine(std::size_t line) const {
+    /// The values of a point but those on some axes.
+    QString nameWithout(std::size_t point, const std::vector<std::size_t>& axes) const {
         QStringList parts;
         for (std::size_t k = 0; k < m_axes.size(); ++k)
-            if (k != m_along)
+            if (std::ranges::find(axes, k) == axes.end())
                 parts.append(textOf(m_axes[k].parameter->name) + QLatin1Char(' ') +
-                             textOf(m_axes[k].parameter->values[m_axes[k].indexOf(line)]));
+                             textOf(m_axes[k].parameter->values[m_axes[k].indexOf(point)]));
         return parts.join(QStringLiteral(", "));
     }
     QString noteOf(const SweepPoint& point, std::size_t measure) const {
@@ -202,7 +247,8 @@ class Charts {
     std::vector<PointAxis> m_axes;
     std::size_t m_along = 0; ///< the axis that lines go along: the longest
     std::size_t m_lines = 1;
-    bool m_several; ///< runs a point
+    std::size_t m_rows = 0, m_columns = 0; ///< axes of a map
+    bool m_several;                        ///< runs a point
 };
 
 } // namespace

@@ -101,8 +101,26 @@ class SweepChartsTest : public QObject {
         QCOMPARE(charts[0].chart.y.names.size(), std::size_t(7));
     }
 
-    void threeNumbersWithManyLinesGiveNoChart() {
-        QVERIFY(chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9", "ball.vel.y=1:3:3"})).empty());
+    // The second number is the shortest: a map for each of its values, over the other two. The figure is 100
+    // times the index of the first, and that of the second and third together.
+    void threeNumbersGiveAMapForEachValueOfTheShortest() {
+        const std::vector<SweepChart> charts =
+            chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.y=1:3:3", "ball.vel.z=1:9:9"}));
+        QCOMPARE(charts.size(), std::size_t(3));
+        QCOMPARE(charts[1].name, QStringLiteral("sweep-1-2"));
+        QCOMPARE(charts[1].chart.title, QStringLiteral("final x of ball, ball.vel.y 2"));
+        const ChartMap& map = charts[1].chart.map.value();
+        QCOMPARE(map.columns, std::size_t(9));
+        QCOMPARE(map.rows, std::size_t(7));
+        const std::size_t run = 4 * 27 + 1 * 9 + 5;
+        QCOMPARE(charts[1].runs[4][5], run);
+        QCOMPARE(map.values[4 * 9 + 5], 100.0 * static_cast<double>(run / 3) + static_cast<double>(run % 3));
+        QVERIFY(map.range && map.range == charts[2].chart.map->range);
+    }
+
+    void tooManyCombinationsGiveNoChart() {
+        QVERIFY(
+            chartsOf(charted({"ball.vel.x=1:14:14", "ball.vel.z=1:14:14", "ball.vel.y=1:13:13"})).empty());
         QVERIFY(chartsOf(charted({}, 4)).empty());
     }
 
