@@ -29,30 +29,98 @@ CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1,
     b.spin = b.spin - (b.roundInverse * group.radiusB) * turning;
 }
 
+/// How B's point moves relative to A's.
+CAROM_INLINE Wide3 relativeVelocity(const BallGroup& group, const Wide3& n, const Motion& a,
+                                    const Motion& b) {
+    const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
+    return b.velocity - a.velocity - cross(spin, n);
+}
+
+CAROM_INLINE Wide gapNow(const BallGroup& group, const Wide3& n, const Displacement* moved) {
+    return group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
+}
+
 template<Pass pass>
 CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                             const StepSettings& settings, const Softnesses& softness, Wide& worst,
-                             const Stirred& stirred) {
+                             const StepSettings& settings, const Softnesses& softness, Wide& worst) {
     if (group.idle) return;
-    Wide reached{};
-    if constexpr (pass == Pass::Rebound)
-        if (!anyLane(reached = stirredLanes(group, stirred))) return;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
     const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
-    const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
-    const Wide3 u = b.velocity - a.velocity - cross(spin, n);
-    const Wide gap = group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
-    [[maybe_unused]] const BallRow before = group.row;
-    Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group,
-                                    select(group.hard, softness), settings.duration, group.row, worst);
-    if constexpr (pass == Pass::Rebound) change = changeIn(reached, before, change, group.row);
+    const Wide3 u = relativeVelocity(group, n, a, b);
+    const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gapNow(group, n, moved), group,
+                                          select(group.hard, softness), settings.duration, group.row, worst);
     apply(group, n, t1, t2, change, a, b);
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
-    if constexpr (pass == Pass::Rebound)
-        stirLanes(group, absolute(change.x) - settings.resting * group.row.massNormal, stirred);
+}
+
+/// Takes back what an impact did to the velocities of a group: whatever added more to its impulses than what
+/// rests would.
+CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const Stirred& stirred) {
+    if (group.idle || !group.bounces) return;
+    BallRow& row = group.row;
+    const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
+    const auto isStruck = (added > resting * row.massNormal) & (group.restitution > zero);
+    const Wide lanes = isStruck ? one : zero;
+    if (!anyLane(lanes)) return;
+    const Wide part = isStruck ? added / row.normal : zero;
+    const Wide3 back{-part * row.normal, -part * row.along1, -part * row.along2};
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent);
+    apply(group, n, t1, cross(n, t1), back, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+    stirLanes(group, lanes, stirred);
+}
+
+/// Impacts of pairs that touch and close, with Newton's law. The fastest closing speed of those that bounce
+/// [m/s].
+CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
+                         const Wide& resting, const Stirred& stirred) {
+    const Wide zero{}, one = wideOf(1);
+    if (group.idle || !anyLane(stirredLanes(group, stirred))) return zero;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
+    const Wide3 u = relativeVelocity(group, n, a, b);
+    const Wide closing = -dot(n, u);
+    const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
+    const auto meets = touches & (closing > zero) & (group.row.massNormal > zero);
+    const auto bounces = meets & (closing > resting) & (group.restitution > zero);
+    if (!anyLane(meets ? one : zero)) return zero;
+    const Wide normal =
+        meets ? group.row.massNormal * closing * (bounces ? one + group.restitution : one) : zero;
+    const Wide q1 = -group.row.massTangent * dot(t1, u), q2 = -group.row.massTangent * dot(t2, u);
+    const Wide most = group.friction * normal, size = rootOf(q1 * q1 + q2 * q2);
+    const Wide part = size > most ? most / (size > zero ? size : one) : one;
+    apply(group, n, t1, t2, {normal, meets ? part * q1 : zero, meets ? part * q2 : zero}, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+    const Wide fastest = meets & (closing > resting) ? closing : zero;
+    stirLanes(group, fastest, stirred);
+    return bounces ? closing : zero;
+}
+
+/// What parts faster than what rests holds no more force than when the step began.
+CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, double resting) {
+    if (group.idle || !group.bounces) return;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide zero{}, one = wideOf(1);
+    const Wide parting = dot(load(group.normal), b.velocity - a.velocity);
+    BallRow& row = group.row;
+    const auto leaves = (parting > wideOf(resting)) & (row.normal > zero);
+    if (!anyLane(leaves ? one : zero)) return;
+    const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
+    row.normal = part * row.normal;
+    row.along1 = part * row.along1;
+    row.along2 = part * row.along2;
 }
 
 struct Sweep {
@@ -61,7 +129,6 @@ struct Sweep {
     const Displacement* moved;
     const StepSettings& settings;
     bool back;
-    Stirred stirred = {};
 };
 
 template<Pass pass>
@@ -71,7 +138,7 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     const std::size_t count = with.groups.size();
     for (std::size_t i = 0; i < count; ++i)
         solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
-                         softness, worst, with.stirred);
+                         softness, worst);
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
@@ -79,12 +146,27 @@ CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
     switch (pass) {
     case Pass::Relax:
         return sweepGroups<Pass::Relax>(with);
-    case Pass::Rebound:
-        return sweepGroups<Pass::Rebound>(with);
+    case Pass::Rebound: // strikes
     case Pass::Feedback:
         break;
     }
     return sweepGroups<Pass::Feedback>(with);
+}
+
+CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double resting,
+                         const Stirred& stirred) {
+    for (BallGroup& group : groups) takeBack(group, bodies, resting, stirred);
+}
+
+// True if any bounced.
+CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
+                            double resting, bool back, const Stirred& stirred) {
+    Wide fastest{};
+    const std::size_t count = groups.size();
+    for (std::size_t i = 0; i < count; ++i)
+        fastest = larger(fastest,
+                         strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), stirred));
+    return anyLane(fastest);
 }
 
 CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverBody* bodies, double resting) {
@@ -95,6 +177,7 @@ CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverB
         Motion a, b;
         gatherVelocity(bodies, group.a, a);
         gatherVelocity(bodies, group.b, b);
+        group.row.carried = group.row.normal;
         const Wide closing = dot(load(group.normal), a.velocity - b.velocity);
         group.row.approach = approachOf(group, group.row, closing, resting);
         any = larger(any, group.row.approach);
@@ -312,12 +395,15 @@ int BallRows::stir(const Stirred& stirred) const {
     return struck;
 }
 
-void BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                       const StepSettings& settings, int passes, const Stirred& stirred) {
-    for (int pass = 0; pass < passes; ++pass)
-        sweep(Pass::Rebound, {m_groups, bodies.data(), moved.data(), settings, pass % 2 != 0, stirred});
-    for (BallGroup& group : m_groups)
-        if (!group.idle && group.bounces) forgetImpulse(group, group.row, settings.resting);
+int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                      const StepSettings& settings, int passes, const Stirred& stirred) {
+    passBack(m_groups, bodies.data(), settings.resting, stirred);
+    int pass = 0;
+    while (pass < passes &&
+           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass % 2 != 0, stirred))
+        ++pass;
+    for (BallGroup& group : m_groups) forgetImpact(group, bodies.data(), settings.resting);
+    return std::min(pass + 1, passes);
 }
 
 } // namespace carom

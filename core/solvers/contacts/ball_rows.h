@@ -39,6 +39,7 @@ struct alignas(32) BallRow {
     Wide massNormal{}, massTangent{};  ///< [kg]; 0 in a lane that is not used
     Wide normal{}, along1{}, along2{}; ///< impulses [N s]
     Wide approach{};                   ///< [m/s]
+    Wide carried{};                    ///< normal impulse when the step began [N s]
 };
 
 /// Four pairs, no body twice. B is a ball that can move, A a ball or a wall.
@@ -97,8 +98,12 @@ class BallRows {
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back);
     int stir(const Stirred& stirred) const;
-    void rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                 const StepSettings& settings, int passes, const Stirred& stirred);
+    /// What impacts did is taken back and done anew, one after another, each with its restitution, until
+    /// nothing bounces any more, in at most `passes` through all that is stirred. In this way balls pass an
+    /// impulse on; solved at once, all contacts but the first would take it without restitution. What then
+    /// parts faster than what rests holds no more force than before. Says how many passes it took.
+    int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                const StepSettings& settings, int passes, const Stirred& stirred);
 
     /// visit(source, normal, impulse on B [N s]) for every pair.
     template<class Visit>

@@ -18,6 +18,9 @@ namespace {
 
 /// How often a step is solved on with contacts of bodies that were struck within it.
 constexpr int mostRounds = 4;
+/// How often impacts of balls go through all that is stirred in a step. In a break of fifteen balls, of
+/// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
+constexpr int mostStrikes = 4;
 /// The body that cannot move.
 constexpr std::uint32_t immobile = 0;
 
@@ -352,11 +355,13 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     const int impacts = m_balls.stir(stirred) + stir(m_rows, stirred);
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
-    report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
     for (const SpringRow& spring : m_springs)
         m_energy.allow(m_island[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
     m_before = m_bodies;
-    m_balls.rebound(m_bodies, m_moved, settings, m_division.passes, stirred);
+    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, stirred);
+    report.work.rowsSwept +=
+        wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
+                     static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
     carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes, stirred);
     m_energy.keep(m_before, m_island, m_bodies);
 }

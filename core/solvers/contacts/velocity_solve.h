@@ -17,7 +17,9 @@
 //                  are
 //     x += h v     by the caller, who adds to the displacements
 //     relax        without feedback: what parting added to the velocities is taken out again
-//     rebound      contacts that closed at a speed and took an impulse part at e times that speed
+//     rebound      contacts that closed at a speed and took an impulse part at e times that speed; of balls
+//     one
+//                  impact after another (ball_rows.h)
 //     limit        takes back of the rebound what the kinetic energy does not allow (energy_limit.h)
 //
 //     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
