@@ -23,10 +23,10 @@ class LanePacker {
     };
 
     void begin(std::size_t bodies) {
-        m_used = 0;
+        closeAll();
         m_oldest = 0;
         m_open.resize(openGroups);
-        m_masks.assign(bodies, 0);
+        m_masks.resize(bodies, 0); // those of what was closed are 0
     }
     /// Bodies without motion do not exclude each other: `shared` is one.
     Place place(std::uint32_t a, std::uint32_t b, std::uint32_t shared, std::size_t newGroup) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/solvers/contacts/entered.h"
 #include "tests/support/constants.h"
 #include "tests/support/contact_scenes.h"
 #include "tests/support/manifold_places.h"
@@ -23,110 +24,10 @@
 namespace carom {
 namespace {
 
-constexpr int substeps = 4; // a frame
-constexpr double frame = substeps * test::substep;
-constexpr double skin = 0.05;
-
-/// A scene whose bodies all may enter the base path.
-class Entered {
-  public:
-    explicit Entered(const Scene& scene)
-        : bodies(bodiesOf(scene)), state(initialStateOf(scene)), path(bodies.count(), 1),
-          m_gravity(scene.gravity.acceleration), m_neighbours(bodies),
-          m_broadphase(findBroadphase("all_pairs")->create()) {}
-
-    SteppedInput input() { return {.bodies = bodies, .gravity = m_gravity, .state = state}; }
-
-    /// With the manifolds of those that are near, as they are now.
-    void enter(const std::vector<BodyIndex>& list) {
-        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, frame, *m_broadphase);
-        while (!path.prepare(input(), list, frame, skin, m_neighbours))
-            m_neighbours.search(bodies, state, *m_broadphase);
-        std::vector<Manifolds::Entry> known;
-        for (BodyIndex a = 0; a < bodies.count(); ++a)
-            for (BodyIndex b = a + 1; b < bodies.count(); ++b)
-                if (isListed(list, a) || isListed(list, b)) know({a, b}, known);
-        path.enter(input(), list, m_neighbours, {}, test::substep, known, manifolds);
-        for (const Manifolds::Entry& entry : known)
-            if (entry.place != Manifolds::none) manifolds.remove(entry.place);
-        carried.clear();
-    }
-    void enterAll() { enter(bodies.mobileBodies); }
-    void leave() {
-        carried.clear();
-        path.leave(input(), manifolds, carried);
-        std::sort(
-            carried.begin(), carried.end(),
-            [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
-    }
-    /// Whether the pairs serve for another substep, perhaps after some were found anew.
-    bool renew() { return renew(path, input(), manifolds); }
-    bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {
-        if (!m_neighbours.follow(bodies, with.state, bodies.mobileBodies, m_gravity, test::substep))
-            m_neighbours.search(bodies, with.state, *m_broadphase);
-        return which.renew(with, test::substep, frame, skin, m_neighbours, *m_broadphase, itsManifolds);
-    }
-    void advance() { path.advance(input(), manifolds); }
-    /// A substep; all enter anew if the pairs do not serve for it.
-    void step() {
-        if (path.isEmpty()) enterAll();
-        if (!renew()) {
-            leave();
-            enterAll();
-            ++renewals;
-        }
-        advance();
-    }
-    /// The pairs that are on the base path and have a manifold.
-    std::vector<BodyPair> pairs() {
-        BasePath copy = path;
-        Manifolds itsManifolds = manifolds;
-        std::vector<Manifolds::Entry> entries;
-        copy.leave(input(), itsManifolds, entries);
-        std::vector<BodyPair> result;
-        for (const Manifolds::Entry& entry : entries) result.push_back(entry.pair);
-        std::sort(result.begin(), result.end());
-        return result;
-    }
-    PlacedShape shapeOf(BodyIndex i) const { return {&bodies.shape[i], &state.pose[i]}; }
-    double distanceOf(BodyPair pair) const { return proximityOf(shapeOf(pair.a), shapeOf(pair.b)).distance; }
-    /// Between two bodies, on the second [N].
-    Vec3 forceOf(BodyPair pair) {
-        Vec3 sum = Vec3::Zero();
-        path.forEachContact(bodies, state, manifolds, [&](const PersistentManifold& manifold) {
-            if (manifold.pair != pair) return;
-            for (int k = 0; k < manifold.count; ++k)
-                sum += manifold.points[static_cast<std::size_t>(k)].force;
-        });
-        return sum;
-    }
-
-    Bodies bodies;
-    State state;
-    Manifolds manifolds;
-    BasePath path;
-    std::vector<Manifolds::Entry> carried; ///< of those that left last
-    int renewals = 0;
-
-  private:
-    static bool isListed(const std::vector<BodyIndex>& list, BodyIndex body) {
-        return std::binary_search(list.begin(), list.end(), body);
-    }
-    void know(BodyPair pair, std::vector<Manifolds::Entry>& known) {
-        const ManifoldInput here{bodies, state, m_gravity, test::substep};
-        for (const Manifolds::Entry& entry : carried)
-            if (entry.pair == pair) known.push_back(entry);
-        const bool isCarried = !known.empty() && known.back().pair == pair;
-        if (bodies.mobile[pair.a] == 0 && bodies.mobile[pair.b] == 0) return;
-        if (!isCarried && boundingGap(bodies, state, pair) > 0.05) return;
-        if (!isCarried) known.push_back({pair, manifolds.add(pair)});
-        updateManifold(here, 0.05, manifolds[known.back().place]);
-    }
-
-    Vec3 m_gravity;
-    Neighbours m_neighbours;
-    std::unique_ptr<Broadphase> m_broadphase;
-};
+using test::Entered;
+using test::frame;
+using test::skin;
+using test::substeps;
 
 bool sameBits(const State& one, const State& other) {
     const auto same = [](const auto& a, const auto& b) {
