@@ -65,7 +65,7 @@ class Refinement {
     /// An island may take so many times what it was expected to.
     static constexpr double mostOverrun = 4;
     /// What a frame has left of so many floors is what an island may take at most.
-    static constexpr double mostFloors = 4;
+    static constexpr double mostFloors = 2;
     /// A frame takes so many floors at most, where all its islands come in one substep.
     static constexpr double mostShares = 6;
 
