@@ -67,7 +67,7 @@ class Refinement {
     /// What a frame has left of so many floors is what an island may take at most.
     static constexpr double mostFloors = 2;
     /// A frame takes so many floors at most, where all its islands come in one substep.
-    static constexpr double mostShares = 6;
+    static constexpr double mostShares = 16;
 
     explicit Refinement(std::size_t bodies)
         : m_used(bodies, 0.0), m_wait(bodies, 0), m_failures(bodies, 0), m_stepped(bodies, 0),
