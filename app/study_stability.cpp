@@ -47,8 +47,9 @@ std::string listOfCases() {
     std::string list;
     for (const HardCase& row : hardCases()) {
         const std::string number = std::to_string(row.number);
-        list.append(number.size() < 2 ? " " : "").append(number).append(" ").append(row.name);
-        list.append(std::string(26 - row.name.size(), ' ')).append(row.title).append("\n");
+        const std::string name = spokenName(row);
+        list.append(number.size() < 2 ? " " : "").append(number).append(" ").append(name);
+        list.append(std::string(26 - name.size(), ' ')).append(row.title).append("\n");
         list.append(29, ' ').append("right: ").append(row.answer).append("\n");
     }
     return list;
@@ -136,7 +137,8 @@ CommandRow studyStabilityCommand() {
                  "write stability.csv and summary.txt there; with `--shard` stability-I-of-N.csv"},
             },
         .details =
-            "A case is given by name or number; without any, all of them run. Each has a closed-form answer "
+            "A case is given by number or name, with spaces or underscores; without any, all of them run. "
+            "Each has a closed-form answer "
             "or a "
             "quantity that must be kept, and a limit for every column. The exit code is 0 if everything "
             "holds and 5 if a case fails. Ctrl-C ends the study: what was measured is written, and the exit "

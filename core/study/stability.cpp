@@ -10,6 +10,7 @@
 #include "core/language/formatter.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -34,8 +35,25 @@ std::span<const HardCase> hardCases() {
     return all;
 }
 
+namespace {
+
+/// Names that are somebody's, in which files have no apostrophe.
+constexpr std::string_view possessive = "eulers", apostrophised = "Euler's";
+
+} // namespace
+
+std::string spokenName(const HardCase& hardCase) {
+    std::string words(hardCase.name);
+    std::ranges::replace(words, '_', ' ');
+    if (words.starts_with(possessive)) return words.replace(0, possessive.size(), apostrophised);
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    return words;
+}
+
 const HardCase* findHardCase(std::string_view nameOrNumber) {
     if (const HardCase* row = findByName(hardCases(), nameOrNumber)) return row;
+    for (const HardCase& row : hardCases())
+        if (spokenName(row) == nameOrNumber) return &row;
     const std::optional<long long> number = wholeNumberIn(nameOrNumber);
     for (const HardCase& row : hardCases())
         if (number && row.number == *number) return &row;

@@ -75,8 +75,10 @@ struct HardCase {
 
 /// Every case, ascending by number.
 std::span<const HardCase> hardCases();
-/// By name or number ("13"), or null.
+/// By name, also as spokenName() says it, or number ("13"), or null.
 const HardCase* findHardCase(std::string_view nameOrNumber);
+/// As a reader says it: "Euler's disk"; commands and files call it `eulers_disk`.
+std::string spokenName(const HardCase& hardCase);
 
 /// The case as a scene to open: a comment with the right answer, the declarations, the column's `simulation`.
 std::string sceneOf(const HardCase& hardCase, StudyColumn column);

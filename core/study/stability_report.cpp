@@ -34,7 +34,7 @@ std::string describe(const TrialResult& result) {
     if (result.verdict == Verdict::NotApplicable) return {};
     const HardCase& hardCase = *result.hardCase;
     std::string text = std::to_string(hardCase.number) + " ";
-    text.append(hardCase.name).append(", ").append(nameOf(result.column)).append(": ");
+    text.append(spokenName(hardCase)).append(", ").append(nameOf(result.column)).append(": ");
     text.append(nameOf(result.verdict)).append(" (").append(figure(result.seconds, 2)).append(" s)\n");
     for (const Figure& figure : result.figures)
         text.append(figure.holds() ? "      " : "    ! ").append(describe(figure)).append("\n");

@@ -5,6 +5,7 @@
 #include "core/study/stability.h"
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QTest>
 
 namespace carom::test {
@@ -32,11 +33,27 @@ class StudyStabilityTest : public QObject {
         QVERIFY(!ended.out.contains("accurate: "));
     }
 
-    void theListNamesEveryCase() {
+    // It said "elastic_ball", as files do.
+    void theListNamesEveryCaseAsAReaderSaysIt() {
         const QString list = carom({"study", "stability", "--list"}).out;
         for (const HardCase& row : hardCases())
-            QVERIFY2(list.contains(QString::fromUtf8(row.name.data(), qsizetype(row.name.size()))),
-                     row.name.data());
+            QVERIFY2(
+                list.contains(QString::fromStdString(std::to_string(row.number) + " " + spokenName(row))),
+                row.name.data());
+        QVERIFY(list.contains("\n11 Euler's disk  "));
+        static const QRegularExpression underscores(QStringLiteral("^ ?[0-9]+ [^ ]*_"),
+                                                    QRegularExpression::MultilineOption);
+        QVERIFY2(!list.contains(underscores), qPrintable(underscores.match(list).captured()));
+    }
+
+    void aCaseIsFoundByNumberAndBothItsNames() {
+        const HardCase* disk = findHardCase("11");
+        QVERIFY(disk != nullptr && disk == findHardCase("eulers_disk"));
+        QCOMPARE(spokenName(*disk), std::string("Euler's disk"));
+        for (const HardCase& row : hardCases()) QCOMPARE(findHardCase(spokenName(row)), &row);
+        const Ended ended = carom({"study", "stability", "Elastic ball", "--column=exact"});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY2(ended.out.startsWith("1 Elastic ball, exact: holds"), qPrintable(ended.out));
     }
 
     // Three cases in two parts, and the same in one: nothing differs but the time taken.

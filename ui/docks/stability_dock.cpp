@@ -26,13 +26,7 @@ enum Column { Case, Answer, FirstVerdict };
 
 constexpr int caseRole = Qt::UserRole;
 
-/// "eulers_disk", as commands and files call it, as a reader says it: "Euler's disk".
-QString spoken(std::string_view name) {
-    QString words = textOf(name).replace(u'_', u' ');
-    words.replace(QStringLiteral("eulers"), QStringLiteral("Euler's"));
-    words[0] = words[0].toUpper();
-    return words;
-}
+QString spoken(const HardCase& hardCase) { return QString::fromStdString(spokenName(hardCase)); }
 
 int columnOf(StudyColumn column) { return FirstVerdict + static_cast<int>(column); }
 
@@ -89,7 +83,7 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
 void StabilityDock::fillCases() {
     for (const HardCase& row : hardCases()) {
         QTreeWidgetItem* item = new QTreeWidgetItem(m_table);
-        item->setText(Case, QStringLiteral("%1 %2").arg(row.number, 2).arg(spoken(row.name)));
+        item->setText(Case, QStringLiteral("%1 %2").arg(row.number, 2).arg(spoken(row)));
         item->setToolTip(Case, textOf(row.title));
         item->setText(Answer, textOf(row.answer));
         item->setToolTip(Answer, textOf(row.title) + QStringLiteral(": ") + textOf(row.answer));
@@ -155,7 +149,7 @@ StudyRunner::Finish StabilityDock::work(const std::stop_token& stop, const Stabi
     StabilityListener listener;
     listener.goOn = [&stop] { return !stop.stop_requested(); };
     listener.starts = [this](const HardCase& hardCase, StudyColumn column) {
-        const QString text = tr("%1, %2").arg(spoken(hardCase.name), textOf(nameOf(column)));
+        const QString text = tr("%1, %2").arg(spoken(hardCase), textOf(nameOf(column)));
         QMetaObject::invokeMethod(
             this, [this, text] { m_state->setText(text); }, Qt::QueuedConnection);
     };
