@@ -27,6 +27,11 @@ void Reason::add(Sentence sentence, std::string_view joint) {
     m_parts.push_back({joint, std::move(sentence)});
 }
 
+void Reason::add(const Reason& other, std::string_view joint) {
+    for (const Part& part : other.m_parts)
+        m_parts.push_back({&part == &other.m_parts.front() ? joint : part.joint, part.sentence});
+}
+
 std::string Reason::text() const {
     std::string words;
     for (const Part& part : m_parts) {

@@ -21,6 +21,12 @@ struct Sentence {
     bool operator==(const Sentence&) const = default;
 };
 
+/// A text that is the same in every language: a name, or what another program says. An empty one is no
+/// sentence.
+inline Sentence verbatim(std::string text) {
+    return text.empty() ? Sentence() : Sentence{"%1", {std::move(text)}};
+}
+
 /// Sentences one behind the other.
 class Reason {
   public:
@@ -33,6 +39,7 @@ class Reason {
     Reason(Sentence first) { add(std::move(first)); }
 
     void add(Sentence sentence, std::string_view joint = "; ");
+    void add(const Reason& other, std::string_view joint = "; ");
     const std::vector<Part>& parts() const { return m_parts; }
     bool empty() const { return m_parts.empty(); }
     std::string text() const;

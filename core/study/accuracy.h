@@ -59,7 +59,7 @@ struct AccuracyPoint {
     AccuracySetting setting;
     bool isDefault = false; ///< what the scene runs with as it is
     PointStatus status = PointStatus::Waiting;
-    std::string reason{}; ///< of a status beyond Measured
+    Sentence reason{}; ///< of a status beyond Measured
     ErrorNorms errors{};
     Steadiness energy{}; ///< relative to a scale that cannot vanish (run_course.h)
     /// How far the energy was from its course in the reference solution, relative to the same scale; where

@@ -94,7 +94,7 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
     if (status == statuses.end()) return std::nullopt;
     point.status = *status;
     point.isDefault = cells.text("default") == "yes";
-    point.reason = csvValue(cells.text("reason"));
+    point.reason = verbatim(csvValue(cells.text("reason")));
     point.errors = {cells.number("position"), cells.number("position_rms"), cells.number("attitude")};
     point.energy = {cells.number("energy_drift"), cells.number("energy_swing"), cells.number("energy_worst"),
                     cells.number("energy_gain")};
@@ -134,7 +134,7 @@ std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, 
         table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
                   p.setting.substeps, p.setting.tolerance, p.setting.preset ? p.setting.preset->name : "",
                   p.setting.engine + (p.setting.isTuned ? " tuned" : ""), p.isDefault ? "yes" : "no",
-                  nameOf(p.status), p.reason, study.measure->name, finiteOr(study.errorOf(p), none),
+                  nameOf(p.status), p.reason.text(), study.measure->name, finiteOr(study.errorOf(p), none),
                   p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
                   p.energy.oscillation, p.energy.worst, p.energy.gain, p.energyOff.value_or(none),
                   p.momentumChange, p.penetration, p.residual, p.relativeResidual, p.coneViolation, x.end[0],

@@ -71,8 +71,8 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
         }
         std::string remark = point->isDefault ? "the scene's own" : "";
         if (!point->reason.empty())
-            remark +=
-                (remark.empty() ? "" : "; ") + std::string(nameOf(point->status)) + ": " + point->reason;
+            remark += (remark.empty() ? "" : "; ") + std::string(nameOf(point->status)) + ": " +
+                      point->reason.text();
         line.push_back(remark);
     }
     return aligned(lines);
@@ -105,7 +105,7 @@ std::string crowdOf(const AccuracyStudy& study) {
 } // namespace
 
 std::string summaryOf(const AccuracyStudy& study) {
-    std::string text = yardstickOf(study) + "\n";
+    std::string text = yardstickOf(study).text() + "\n";
     if (study.conservative) text += "Nothing takes energy out of the scene: it must stay.\n";
     for (const AccuracyFamily& family : familiesOf(study)) {
         text += "\n" + family.name;
@@ -114,10 +114,11 @@ std::string summaryOf(const AccuracyStudy& study) {
         text += "\n" + tableOf(study, family);
     }
     text += crowdOf(study);
-    if (const std::string engines = enginesIn(study); !engines.empty()) text += "\n" + engines;
-    if (const std::string omissions = omissionsOf(study); !omissions.empty()) text += "\n" + omissions + "\n";
+    if (const Reason engines = enginesIn(study); !engines.empty()) text += "\n" + engines.text() + "\n";
+    if (const Reason omissions = omissionsOf(study); !omissions.empty())
+        text += "\n" + omissions.text() + "\n";
     if (!study.complete) text += "\nThe study was interrupted; what was measured is shown.\n";
-    return text + "\n" + recommendation(study) + "\n";
+    return text + "\n" + recommendation(study).text() + "\n";
 }
 
 namespace {
@@ -137,7 +138,7 @@ std::string comparisonLine(const std::string& scene, std::size_t width, const Ac
     const std::optional<double> distance = distanceFromFront(study);
     return padded(scene, width + 2) + padded(figure(study.seconds, 3), 9) +
            padded(std::string(study.measure->name), 12) + padded(referenceOf(study), 16) +
-           padded(distance ? figure(*distance, 2) : "-", 15) + recommendation(study) + "\n";
+           padded(distance ? figure(*distance, 2) : "-", 15) + recommendation(study).text() + "\n";
 }
 
 std::string_view comparisonColumns() {
@@ -149,7 +150,7 @@ void addComparison(const std::string& scene, const AccuracyStudy& study, CsvTabl
     table.row(scene, study.seconds, study.measure->name, referenceOf(study),
               distanceFromFront(study).value_or(std::numeric_limits<double>::quiet_NaN()),
               study.points.size(), study.leftOut.size(), study.duration, study.plan.duration,
-              recommendation(study));
+              recommendation(study).text());
 }
 
 } // namespace carom

@@ -30,10 +30,10 @@ bool isSteppedApart(const Pipeline& pipeline) {
 bool isOver(const World& world, double limit, double elapsed, AccuracyPoint& point) {
     if (!world.health().finite) {
         point.status = PointStatus::Failed;
-        point.reason = "the state was lost after " + figure(world.state().time) + " s";
+        point.reason = Sentence{"the state was lost after %1 s", {figure(world.state().time)}};
     } else if (elapsed > limit) {
         point.status = PointStatus::TimedOut;
-        point.reason = "it took longer than the " + figure(limit, 2) + " s that were left for it";
+        point.reason = Sentence{"it took longer than the %1 s that were left for it", {figure(limit, 2)}};
     } else {
         return false;
     }
@@ -63,8 +63,9 @@ void judge(const AccuracyStudy& study, AccuracyPoint& point) {
     const double change = study.conservative ? point.energy.worst : point.energy.gain;
     if (!(change > brokenInvariant)) return;
     point.status = PointStatus::Broken;
-    point.reason = "energy " + std::string(study.conservative ? "changed" : "grew") + " by " +
-                   figure(100 * change) + " %";
+    const std::string percent = figure(100 * change);
+    point.reason = study.conservative ? Sentence{"energy changed by %1 %", {percent}}
+                                      : Sentence{"energy grew by %1 %", {percent}};
 }
 
 std::int64_t AccuracyRun::frames() const {

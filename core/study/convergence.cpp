@@ -18,9 +18,16 @@ constexpr std::size_t leastSlopes = 2;
 /// errors jump up and down, and there is none.
 constexpr double sameSlope = 0.3, mostSlopes = 0.6;
 
-std::string milliseconds(double cost) { return figure(cost) + " ms"; }
-
 } // namespace
+
+Reason saidOf(const AccuracySetting& setting) {
+    Reason said = verbatim(setting.family());
+    if (setting.integrator == nullptr && setting.engine.empty()) return said;
+    said.add(setting.substeps == 1 ? Sentence{", 1 substep"}
+                                   : Sentence{", %1 substeps", {std::to_string(setting.substeps)}},
+             "");
+    return said;
+}
 
 std::vector<AccuracyFamily> familiesOf(const AccuracyStudy& study) {
     std::vector<AccuracyFamily> families;
@@ -102,28 +109,36 @@ const AccuracyPoint* cheapestNoWorse(const AccuracyStudy& study, const AccuracyP
     return best != nullptr && best->cost() < own.cost() ? best : nullptr;
 }
 
-std::string costOf(const AccuracyStudy& study, const AccuracyPoint& point) {
-    std::string text = milliseconds(point.cost()) + " per simulated second: " + point.setting.name();
-    if (point.setting.integrator != nullptr)
-        text += " (substep 1/" + figure(point.setting.substeps / study.settings.step, 6) + " s)";
-    return text;
+/// The setting that a sentence ends in, with its substep.
+void addSetting(const AccuracyStudy& study, const AccuracySetting& setting, Reason& text) {
+    text.add(saidOf(setting), "");
+    if (setting.integrator != nullptr)
+        text.add(Sentence{" (substep 1/%1 s)", {figure(setting.substeps / study.settings.step, 6)}}, "");
 }
 
 /// What the scene's own setting is beside the one that was named.
-std::string besideOwn(const AccuracyStudy& study, const AccuracyPoint* named) {
+void addOwn(const AccuracyStudy& study, const AccuracyPoint* named, Reason& text) {
     const AccuracyPoint* own = ownPoint(study);
-    if (own == nullptr) return ".";
-    if (own == named) return ", which is what the scene runs with.";
-    std::string text = ". The scene's own setting, " + own->setting.name() + ", errs by " +
-                       figure(study.errorOf(*own)) + " at " + milliseconds(own->cost());
-    if (!own->usable()) text += " (" + own->reason + ")";
-    if (const AccuracyPoint* same = cheapestNoWorse(study, *own))
-        text += "; " + same->setting.name() + " is " + figure(own->cost() / same->cost(), 2) +
-                " times cheaper at no greater error";
-    return text + ".";
+    if (own == named && own != nullptr) return text.add(Sentence{", which is what the scene runs with."}, "");
+    if (own != nullptr) {
+        text.add(Sentence{". The scene's own setting, "}, "");
+        text.add(saidOf(own->setting), "");
+        text.add(Sentence{", errs by %1 at %2 ms", {figure(study.errorOf(*own)), figure(own->cost())}}, "");
+        if (!own->usable()) {
+            text.add(own->reason, " (");
+            text.add(verbatim(")"), "");
+        }
+        if (const AccuracyPoint* same = cheapestNoWorse(study, *own)) {
+            text.add(saidOf(same->setting));
+            text.add(
+                Sentence{" is %1 times cheaper at no greater error", {figure(own->cost() / same->cost(), 2)}},
+                "");
+        }
+    }
+    text.add(verbatim("."), "");
 }
 
-std::string sentenceOfRest(const AccuracyStudy& study) {
+Reason sentenceOfRest(const AccuracyStudy& study) {
     std::size_t all = 0, holding = 0;
     const AccuracyPoint* best = nullptr;
     for (const AccuracyPoint& point : study.points) {
@@ -134,17 +149,29 @@ std::string sentenceOfRest(const AccuracyStudy& study) {
         if (best == nullptr || point.cost() < best->cost()) best = &point;
     }
     if (best == nullptr) return {};
-    std::string text = holding == all
-                           ? "Nothing moves: every setting holds; the cheapest costs "
-                           : "Nothing moves: " + std::to_string(holding) + " of " + std::to_string(all) +
-                                 " settings hold; the cheapest of them costs ";
-    text += costOf(study, *best);
+    Reason text =
+        holding == all
+            ? Sentence{"Nothing moves: every setting holds; the cheapest costs %1 ms per simulated second: ",
+                       {figure(best->cost())}}
+            : Sentence{"Nothing moves: %1 of %2 settings hold; the cheapest of them costs %3 ms per "
+                       "simulated second: ",
+                       {std::to_string(holding), std::to_string(all), figure(best->cost())}};
+    addSetting(study, best->setting, text);
     const AccuracyPoint* own = ownPoint(study);
-    if (own == best) return text + ", which is what the scene runs with.";
-    if (own == nullptr) return text + ".";
-    const bool holds = own->usable() && own->errors.worst() <= study.plan.target;
-    return text + ". The scene's own setting, " + own->setting.name() + ", " +
-           (holds ? "holds, too, at " : "does not hold, at ") + milliseconds(own->cost()) + ".";
+    if (own == best) {
+        text.add(Sentence{", which is what the scene runs with."}, "");
+        return text;
+    }
+    if (own != nullptr) {
+        const bool holds = own->usable() && own->errors.worst() <= study.plan.target;
+        text.add(Sentence{". The scene's own setting, "}, "");
+        text.add(saidOf(own->setting), "");
+        text.add(holds ? Sentence{", holds, too, at %1 ms", {figure(own->cost())}}
+                       : Sentence{", does not hold, at %1 ms", {figure(own->cost())}},
+                 "");
+    }
+    text.add(verbatim("."), "");
+    return text;
 }
 
 } // namespace
@@ -160,99 +187,137 @@ bool nothingMoves(const AccuracyStudy& study) {
     return study.reference && study.reference->way <= study.plan.target;
 }
 
-std::string recommendation(const AccuracyStudy& study) {
+Reason recommendation(const AccuracyStudy& study) {
     if (nothingMoves(study))
-        if (std::string text = sentenceOfRest(study); !text.empty()) return text;
+        if (Reason text = sentenceOfRest(study); !text.empty()) return text;
     const AccuracyPoint* best = recommended(study);
-    if (best == nullptr) return "Nothing can be recommended: no setting ran with its invariants whole.";
-    std::string text(study.measure->noun);
+    if (best == nullptr)
+        return Sentence{"Nothing can be recommended: no setting ran with its invariants whole."};
+    Reason text = Sentence{study.measure->noun};
     const double equal = equalErrorsOf(study);
+    const std::string target = figure(study.plan.target), cost = figure(best->cost());
     if (study.errorOf(*best) <= study.plan.target && equal <= study.plan.target)
-        text += " below " + figure(study.plan.target);
+        text.add(Sentence{" below %1 costs %2 ms per simulated second: ", {target, cost}}, "");
     else if (study.errorOf(*best) <= equal)
-        text += " below " + figure(equal, 2) + ", what chance makes of it here,";
+        text.add(Sentence{" below %1, what chance makes of it here, costs %2 ms per simulated second: ",
+                          {figure(equal, 2), cost}},
+                 "");
     else
-        text += " below " + figure(study.plan.target) + " was reached by no setting; the least, " +
-                figure(study.errorOf(*best)) + ",";
-    return text + " costs " + costOf(study, *best) + besideOwn(study, best);
+        text.add(Sentence{" below %1 was reached by no setting; the least, %2, costs %3 ms per simulated "
+                          "second: ",
+                          {target, figure(study.errorOf(*best)), cost}},
+                 "");
+    addSetting(study, best->setting, text);
+    addOwn(study, best, text);
+    return text;
 }
 
 namespace {
 
 /// Up to when bodies can be followed, where it is not to the end.
-std::string horizonOf(const ReferenceSolution& reference) {
-    std::string text = ", each body as long as it can be followed: ";
-    if (reference.mobile == 1) return text + "up to " + figure(reference.firstHorizon) + " s";
-    text += "the first up to " + figure(reference.firstHorizon) + " s, half of them up to " +
-            figure(reference.horizon) + " s, " + std::to_string(reference.followed) + " of " +
-            std::to_string(reference.mobile) + " to the end";
+void addHorizon(const ReferenceSolution& reference, Reason& text) {
+    const std::string first = figure(reference.firstHorizon);
+    if (reference.mobile == 1)
+        return text.add(Sentence{", each body as long as it can be followed: up to %1 s", {first}}, "");
+    text.add(
+        Sentence{", each body as long as it can be followed: the first up to %1 s, half of them up to %2 "
+                 "s, %3 of %4 to the end",
+                 {first, figure(reference.horizon), std::to_string(reference.followed),
+                  std::to_string(reference.mobile)}},
+        "");
     if (reference.growth > 0)
-        text += " (copies " + figure(reference.nudge) + " apart part at " + figure(reference.growth) + " /s)";
-    return text;
+        text.add(
+            Sentence{" (copies %1 apart part at %2 /s)", {figure(reference.nudge), figure(reference.growth)}},
+            "");
+}
+
+Sentence againstWhat(ReferenceKind kind) {
+    switch (kind) {
+    case ReferenceKind::ClosedForm:
+        return Sentence{"Errors are against the closed form"};
+    case ReferenceKind::ExactEvents:
+        return Sentence{"Errors are against the exact events"};
+    case ReferenceKind::ConvergedRun:
+        return Sentence{"Errors are against the converged run"};
+    case ReferenceKind::None:
+        break;
+    }
+    return Sentence{"There is no reference solution: "};
 }
 
 } // namespace
 
-std::string yardstickOf(const AccuracyStudy& study) {
-    if (!study.reference) return "The study was stopped before it had anything to compare with.";
+Reason yardstickOf(const AccuracyStudy& study) {
+    if (!study.reference) return Sentence{"The study was stopped before it had anything to compare with."};
     const ReferenceSolution& reference = *study.reference;
-    if (reference.kind == ReferenceKind::None)
-        return "There is no reference solution: " + reference.description + ". " + reasonOf(study);
-    std::string text = "Errors are ";
+    Reason text;
     bool doubtful = reference.kind == ReferenceKind::ConvergedRun && !std::isfinite(reference.error);
     for (const AccuracyPoint& point : study.points)
         doubtful = doubtful || (reference.kind == ReferenceKind::ConvergedRun && point.finished() &&
                                 study.errorOf(point) < study.resolution());
-    if (doubtful)
-        text += "deviations from the scene's own finest run (" + reference.description + ", good to " +
-                figure(reference.error) + "): those below " + figure(study.resolution()) + " say little else";
-    else
-        text += "against the " + std::string(nameOf(reference.kind)) +
-                (reference.description == nameOf(reference.kind) ? std::string()
-                                                                 : " (" + reference.description + ")") +
-                ", good to " + figure(reference.error);
-    if (reference.chaotic) text += horizonOf(reference);
-    return text + ". " + reasonOf(study);
+    if (reference.kind == ReferenceKind::None) {
+        text = againstWhat(reference.kind);
+        text.add(noReferenceReason(), "");
+    } else if (doubtful) {
+        text = Sentence{"Errors are deviations from the scene's own finest run (%1, good to %2): those below "
+                        "%3 say little else",
+                        {reference.description, figure(reference.error), figure(study.resolution())}};
+    } else {
+        text = againstWhat(reference.kind);
+        if (reference.description != nameOf(reference.kind))
+            text.add(verbatim(" (" + reference.description + ")"), "");
+        text.add(Sentence{", good to %1", {figure(reference.error)}}, "");
+    }
+    if (reference.chaotic && reference.kind != ReferenceKind::None) addHorizon(reference, text);
+    text.add(reasonOf(study), ". ");
+    return text;
 }
 
-std::string enginesIn(const AccuracyStudy& study) {
-    std::string text;
+Reason enginesIn(const AccuracyStudy& study) {
+    Reason text;
     for (const AccuracyFamily& family : familiesOf(study)) {
         if (family.points.front()->setting.engine.empty()) continue;
         const AccuracyPoint* best = nullptr;
         for (const AccuracyPoint* point : family.points)
             if (point->finished() && (best == nullptr || study.errorOf(*point) < study.errorOf(*best)))
                 best = point;
-        text += "Engine " + family.name + ": ";
+        text.add(Sentence{"Engine %1: ", {family.name}}, "\n");
         if (best == nullptr) {
-            text += family.points.front()->reason + ".\n";
+            text.add(family.points.front()->reason, "");
+            text.add(verbatim("."), "");
             continue;
         }
-        text += "the least error is " + figure(study.errorOf(*best)) + " at " + milliseconds(best->cost()) +
-                ", " + counted(static_cast<std::size_t>(best->setting.substeps), "step", "steps") +
-                " a frame";
-        if (const AccuracyPoint* ours = cheapestWithin(study, study.errorOf(*best)))
-            text += "; no worse is " + ours->setting.name() + " at " + milliseconds(ours->cost());
-        text += ".\n";
+        text.add(Sentence{"the least error is %1 at %2 ms, steps a frame: %3",
+                          {figure(study.errorOf(*best)), figure(best->cost()),
+                           std::to_string(best->setting.substeps)}},
+                 "");
+        if (const AccuracyPoint* ours = cheapestWithin(study, study.errorOf(*best))) {
+            text.add(Sentence{"; no worse is "}, "");
+            text.add(saidOf(ours->setting), "");
+            text.add(Sentence{" at %1 ms", {figure(ours->cost())}}, "");
+        }
+        text.add(verbatim("."), "");
     }
-    for (const std::string& note : study.engineNotes) text += "  " + note + ".\n";
+    for (const std::string& note : study.engineNotes) text.add(verbatim("  " + note + "."), "\n");
     return text;
 }
 
-std::string omissionsOf(const AccuracyStudy& study) {
-    std::string text;
+Reason omissionsOf(const AccuracyStudy& study) {
+    Reason text;
     if (study.duration < study.plan.duration * (1 - 1e-9))
-        text += "Only the first " + figure(study.duration) + " s of " + figure(study.plan.duration) +
-                " s were studied: more does not fit into the budget of " + figure(study.plan.budget) + " s.";
+        text.add(
+            Sentence{"Only the first %1 s of %2 s were studied: more does not fit into the budget of %3 s.",
+                     {figure(study.duration), figure(study.plan.duration), figure(study.plan.budget)}},
+            "");
     if (study.leftOut.empty()) return text;
-    text += (text.empty() ? "" : " ") +
-            counted(study.leftOut.size(), "setting was left out, which does",
-                    "settings were left out, which do") +
-            " not fit into it: ";
-    std::string names;
+    text.add(study.leftOut.size() == 1 ? Sentence{"1 setting was left out, which does not fit into it: "}
+                                       : Sentence{"%1 settings were left out, which do not fit into it: ",
+                                                  {std::to_string(study.leftOut.size())}},
+             " ");
     for (const AccuracySetting& setting : study.leftOut)
-        names += (names.empty() ? "" : "; ") + setting.name();
-    return text + names + ".";
+        text.add(saidOf(setting), &setting == &study.leftOut.front() ? "" : "; ");
+    text.add(verbatim("."), "");
+    return text;
 }
 
 } // namespace carom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/study/accuracy.h"
 
 #include <optional>
@@ -42,18 +43,21 @@ std::optional<double> distanceFromFront(const AccuracyStudy& study);
 /// Whether nothing moves in the reference solution, by what is accurate enough.
 bool nothingMoves(const AccuracyStudy& study);
 
+/// A setting by its name, whose substeps are said in words.
+Reason saidOf(const AccuracySetting& setting);
+
 /// "Error below 0.001 costs 0.8 ms per simulated second: microcollisions, verlet, 4 substeps; 12 times
 /// cheaper than the scene's own setting ...", or "Nothing moves: every setting holds; the cheapest costs
 /// ...".
-std::string recommendation(const AccuracyStudy& study);
+Reason recommendation(const AccuracyStudy& study);
 
 /// What errors are deviations from, up to when, and how far they can be trusted: one or two sentences.
-std::string yardstickOf(const AccuracyStudy& study);
+Reason yardstickOf(const AccuracyStudy& study);
 
 /// What other engines reach, a line each family, and where their rules are not ours; nothing without any.
-std::string enginesIn(const AccuracyStudy& study);
+Reason enginesIn(const AccuracyStudy& study);
 
 /// What did not fit into the budget: sentences, or nothing.
-std::string omissionsOf(const AccuracyStudy& study);
+Reason omissionsOf(const AccuracyStudy& study);
 
 } // namespace carom

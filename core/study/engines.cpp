@@ -137,7 +137,7 @@ bool measureEngine(const AccuracyRun& run, AccuracyPoint& point, std::vector<std
         if (const std::string note = family + ": " + rule; std::ranges::count(notes, note) == 0)
             notes.push_back(note);
     point.status = PointStatus::Failed;
-    point.reason = problem;
+    point.reason = verbatim(problem);
     if (!problem.empty()) return true;
     point.times = {output.cost()};
     point.errors = meter.norms();

@@ -19,7 +19,7 @@ constexpr double same = 1e-2;
 constexpr double leastFollowed = 0.1;
 
 double noResolution(const AccuracyStudy& /*study*/) { return 0; }
-std::string noObjection(const AccuracyStudy& /*study*/) { return {}; }
+Reason noObjection(const AccuracyStudy& /*study*/) { return {}; }
 
 std::optional<double> trajectoryError(const AccuracyPoint& point, const AccuracyStudy& /*study*/) {
     return point.errors.worst();
@@ -28,13 +28,13 @@ std::optional<double> trajectoryError(const AccuracyPoint& point, const Accuracy
 double trajectoryResolution(const AccuracyStudy& study) {
     return study.reference ? 100 * study.reference->error : 0;
 }
-std::string trajectoryObjection(const AccuracyStudy& study) {
+Reason trajectoryObjection(const AccuracyStudy& study) {
     if (!study.reference) return {};
     const ReferenceSolution& reference = *study.reference;
-    if (reference.kind == ReferenceKind::None) return reference.description;
+    if (reference.kind == ReferenceKind::None) return noReferenceReason();
     if (reference.horizon >= leastFollowed * reference.duration) return {};
-    return "half of the bodies can be followed for " + figure(reference.horizon, 2) + " s of " +
-           figure(reference.duration, 3) + " s only, then their ways are chance";
+    return Sentence{"half of the bodies can be followed for %1 s of %2 s only, then their ways are chance",
+                    {figure(reference.horizon, 2), figure(reference.duration, 3)}};
 }
 
 /// The greater of what is missing and how late the others are, relative to all and to the duration.
@@ -45,13 +45,14 @@ std::optional<double> impactError(const AccuracyPoint& point, const AccuracyStud
         static_cast<double>(seen.expected - seen.matched) / static_cast<double>(seen.expected);
     return std::max(missed, seen.time / study.duration);
 }
-std::string impactObjection(const AccuracyStudy& study) {
-    if (std::string reason = trajectoryObjection(study); !study.reference || !reason.empty()) return reason;
-    if (study.reference->impacts.empty()) return "impacts cannot be told from smooth motion in it";
+Reason impactObjection(const AccuracyStudy& study) {
+    if (Reason reason = trajectoryObjection(study); !study.reference || !reason.empty()) return reason;
+    if (study.reference->impacts.empty()) return Sentence{"impacts cannot be told from smooth motion in it"};
     const bool any = std::ranges::any_of(study.points, [](const AccuracyPoint& point) {
         return point.impacts && point.impacts->expected > 0;
     });
-    return any ? "" : "nothing hits anything while it can be followed";
+    if (any) return {};
+    return Sentence{"nothing hits anything while it can be followed"};
 }
 
 /// Off what it must be, up or down: what it was at the start where nothing is lost, else its course in the
@@ -82,9 +83,11 @@ std::optional<double> restError(const AccuracyPoint& point, const AccuracyStudy&
 double restResolution(const AccuracyStudy& study) {
     return study.reference ? study.reference->outcomeScatter : 0;
 }
-std::string restObjection(const AccuracyStudy& study) {
-    if (study.conservative) return "nothing takes energy out of the scene, so nothing comes to rest";
-    if (study.reference && !study.reference->outcome) return "there is no run to its end to compare with";
+Reason restObjection(const AccuracyStudy& study) {
+    if (study.conservative)
+        return Sentence{"nothing takes energy out of the scene, so nothing comes to rest"};
+    if (study.reference && !study.reference->outcome)
+        return Sentence{"there is no run to its end to compare with"};
     return {};
 }
 
@@ -123,8 +126,8 @@ std::span<const MeasureRow> measures() {
 
 const MeasureRow* findMeasure(std::string_view name) { return findByName(measures(), name); }
 
-std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study) {
-    if (std::string reason = measure.objection(study); !reason.empty()) return reason;
+Reason objectionTo(const MeasureRow& measure, const AccuracyStudy& study) {
+    if (Reason reason = measure.objection(study); !reason.empty()) return reason;
     const double none = std::max(rounding, measure.resolution(study));
     double least = HUGE_VAL, most = 0;
     std::size_t measured = 0;
@@ -136,9 +139,11 @@ std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study) {
         least = std::min(least, *value);
         most = std::max(most, *value);
     }
-    if (measured == 0) return "no setting has been measured by it";
-    if (!(most > none)) return "no setting differs from none by more than can be told, " + figure(none, 2);
-    if (measured > 1 && most - least <= same * most) return "it is " + figure(most, 2) + " for every setting";
+    if (measured == 0) return Sentence{"no setting has been measured by it"};
+    if (!(most > none))
+        return Sentence{"no setting differs from none by more than can be told, %1", {figure(none, 2)}};
+    if (measured > 1 && most - least <= same * most)
+        return Sentence{"it is %1 for every setting", {figure(most, 2)}};
     return {};
 }
 
@@ -148,16 +153,19 @@ const MeasureRow& chooseMeasure(const AccuracyStudy& study) {
     return measures().front();
 }
 
-std::string reasonOf(const AccuracyStudy& study) {
-    std::string text = "Measured by `" + std::string(study.measure->name) + "`";
-    if (study.plan.measure != nullptr) return text + ", as asked for.";
-    std::string others;
+Reason reasonOf(const AccuracyStudy& study) {
+    const std::string name(study.measure->name);
+    if (study.plan.measure != nullptr) return Sentence{"Measured by `%1`, as asked for.", {name}};
+    if (study.measure == &measures().front())
+        return Sentence{"Measured by `%1`, the first that says something.", {name}};
+    Reason reason = Sentence{"Measured by `%1`", {name}};
     for (const MeasureRow& row : measures()) {
         if (&row == study.measure) break;
-        others += (others.empty() ? "" : "; ") + ("`" + std::string(row.name) + "` says nothing here: ") +
-                  objectionTo(row, study);
+        reason.add(Sentence{"`%1` says nothing here: ", {std::string(row.name)}});
+        reason.add(objectionTo(row, study), "");
     }
-    return text + (others.empty() ? ", the first that says something." : "; " + others + ".");
+    reason.add(verbatim("."), "");
+    return reason;
 }
 
 double AccuracyStudy::errorOf(const AccuracyPoint& point) const {

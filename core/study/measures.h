@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/study/accuracy.h"
 
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 // What a setting's error is. Where trajectories mean nothing, others do; the first one of the list that says
@@ -25,7 +25,7 @@ struct MeasureRow {
     /// The part of that below which errors are equal: the reference solution's own error, or chance.
     double equalBelow = 1;
     /// A clause, why it says nothing of the scene whatever the settings do; empty: it may.
-    std::string (*objection)(const AccuracyStudy& study) = nullptr;
+    Reason (*objection)(const AccuracyStudy& study) = nullptr;
 };
 
 std::span<const MeasureRow> measures();
@@ -35,12 +35,12 @@ double equalErrorsOf(const AccuracyStudy& study);
 const MeasureRow* findMeasure(std::string_view name);
 
 /// Why the measure says nothing of the study as far as it is, a clause; empty: it does.
-std::string objectionTo(const MeasureRow& measure, const AccuracyStudy& study);
+Reason objectionTo(const MeasureRow& measure, const AccuracyStudy& study);
 
 /// The first measure that says something, or the first one of all if none does.
 const MeasureRow& chooseMeasure(const AccuracyStudy& study);
 
 /// "Measured by energy, since trajectory says nothing here: ...": which measure, and why.
-std::string reasonOf(const AccuracyStudy& study);
+Reason reasonOf(const AccuracyStudy& study);
 
 } // namespace carom

@@ -409,9 +409,7 @@ class Convergence {
 /// Something to be relative to where nothing can be followed.
 ReferenceSolution noReference(const Pipeline& pipeline, const ReferenceRequest& request) {
     const Trajectory start{request.settings.step, {pipeline.initialState().pose}};
-    ReferenceSolution reference{
-        .kind = ReferenceKind::None,
-        .description = "no run of the most accurate setting came to an end with its state whole"};
+    ReferenceSolution reference{.kind = ReferenceKind::None, .description = noReferenceReason().text()};
     reference.size = sizeOf(pipeline.bodies(), start);
     reference.duration = request.duration;
     reference.horizons.assign(pipeline.bodies().count(), 0);
@@ -420,6 +418,10 @@ ReferenceSolution noReference(const Pipeline& pipeline, const ReferenceRequest& 
 }
 
 } // namespace
+
+Sentence noReferenceReason() {
+    return Sentence{"no run of the most accurate setting came to an end with its state whole"};
+}
 
 std::string_view nameOf(ReferenceKind kind) {
     switch (kind) {

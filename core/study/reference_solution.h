@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/sentence.h"
 #include "core/simulation/pipeline.h"
 #include "core/study/crowd_runs.h"
 #include "core/study/error_norms.h"
@@ -34,6 +35,8 @@ namespace carom {
 
 enum class ReferenceKind : std::uint8_t { ClosedForm, ExactEvents, ConvergedRun, None };
 std::string_view nameOf(ReferenceKind kind); ///< "closed form", "exact events", "converged run", "none"
+/// Why there is none, of ReferenceKind::None; a clause.
+Sentence noReferenceReason();
 
 struct ReferenceRequest {
     const Scene& scene;

@@ -2172,6 +2172,274 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <source>what moves are smooth spheres, and no impact loses energy</source>
         <translation>was sich bewegt, sind glatte Kugeln, und kein Stoß verliert Energie</translation>
     </message>
+    <message>
+        <source>the state was lost after %1 s</source>
+        <translation>der Zustand ging nach %1 s verloren</translation>
+    </message>
+    <message>
+        <source>it took longer than the %1 s that were left for it</source>
+        <translation>es dauerte länger als die %1 s, die dafür blieben</translation>
+    </message>
+    <message>
+        <source>energy changed by %1 %</source>
+        <translation>die Energie änderte sich um %1 %</translation>
+    </message>
+    <message>
+        <source>energy grew by %1 %</source>
+        <translation>die Energie wuchs um %1 %</translation>
+    </message>
+    <message>
+        <source>, 1 substep</source>
+        <translation>, 1 Teilschritt</translation>
+    </message>
+    <message>
+        <source>, %1 substeps</source>
+        <translation>, %1 Teilschritte</translation>
+    </message>
+    <message>
+        <source> (substep 1/%1 s)</source>
+        <translation> (Teilschritt 1/%1 s)</translation>
+    </message>
+    <message>
+        <source>, which is what the scene runs with.</source>
+        <translation>; damit läuft die Szene schon.</translation>
+    </message>
+    <message>
+        <source>. The scene&apos;s own setting, </source>
+        <translation>. Die eigene Einstellung der Szene, </translation>
+    </message>
+    <message>
+        <source>, errs by %1 at %2 ms</source>
+        <translation>, hat einen Fehler von %1 bei %2 ms</translation>
+    </message>
+    <message>
+        <source> is %1 times cheaper at no greater error</source>
+        <translation> ist %1-mal so billig bei keinem größeren Fehler</translation>
+    </message>
+    <message>
+        <source>Nothing moves: every setting holds; the cheapest costs %1 ms per simulated second: </source>
+        <translation>Nichts bewegt sich: jede Einstellung hält; die billigste kostet %1 ms je simulierter Sekunde: </translation>
+    </message>
+    <message>
+        <source>Nothing moves: %1 of %2 settings hold; the cheapest of them costs %3 ms per simulated second: </source>
+        <translation>Nichts bewegt sich: %1 von %2 Einstellungen halten; die billigste davon kostet %3 ms je simulierter Sekunde: </translation>
+    </message>
+    <message>
+        <source>, holds, too, at %1 ms</source>
+        <translation>, hält ebenfalls, bei %1 ms</translation>
+    </message>
+    <message>
+        <source>, does not hold, at %1 ms</source>
+        <translation>, hält nicht, bei %1 ms</translation>
+    </message>
+    <message>
+        <source>Nothing can be recommended: no setting ran with its invariants whole.</source>
+        <translation>Nichts kann empfohlen werden: keine Einstellung hat alle Erhaltungsgrößen bewahrt.</translation>
+    </message>
+    <message>
+        <source> below %1 costs %2 ms per simulated second: </source>
+        <translation> unter %1 kostet %2 ms je simulierter Sekunde: </translation>
+    </message>
+    <message>
+        <source> below %1, what chance makes of it here, costs %2 ms per simulated second: </source>
+        <translation> unter %1, was hier schon der Zufall ausmacht, kostet %2 ms je simulierter Sekunde: </translation>
+    </message>
+    <message>
+        <source> below %1 was reached by no setting; the least, %2, costs %3 ms per simulated second: </source>
+        <translation> unter %1 wurde von keiner Einstellung erreicht; der kleinste Wert, %2, kostet %3 ms je simulierter Sekunde: </translation>
+    </message>
+    <message>
+        <source>, each body as long as it can be followed: up to %1 s</source>
+        <translation>, jeder Körper, solange er verfolgt werden kann: bis %1 s</translation>
+    </message>
+    <message>
+        <source>, each body as long as it can be followed: the first up to %1 s, half of them up to %2 s, %3 of %4 to the end</source>
+        <translation>, jeder Körper, solange er verfolgt werden kann: der erste bis %1 s, die Hälfte bis %2 s, %3 von %4 bis zum Ende</translation>
+    </message>
+    <message>
+        <source> (copies %1 apart part at %2 /s)</source>
+        <translation> (Kopien im Abstand %1 entfernen sich mit %2 /s)</translation>
+    </message>
+    <message>
+        <source>Errors are against the closed form</source>
+        <translation>Fehler sind Abweichungen von der geschlossenen Lösung</translation>
+    </message>
+    <message>
+        <source>Errors are against the exact events</source>
+        <translation>Fehler sind Abweichungen von den exakten Ereignissen</translation>
+    </message>
+    <message>
+        <source>Errors are against the converged run</source>
+        <translation>Fehler sind Abweichungen vom konvergierten Lauf</translation>
+    </message>
+    <message>
+        <source>There is no reference solution: </source>
+        <translation>Es gibt keine Referenzlösung: </translation>
+    </message>
+    <message>
+        <source>The study was stopped before it had anything to compare with.</source>
+        <translation>Die Studie wurde angehalten, bevor es etwas zum Vergleichen gab.</translation>
+    </message>
+    <message>
+        <source>Errors are deviations from the scene&apos;s own finest run (%1, good to %2): those below %3 say little else</source>
+        <translation>Fehler sind Abweichungen vom feinsten Lauf der Szene selbst (%1, genau bis %2): unter %3 sagen sie sonst wenig</translation>
+    </message>
+    <message>
+        <source>, good to %1</source>
+        <translation>, genau bis %1</translation>
+    </message>
+    <message>
+        <source>Engine %1: </source>
+        <translation>Engine %1: </translation>
+    </message>
+    <message>
+        <source>the least error is %1 at %2 ms, steps a frame: %3</source>
+        <translation>der kleinste Fehler ist %1 bei %2 ms, Schritte je Bild: %3</translation>
+    </message>
+    <message>
+        <source>; no worse is </source>
+        <translation>; nicht schlechter ist </translation>
+    </message>
+    <message>
+        <source> at %1 ms</source>
+        <translation> bei %1 ms</translation>
+    </message>
+    <message>
+        <source>Only the first %1 s of %2 s were studied: more does not fit into the budget of %3 s.</source>
+        <translation>Nur die ersten %1 s von %2 s wurden untersucht: mehr passt nicht in die %3 s, die dafür da sind.</translation>
+    </message>
+    <message>
+        <source>1 setting was left out, which does not fit into it: </source>
+        <translation>1 Einstellung wurde ausgelassen, weil die Zeit nicht reicht: </translation>
+    </message>
+    <message>
+        <source>%1 settings were left out, which do not fit into it: </source>
+        <translation>%1 Einstellungen wurden ausgelassen, weil die Zeit nicht reicht: </translation>
+    </message>
+    <message>
+        <source>half of the bodies can be followed for %1 s of %2 s only, then their ways are chance</source>
+        <translation>die Hälfte der Körper kann nur %1 s von %2 s lang verfolgt werden, danach sind ihre Wege Zufall</translation>
+    </message>
+    <message>
+        <source>impacts cannot be told from smooth motion in it</source>
+        <translation>Stöße sind darin nicht von glatter Bewegung zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>nothing hits anything while it can be followed</source>
+        <translation>nichts stößt an etwas, solange es verfolgt werden kann</translation>
+    </message>
+    <message>
+        <source>nothing takes energy out of the scene, so nothing comes to rest</source>
+        <translation>nichts nimmt der Szene Energie, also kommt nichts zur Ruhe</translation>
+    </message>
+    <message>
+        <source>there is no run to its end to compare with</source>
+        <translation>es gibt keinen Lauf bis zum Ende zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>no setting has been measured by it</source>
+        <translation>keine Einstellung wurde damit gemessen</translation>
+    </message>
+    <message>
+        <source>no setting differs from none by more than can be told, %1</source>
+        <translation>keine Einstellung weicht um mehr ab, als man unterscheiden kann, %1</translation>
+    </message>
+    <message>
+        <source>it is %1 for every setting</source>
+        <translation>es ist %1 für jede Einstellung</translation>
+    </message>
+    <message>
+        <source>Measured by `%1`, as asked for.</source>
+        <translation>Gemessen mit `%1`, wie verlangt.</translation>
+    </message>
+    <message>
+        <source>Measured by `%1`, the first that says something.</source>
+        <translation>Gemessen mit `%1`, dem ersten Maß, das etwas aussagt.</translation>
+    </message>
+    <message>
+        <source>Measured by `%1`</source>
+        <translation>Gemessen mit `%1`</translation>
+    </message>
+    <message>
+        <source>`%1` says nothing here: </source>
+        <translation>`%1` sagt hier nichts: </translation>
+    </message>
+    <message>
+        <source>no run of the most accurate setting came to an end with its state whole</source>
+        <translation>kein Lauf der genauesten Einstellung kam mit heilem Zustand zum Ende</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>error: distance by scene size, or angle in rad</source>
+        <translation>Fehler: Abstand durch Szenengröße oder Winkel in rad</translation>
+    </message>
+    <message>
+        <source>The largest distance from the reference solution, relative to the scene&apos;s size, or the largest angle in rad; of each body as long as it can be followed.</source>
+        <translation>Der größte Abstand von der Referenzlösung, relativ zur Größe der Szene, oder der größte Winkel in rad; jeder Körper, solange er verfolgt werden kann.</translation>
+    </message>
+    <message>
+        <source>Error of impacts</source>
+        <translation>Fehler der Stöße</translation>
+    </message>
+    <message>
+        <source>impacts: missed, or time off by duration</source>
+        <translation>Stöße: verfehlt, oder Zeitfehler durch Dauer</translation>
+    </message>
+    <message>
+        <source>The part of the impacts that is missed, or how much too early or late the others come, relative to the duration.</source>
+        <translation>Der Teil der Stöße, der fehlt, oder wie viel zu früh oder zu spät die anderen kommen, relativ zur Dauer.</translation>
+    </message>
+    <message>
+        <source>Error of energy</source>
+        <translation>Fehler der Energie</translation>
+    </message>
+    <message>
+        <source>error of energy, relative to what is exchanged</source>
+        <translation>Fehler der Energie, relativ zur umgesetzten</translation>
+    </message>
+    <message>
+        <source>How far the energy is off, up or down: from its start in a scene that loses none, else from its course in the reference solution as far as that is certain; relative to the largest exchanged in the run, at least to a thousandth of weight times size.</source>
+        <translation>Wie weit die Energie abweicht, nach oben oder unten: vom Anfang, wo keine verloren geht, sonst von ihrem Verlauf in der Referenzlösung, soweit der sicher ist; relativ zur größten umgesetzten im Lauf, mindestens zu einem Tausendstel von Gewicht mal Größe.</translation>
+    </message>
+    <message>
+        <source>Largest overlap</source>
+        <translation>Größte Überlappung</translation>
+    </message>
+    <message>
+        <source>largest overlap by half thickness</source>
+        <translation>größte Überlappung durch halbe Dicke</translation>
+    </message>
+    <message>
+        <source>The deepest overlap of two bodies, relative to half the thickness of the thinnest.</source>
+        <translation>Die tiefste Überlappung zweier Körper, relativ zur halben Dicke des dünnsten.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>residual of contacts, relative</source>
+        <translation>Residuum der Kontakte, relativ</translation>
+    </message>
+    <message>
+        <source>How far the worst contact problem was from solved, relative to the speed that the largest energy exchanged would give all bodies.</source>
+        <translation>Wie weit das schlechteste Kontaktproblem von seiner Lösung entfernt war, relativ zur Geschwindigkeit, die die größte umgesetzte Energie allen Körpern gäbe.</translation>
+    </message>
+    <message>
+        <source>Error at the end</source>
+        <translation>Fehler am Ende</translation>
+    </message>
+    <message>
+        <source>what is left at the end: deviation</source>
+        <translation>was am Ende übrig ist: Abweichung</translation>
+    </message>
+    <message>
+        <source>What is left at the end: height and centre of mass relative to the scene&apos;s size, time to rest relative to the duration, energy lost relative to the largest exchanged.</source>
+        <translation>Was am Ende übrig ist: Höhe und Schwerpunkt relativ zur Größe der Szene, Zeit bis zur Ruhe relativ zur Dauer, verlorene Energie relativ zur größten umgesetzten.</translation>
+    </message>
 </context>
 <context>
     <name>carom::DiagnosticMarks</name>

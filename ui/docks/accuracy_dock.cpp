@@ -100,7 +100,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_measure->addItem(tr("automatic"), QString());
     for (const MeasureRow& row : measures()) {
         m_measure->addItem(textOf(row.name), textOf(row.name));
-        m_measure->setItemData(m_measure->count() - 1, textOf(row.help), Qt::ToolTipRole);
+        m_measure->setItemData(m_measure->count() - 1, sentence(Sentence{row.help}), Qt::ToolTipRole);
     }
     connect(m_measure, &QComboBox::currentIndexChanged, this, [this] {
         if (m_result) take(AccuracyStudy(*m_result));
@@ -314,7 +314,7 @@ void AccuracyDock::showProgress(double seconds, double budget) {
 void AccuracyDock::take(const AccuracyStudy& study) {
     m_result = study;
     chooseMeasureOf(*m_result);
-    m_verdict->setText(QString::fromStdString(recommendation(*m_result)));
+    m_verdict->setText(sentences(recommendation(*m_result)));
     updateControls();
     showChart();
 }
@@ -323,11 +323,9 @@ void AccuracyDock::finish(const AccuracyStudy& study, double seconds) {
     take(study);
     m_state->setText(study.complete ? tr("studied in %1 s").arg(seconds, 0, 'f', 1)
                                     : tr("stopped after %1 s").arg(seconds, 0, 'f', 1));
-    QString words = QString::fromStdString(yardstickOf(*m_result));
-    if (const std::string omissions = omissionsOf(*m_result); !omissions.empty())
-        words += QStringLiteral("\n\n") + QString::fromStdString(omissions);
-    if (const std::string engines = enginesIn(*m_result); !engines.empty())
-        words += QStringLiteral("\n\n") + QString::fromStdString(engines);
+    QString words = sentences(yardstickOf(*m_result));
+    for (const Reason& more : {omissionsOf(*m_result), enginesIn(*m_result)})
+        if (!more.empty()) words += QStringLiteral("\n\n") + sentences(more);
     m_point->setText(words + tr("\n\nClick a point to choose it."));
     Q_EMIT reported(tr("accuracy of %1 studied in %2 s: %3")
                         .arg(m_studiedName, QString::number(seconds, 'f', 1), m_verdict->text()));

@@ -33,7 +33,7 @@ double shownError(const AccuracyStudy& study, const AccuracyPoint& point) {
 ChartSpec emptyChart(const QString& title, const AccuracyStudy& study) {
     return {.title = title,
             .note = {},
-            .x = {textOf(study.measure->axis), {}, true},
+            .x = {sentence(Sentence{study.measure->axis}), {}, true},
             .y = {AccuracyChartTexts::tr("time per simulated second"), QStringLiteral("ms"), true},
             .series = {},
             .levels = {{realTime, AccuracyChartTexts::tr("real time"), true}},
@@ -181,11 +181,11 @@ void addFront(const AccuracyStudy& study, ChartSpec& chart) {
 
 QString describe(const AccuracyStudy& study, const AccuracyPoint& point) {
     QString words = AccuracyChartTexts::tr("%1\nerror %2 (distance %3, angle %4 rad)")
-                        .arg(text(point.setting.name()), text(figure(point.errors.worst())),
+                        .arg(sentences(saidOf(point.setting)), text(figure(point.errors.worst())),
                              text(figure(point.errors.position)), text(figure(point.errors.attitude)));
     if (study.measure != &measures().front())
         words += AccuracyChartTexts::tr("\n%1 %2", "a measure and its value")
-                     .arg(textOf(study.measure->noun), text(figure(study.errorOf(point))));
+                     .arg(sentence(Sentence{study.measure->noun}), text(figure(study.errorOf(point))));
     words +=
         AccuracyChartTexts::tr("\n%1 ms per simulated second (%2 to %3)")
             .arg(text(figure(point.cost())), text(figure(point.leastCost())), text(figure(point.mostCost())));
@@ -206,7 +206,7 @@ QString describe(const AccuracyStudy& study, const AccuracyPoint& point) {
                      .arg(text(figure(100 * point.crowd->speeds.median, 2)),
                           text(figure(100 * point.crowd->pressure.median, 2)),
                           text(figure(100 * point.crowd->freeTime.median, 2)));
-    if (!point.reason.empty()) words += QLatin1Char('\n') + text(point.reason);
+    if (!point.reason.empty()) words += QLatin1Char('\n') + sentence(point.reason);
     return words;
 }
 
@@ -222,7 +222,7 @@ void markChosen(const AccuracyStudy& study, const AccuracyPoint& point, ChartSpe
 
 AccuracyChart accuracyChart(const AccuracyStudy& study, const QString& title) {
     AccuracyChart chart{.spec = emptyChart(title, study), .points = {}};
-    chart.spec.note = text(recommendation(study));
+    chart.spec.note = sentences(recommendation(study));
     addFamilies(study, {}, std::nullopt, chart.spec, chart.points);
     addFront(study, chart.spec);
     addVerdicts(study, chart.spec);

@@ -188,7 +188,7 @@ class AccuracyTest : public QObject {
         const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 2}, 0.5));
         QCOMPARE(study.reference->kind, ReferenceKind::ConvergedRun);
         QVERIFY(study.reference->error > 0 && study.reference->error < 1e-3);
-        QVERIFY(q(yardstickOf(study)).contains(q(study.reference->description)));
+        QVERIFY(q(yardstickOf(study).text()).contains(q(study.reference->description)));
     }
 
     void aGasIsChaoticAndItsErrorsEndAtTheHorizon() {
@@ -197,7 +197,7 @@ class AccuracyTest : public QObject {
         AccuracyPlan plan = quickPlan(scene, {1}, 4);
         plan.settings.resize(1);
         const AccuracyStudy study = studied(scene, plan);
-        qInfo("%s", yardstickOf(study).c_str());
+        qInfo("%s", yardstickOf(study).text().c_str());
         QVERIFY(study.reference->chaotic);
         QVERIFY(study.reference->firstHorizon > 0 && study.reference->horizon < 4);
         QVERIFY(study.reference->growth > 0);
@@ -290,9 +290,9 @@ class AccuracyTest : public QObject {
         QVERIFY(!study.leftOut.empty());
         QCOMPARE(study.points.size() + study.leftOut.size(), plan.settings.size());
         for (const AccuracyPoint& point : study.points) QVERIFY(!point.times.empty());
-        QVERIFY(q(omissionsOf(study)).contains(QStringLiteral("left out")));
+        QVERIFY(q(omissionsOf(study).text()).contains(QStringLiteral("left out")));
         QVERIFY(!q(summaryOf(study)).contains(QStringLiteral("interrupted")));
-        QVERIFY(q(recommendation(study)).contains(QStringLiteral("per simulated second")));
+        QVERIFY(q(recommendation(study).text()).contains(QStringLiteral("per simulated second")));
     }
 
     void ofASceneThatIsTooLongTheFirstPartIsStudied() {
@@ -303,7 +303,7 @@ class AccuracyTest : public QObject {
         const AccuracyStudy study = studiedByCount(scene, plan);
         QVERIFY(study.complete && !study.points.empty());
         QVERIFY(study.duration > 0.1 && study.duration < 2);
-        QVERIFY(q(omissionsOf(study)).startsWith(QStringLiteral("Only the first")));
+        QVERIFY(q(omissionsOf(study).text()).startsWith(QStringLiteral("Only the first")));
         QVERIFY(study.seconds <= 2);
     }
 
@@ -363,8 +363,9 @@ class AccuracyTest : public QObject {
         std::erase_if(plan.settings, [](const AccuracySetting& s) { return s.method->name != "contacts"; });
         const AccuracyStudy study = studiedByCount(scene, plan);
         QVERIFY(nothingMoves(study));
-        QVERIFY2(recommendation(study).starts_with("Nothing moves: every setting holds; the cheapest costs "),
-                 recommendation(study).c_str());
+        QVERIFY2(recommendation(study).text().starts_with(
+                     "Nothing moves: every setting holds; the cheapest costs "),
+                 recommendation(study).text().c_str());
         for (const AccuracyPoint& point : study.points) {
             QCOMPARE(point.status, PointStatus::Measured);
             QVERIFY(point.energy.worst < 0.01); // of a kinetic energy of nothing it was 1
@@ -401,7 +402,7 @@ class AccuracyTest : public QObject {
         QVERIFY(reference.horizons[alone] >= 6 - 1e-9);
         QVERIFY(reference.horizons[among] < 5 && reference.horizons[among] > 0);
         QCOMPARE(reference.followed, std::size_t(1));
-        QVERIFY(q(yardstickOf(study)).contains(QStringLiteral("1 of 3 to the end")));
+        QVERIFY(q(yardstickOf(study).text()).contains(QStringLiteral("1 of 3 to the end")));
     }
 
     void whereTrajectoriesMeanNothingTheFirstMeasureThatSaysSomethingTakesTheirPlace() {
@@ -413,14 +414,14 @@ class AccuracyTest : public QObject {
         plan.settings.resize(2);
         AccuracyStudy study = studied(scene, plan);
         QVERIFY(study.measure->name != "trajectory");
-        const QString why = q(reasonOf(study));
+        const QString why = q(reasonOf(study).text());
         QVERIFY2(why.contains(
                      QStringLiteral("`trajectory` says nothing here: half of the bodies can be followed")),
                  qPrintable(why));
         plan.measure = findMeasure("overlap");
         study = studied(scene, plan);
         QCOMPARE(study.measure->name, std::string_view("overlap"));
-        QCOMPARE(reasonOf(study), std::string("Measured by `overlap`, as asked for."));
+        QCOMPARE(reasonOf(study).text(), std::string("Measured by `overlap`, as asked for."));
     }
 
     // It counted as saying something, and was chosen, because it was above rounding.
@@ -430,9 +431,9 @@ class AccuracyTest : public QObject {
         QVERIFY(study.points.size() > 2);
         const MeasureRow& overlap = *findMeasure("overlap");
         for (AccuracyPoint& point : study.points) point.penetration = 0.25;
-        QCOMPARE(objectionTo(overlap, study), std::string("it is 0.25 for every setting"));
+        QCOMPARE(objectionTo(overlap, study).text(), std::string("it is 0.25 for every setting"));
         study.points.back().penetration = 0.5;
-        QCOMPARE(objectionTo(overlap, study), std::string());
+        QCOMPARE(objectionTo(overlap, study).text(), std::string());
     }
 
     // Only what appeared counted: a setting that lost twice what friction takes was as good as the right one.

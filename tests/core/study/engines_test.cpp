@@ -119,7 +119,7 @@ class EnginesTest : public QObject {
             const AccuracySetting& setting = point.setting;
             if (setting.engine == "broken") {
                 QCOMPARE(point.status, PointStatus::Failed);
-                QCOMPARE(point.reason, std::string("its program ended with 1"));
+                QCOMPARE(point.reason.text(), std::string("its program ended with 1"));
             }
             if (setting.engine != "another") continue;
             QVERIFY(point.finished());
@@ -136,7 +136,7 @@ class EnginesTest : public QObject {
         QCOMPARE(compared, 6); // 1, 2 and 4 steps, tuned and not
         for (const AccuracyPoint* point : paretoFront(study)) QVERIFY(point->setting.engine.empty());
         QVERIFY(recommended(study)->setting.engine.empty());
-        const QString told = QString::fromStdString(enginesIn(study));
+        const QString told = QString::fromStdString(enginesIn(study).text());
         QVERIFY2(told.contains(QStringLiteral("Engine another, tuned: the least error is")),
                  qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("Engine broken, tuned: its program ended with 1")),

@@ -112,7 +112,7 @@ class AccuracyDockTest : public QObject {
         study();
         const auto ofEngine = [&] {
             return std::ranges::count_if(m_dock->result()->points, [](const AccuracyPoint& point) {
-                return point.setting.engine == "still" && point.reason == "it has no motion";
+                return point.setting.engine == "still" && point.reason.text() == "it has no motion";
             });
         };
         QCOMPARE(ofEngine(), 0);

@@ -7,6 +7,8 @@
 #include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/solvers/solver.h"
+#include "core/study/convergence.h"
+#include "core/study/measures.h"
 #include "ui/docks/effects_dock.h"
 #include "ui/widgets/text_of.h"
 #include "ui/window/translation.h"
@@ -149,6 +151,34 @@ class TranslationTest : public QObject {
                         QVERIFY2(sentence(part.sentence).contains(QString::fromStdString(value)),
                                  qPrintable(english));
                 }
+        }
+    }
+
+    // The verdict and the axis of the accuracy panel stayed English.
+    void whatAnAccuracyStudySaysIsGerman() {
+        installTranslation(*qApp, QStringLiteral("de"));
+        const Build built = build(twoBalls.toStdString());
+        AccuracyStudy study;
+        study.plan = planFor(built.pipeline->scene());
+        study.settings = built.pipeline->settings();
+        study.leftOut = {study.plan.settings.front()};
+        for (const AccuracySetting& setting : study.plan.settings) {
+            AccuracyPoint& point = study.points.emplace_back(AccuracyPoint{.setting = setting});
+            point.status = PointStatus::Measured;
+            point.isDefault = study.points.size() == 1;
+            point.errors.position = 0.5 / setting.substeps;
+            point.times = {1.0 + setting.substeps};
+        }
+        static const QRegularExpression english(QStringLiteral("\\b(the|of|is|at|than|below|substeps?)\\b"));
+        for (const MeasureRow& measure : measures()) {
+            study.measure = &measure;
+            for (const std::string_view words : {measure.noun, measure.axis, measure.help})
+                QVERIFY2(sentence(Sentence{words}) != textOf(words), qPrintable(textOf(words)));
+            for (const Reason& said : {recommendation(study), yardstickOf(study), omissionsOf(study)}) {
+                const QString german = sentences(said);
+                QVERIFY(!german.isEmpty());
+                QVERIFY2(!german.contains(english), qPrintable(german));
+            }
         }
     }
 
