@@ -253,9 +253,51 @@ double shareOfAxis(const QCPAxis& axis, double value) {
     return (value - range.lower) / range.size();
 }
 
-/// Once the axes are fitted: a level at the very top has its name below it.
+/// A part of the axes' rectangle, from 0 to 1 from its lower left corner.
+struct Part {
+    double left, width, bottom, height;
+};
+
+/// How many points of the series lie in a part, or so near that their marks do.
+int pointsIn(const QCustomPlot& plot, const ChartSpec& spec, const Part& part, const QSizeF& axes) {
+    constexpr double mark = 6; // [px]
+    const double aside = mark / axes.width(), above = mark / axes.height();
+    int count = 0;
+    for (const ChartSeries& series : spec.series)
+        for (std::size_t k = 0; k < std::min(series.x.size(), series.y.size()); ++k) {
+            if (!shows(spec.x, series.x[k]) || !shows(spec.y, series.y[k])) continue;
+            const double x = shareOfAxis(*plot.xAxis, series.x[k]) - part.left;
+            const double y = shareOfAxis(*plot.yAxis, series.y[k]) - part.bottom;
+            if (x > -aside && x < part.width + aside && y > -above && y < part.height + above) ++count;
+        }
+    return count;
+}
+
+/// Where along the axis of x a part covers the fewest points, from one end to the other: its left edge.
+double freePlace(const QCustomPlot& plot, const ChartSpec& spec, Part part, const QSizeF& axes,
+                 bool fromTheRight) {
+    constexpr double edge = 0.01;
+    constexpr int places = 20;
+    const double last = std::max(edge, 1 - edge - part.width);
+    double best = edge;
+    int fewest = std::numeric_limits<int>::max();
+    for (int i = 0; i <= places && fewest > 0; ++i) {
+        const double way = static_cast<double>(fromTheRight ? places - i : i) / places;
+        part.left = edge + way * (last - edge);
+        const int covered = pointsIn(plot, spec, part, axes);
+        if (covered >= fewest) continue;
+        fewest = covered;
+        best = part.left;
+    }
+    return best;
+}
+
+/// Once the axes are fitted: a level at the very top has its name below it, and one that is far away an arrow
+/// that shows where; both beside the points.
 void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
-    constexpr double top = 0.92;
+    constexpr double top = 0.92, edge = 0.01;
+    // The axes have their places when the plot is drawn: about so much of it is theirs.
+    const QSizeF axes(0.8 * std::max(1, plot.width()), 0.8 * std::max(1, plot.height()));
     for (const ChartLevel& level : spec.levels) {
         QCPItemStraightLine* line = new QCPItemStraightLine(&plot);
         line->point1->setCoords(0, level.y);
@@ -267,21 +309,26 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         QColor ground = colours.ground;
         ground.setAlpha(190);
         label->setBrush(ground);
-        label->setPadding(QMargins(3, 0, 3, 0));
+        constexpr int padding = 3; // [px]
+        label->setPadding(QMargins(padding, 0, padding, 0));
         const double share = shareOfAxis(*plot.yAxis, level.y);
         const bool below = share > top;
         label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
-        if (level.alwaysShown && (share > 1 || share < 0)) { // far away: an arrow shows where
+        const bool isFar = level.alwaysShown && (share > 1 || share < 0);
+        if (isFar)
             label->setText((share > 1 ? QStringLiteral("\u2191 ") : QStringLiteral("\u2193 ")) + level.label);
-            label->position->setType(QCPItemPosition::ptAxisRectRatio);
-            // On the right, where the dearest settings are not.
-            label->setPositionAlignment(Qt::AlignRight | (below ? Qt::AlignTop : Qt::AlignBottom));
-            label->position->setCoords(0.99, share > 1 ? 0.01 : 0.99);
-            continue;
-        }
+        const QFontMetrics metrics(label->font());
+        const double height = metrics.height() / axes.height();
+        const double at = isFar ? (share > 1 ? 1 - edge : edge) : share;
+        const Part part{.left = 0,
+                        .width = (metrics.horizontalAdvance(label->text()) + 2 * padding) / axes.width(),
+                        .bottom = below ? at - height : at,
+                        .height = height};
+        // From the right where it is far, since the dearest settings are on the left.
+        const double left = freePlace(plot, spec, part, axes, isFar);
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
-        label->position->setTypeY(QCPItemPosition::ptPlotCoords);
-        label->position->setCoords(0.01, level.y);
+        label->position->setTypeY(isFar ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
+        label->position->setCoords(left, isFar ? 1 - at : level.y);
     }
 }
 

@@ -111,6 +111,28 @@ class PlotTest : public QObject {
         }
     }
 
+    // "real time" stood over the points of pool_break.
+    void theNameOfALevelCoversNoPoint() {
+        ChartSpec spec = example(SeriesStyle::Marks);
+        spec.series.resize(1); // rises to the upper right corner
+        spec.x.logarithmic = spec.y.logarithmic = true;
+        const QString path = m_folder.filePath(QStringLiteral("covered.png"));
+        const auto seen = [&] {
+            if (!writeChart(spec, path, {640, 400}).isEmpty()) return -1;
+            return pixelsOf(QImage(path), seriesColour(0));
+        };
+        for (const std::vector<double>& y : {std::vector<double>{1, 4, 9, 16}, {16, 9, 4, 1}}) {
+            spec.series[0].y = y;
+            spec.levels.clear();
+            const int all = seen();
+            QVERIFY(all > 100);
+            for (const double level : {1e6, 1e-6}) {
+                spec.levels = {{level, QStringLiteral("real time"), true}};
+                QCOMPARE(seen(), all);
+            }
+        }
+    }
+
     void namesStandBesideTheAxesWhereThereIsRoom() {
         ChartSpec spec = example(SeriesStyle::Line);
         spec.legendBeside = true;
