@@ -4,10 +4,13 @@
 
 #include "ui/docks/breakpoints_dock.h"
 #include "ui/widgets/timeline.h"
+#include "ui/widgets/transport_bar.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QToolButton>
 
@@ -66,6 +69,24 @@ class BreakpointsTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up + 2, longestWait);
         QTest::keyClick(&ide.bench.window(), Qt::Key_F9, Qt::ShiftModifier);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, up, longestWait);
+    }
+
+    void aContactThatStopsTheRunIsExplained() {
+        Breaking ide;
+        ide.choose("breakKind", "contact");
+        ide.choose("breakA", "left");
+        ide.add();
+        ide.play();
+        QTRY_VERIFY_WITH_TIMEOUT(ide.hasStoppedAfter(10), longestWait);
+        const QLabel* notice =
+            ide.bench.window().transport().findChild<QLabel*>(QStringLiteral("transportNotice"));
+        // What was waited for, then the two bodies, impulse and energy; the body is selected.
+        QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral(" met ")), longestWait);
+        static const QRegularExpression story(QStringLiteral(
+            "^Frame (\\d+), [0-9.]+ s: contact of left and any body\\. Frame \\1: left met wall 0, impulse "
+            "[0-9.]+ N s, -?[0-9.e-]+ J lost$"));
+        QVERIFY2(story.match(notice->text()).hasMatch(), qPrintable(notice->text()));
+        QCOMPARE(ide.viewport.selectedBody(), BodyIndex{1});
     }
 
     void aBreakpointThatIsSwitchedOffOrRemovedDoesNotStop() {
