@@ -32,7 +32,7 @@ const QString recoveryKey = QStringLiteral("recovery/interval");
 const QString welcomeKey = QStringLiteral("window/welcome");
 const QString keysKey = QStringLiteral("keys/%1");
 
-constexpr int defaultFontSize = 11; // [pt]
+constexpr int defaultFontSize = 10; // [pt]
 constexpr int defaultMemory = 512;  // [MiB]
 const QString recentKey = QStringLiteral("files/recent");
 

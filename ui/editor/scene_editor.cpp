@@ -171,7 +171,8 @@ void SceneEditor::goTo(std::int64_t offset, std::int64_t firstLine) {
 }
 
 void SceneEditor::setWrapsLines(bool wraps) {
-    setWrapMode(wraps ? WrapWord : WrapNone);
+    // At spaces only: between words, a number would be parted from its comma or its sign.
+    setWrapMode(wraps ? WrapWhitespace : WrapNone);
     setWrapIndentMode(WrapIndentIndented);
     send(SCI_SETXOFFSET, 0);
 }

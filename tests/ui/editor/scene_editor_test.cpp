@@ -331,6 +331,26 @@ class SceneEditorTest : public QObject {
         QVERIFY(!editor.differsFromSaved());
     }
 
+    // Lines broke between a number and its comma, and between a sign and its number.
+    void aLineGoesOnBelowAtSpacesOnly() {
+        SceneEditor editor(m_theme);
+        const QByteArray line =
+            "sphere ball { centre -1.25, 3, -0.125  vel 0.5, -12.5, 0  radius .5  mass 12 }";
+        editor.setBytes(line);
+        editor.setWrapsLines(true);
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        for (int width = 200; width < 500; width += 7) {
+            editor.resize(width, 300);
+            QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 1, longestWait);
+            for (int i = 1; i < line.size(); ++i) {
+                const bool begins = editor.send(Sci::SCI_POINTYFROMPOSITION, 0, i) >
+                                    editor.send(Sci::SCI_POINTYFROMPOSITION, 0, i - 1);
+                QVERIFY2(!begins || line[i - 1] == ' ', line.mid(i).constData());
+            }
+        }
+    }
+
     void theFindBarFindsAsOneTypesAndReplaces() {
         QWidget parent;
         SceneEditor editor(m_theme, &parent);

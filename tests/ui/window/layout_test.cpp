@@ -88,6 +88,15 @@ class CutOff {
 class LayoutTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    // Comments of shipped scenes are at most 72 columns wide.
+    void whereATextIsWrittenItsCommentsAreNotWrapped() {
+        QSettings().clear();
+        Ide ide("// " + QByteArray(69, 'x') + "\n" + twoBalls);
+        ide.bench.window().resize(1400, 900);
+        ide.trigger(ActionId::WorkspaceWrite);
+        QTRY_COMPARE_WITH_TIMEOUT(ide.editor.send(QsciScintillaBase::SCI_WRAPCOUNT, 0), 1L, longestWait);
+    }
+
     void init() { QSettings().clear(); }
 
     void aVisitToASmallWindowChangesNoWorkspace() {

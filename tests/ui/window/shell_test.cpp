@@ -119,7 +119,7 @@ class ShellTest : public QObject {
         const std::vector<std::pair<ActionId, int>> rows = {{ActionId::WorkspaceWatch, 24},
                                                             {ActionId::WorkspaceMeasure, 30},
                                                             {ActionId::WorkspaceStudy, 26},
-                                                            {ActionId::WorkspaceWrite, 52}};
+                                                            {ActionId::WorkspaceWrite, 60}};
         Ide ide;
         ide.bench.window().resize(1600, 950);
         for (const auto& [action, share] : rows) {
