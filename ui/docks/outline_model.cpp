@@ -36,6 +36,7 @@ void OutlineModel::show(const SharedBuild& result) {
 void OutlineModel::setTheme(const Theme& theme) {
     m_broken = theme.error;
     m_muted = theme.mutedText;
+    m_swatches.clear();
     if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
@@ -106,22 +107,29 @@ QVariant OutlineModel::text(const OutlineEntry& entry, int column) const {
 }
 
 /// A dot in the body's colour; an empty one in front of what is no body.
-QVariant OutlineModel::swatch(const OutlineEntry& entry) const {
-    const double density = qApp->devicePixelRatio(); // as sharp as the text beside it
+QIcon OutlineModel::swatch(const OutlineEntry& entry) const {
+    QColor colour = Qt::transparent;
+    if (entry.body != noBody) {
+        const Vec3& said = m_result->scene().bodies[entry.body].colour;
+        colour = QColor::fromRgbF(static_cast<float>(said.x()), static_cast<float>(said.y()),
+                                  static_cast<float>(said.z()));
+    }
+    const qreal density = qApp->devicePixelRatio(); // as sharp as the text beside it
+    const std::pair<QRgb, qreal> key{colour.rgba(), density};
+    if (const QIcon* made = m_swatches.object(key)) return *made;
     QPixmap dot(QSize(swatchSize, swatchSize) * density);
     dot.setDevicePixelRatio(density);
     dot.fill(Qt::transparent);
     if (entry.body != noBody) {
-        const Vec3& colour = m_result->scene().bodies[entry.body].colour;
         QPainter painter(&dot);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(m_muted);
-        painter.setBrush(QColor::fromRgbF(static_cast<float>(colour.x()), static_cast<float>(colour.y()),
-                                          static_cast<float>(colour.z())));
+        painter.setBrush(colour);
         painter.drawEllipse(QRectF(1, 1, swatchSize - 2, swatchSize - 2));
     }
     QIcon icon(dot);
     icon.addPixmap(dot, QIcon::Selected); // the body's colour, not the selection's over it
+    m_swatches.insert(key, new QIcon(icon));
     return icon;
 }
 

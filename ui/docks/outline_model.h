@@ -7,7 +7,11 @@
 #include "core/language/navigation.h"
 
 #include <QAbstractTableModel>
+#include <QCache>
+#include <QIcon>
+#include <QRgb>
 
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -38,10 +42,13 @@ class OutlineModel : public QAbstractTableModel {
     const std::vector<OutlineEntry>& entries() const;
     QString nameOf(const OutlineEntry& entry) const;
     QVariant text(const OutlineEntry& entry, int column) const;
-    QVariant swatch(const OutlineEntry& entry) const;
+    QIcon swatch(const OutlineEntry& entry) const;
 
     SharedBuild m_result;
     QColor m_broken, m_muted;
+    /// By colour and pixels a point. A new icon for every look would stay in the cache that Qt keeps of all
+    /// pictures, 10 MiB in the end.
+    mutable QCache<std::pair<QRgb, qreal>, QIcon> m_swatches{512};
 };
 
 } // namespace carom

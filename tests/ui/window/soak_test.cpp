@@ -34,7 +34,7 @@ qint64 inUse() {
 
 // [KiB]: what the lines of a round in the Output panel and an edit that can be undone take. The panel keeps
 // 5,000 lines, two a round.
-constexpr qint64 allowanceOfRound = 8, allowance = 1024;
+constexpr qint64 allowanceOfRound = 2, allowance = 1024;
 constexpr int keptLines = 2500;     // rounds
 constexpr int reportInterval = 500; // rounds
 
