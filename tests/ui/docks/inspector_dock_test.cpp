@@ -77,7 +77,7 @@ class InspectorDockTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(dock.curveOf(name), std::vector<double>{5}, longestWait);
         dock.resize(400, 300);
         dock.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
         const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
         QVERIFY(!tree->isColumnHidden(2));
         dock.resize(200, 300);
@@ -90,7 +90,7 @@ class InspectorDockTest : public QObject {
         dock.showBody(1);
         dock.resize(170, 400);
         dock.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
         const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
         const int wanted = static_cast<const QAbstractItemView*>(tree)->sizeHintForColumn(1);
         QVERIFY(tree->columnWidth(1) >= wanted);

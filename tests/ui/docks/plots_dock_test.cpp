@@ -36,7 +36,7 @@ struct Shown {
     Shown() {
         dock.resize(900, 300);
         dock.show();
-        if (!QTest::qWaitForWindowExposed(&dock)) qFatal("the panel is not on screen");
+        if (!QTest::qWaitForWindowExposed(&dock, longestWait)) qFatal("the panel is not on screen");
         dock.showPipeline(build(falling).pipeline);
     }
     template<class Widget>

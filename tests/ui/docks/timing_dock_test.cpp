@@ -107,7 +107,7 @@ class TimingDockTest : public QObject {
         TimingDock dock;
         dock.resize(900, 300);
         dock.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dock));
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
         dock.addSamples(countingSamples(10));
         QSignalSpy picked(&dock, &TimingDock::framePicked);
         TimingStrip* strip = dock.findChild<TimingStrip*>();

@@ -276,7 +276,7 @@ class SceneEditorTest : public QObject {
         editor.resize(400, 300);
         editor.setBytes("one\ntwo\nthree\n");
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         const auto placeOf = [&](std::int64_t offset) {
             return QPoint(static_cast<int>(editor.send(Sci::SCI_POINTXFROMPOSITION, 0, offset)) + 1,
                           static_cast<int>(editor.send(Sci::SCI_POINTYFROMPOSITION, 0, offset)) + 5);
@@ -307,7 +307,7 @@ class SceneEditorTest : public QObject {
         editor.setWrapsLines(false);
         editor.setBytes(QByteArray(600, 'a') + " far\nshort line\n");
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         const auto xOf = [&](std::int64_t offset) {
             return editor.send(Sci::SCI_POINTXFROMPOSITION, 0, offset);
         };
@@ -323,7 +323,7 @@ class SceneEditorTest : public QObject {
         editor.resize(400, 300);
         editor.setBytes("// " + QByteArray("word ").repeated(100));
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         editor.setWrapsLines(true);
         QTRY_VERIFY_WITH_TIMEOUT(editor.send(Sci::SCI_WRAPCOUNT, 0) > 5, longestWait);
         editor.setWrapsLines(false);
@@ -485,7 +485,7 @@ class SceneEditorTest : public QObject {
         DiagnosticMarks marks(editor, m_theme);
         editor.setBytes("sphere { radius 1 mass 1 centre 0,0,0 colour blu }\n");
         editor.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&editor));
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
         marks.show(built(editor));
         const int radius = static_cast<int>(editor.bytes().indexOf("radius") + 2);
         Q_EMIT editor.SCN_DWELLSTART(radius, 60, 10);

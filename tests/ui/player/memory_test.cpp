@@ -9,6 +9,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThread>
 
 using namespace carom;
 using namespace carom::test;
@@ -90,8 +91,8 @@ class MemoryTest : public QObject {
                                    "gravity { accel 1e308, 0, 0 }\n");
         witness.simulation.load(doomed.pipeline);
         witness.simulation.setSpeed(std::nullopt);
-        witness.simulation.play();
-        QTest::qSleep(500); // it stops meanwhile, and this thread has not heard of it
+        witness.simulation.step();
+        while (witness.simulation.isStepping()) QThread::yieldCurrentThread(); // it has stopped, unheard here
         witness.simulation.load(crowd());
         QTRY_COMPARE_WITH_TIMEOUT(witness.frame, 0, longestWait);
         for (const QList<QVariant>& change : changes)

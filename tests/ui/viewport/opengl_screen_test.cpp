@@ -30,7 +30,7 @@ class OpenGLScreenTest : public QObject {
         QSignalSpy failed(&viewport, &Viewport::failed);
         viewport.resize(side, side);
         viewport.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport, longestWait));
         const auto matches = [&viewport] {
             const QImage shown = viewport.grab().toImage().convertToFormat(QImage::Format_RGB32);
             const QImage drawn = viewport.shownPicture().convertToFormat(QImage::Format_RGB32);
@@ -93,7 +93,7 @@ class OpenGLScreenTest : public QObject {
         viewport->setParent(&window);
         viewport->show();
         window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(QTest::qWaitForWindowExposed(&window, longestWait));
         const std::int64_t before = viewport->framesRendered();
         viewport->setCamera(frontCamera(true));
         QTRY_VERIFY_WITH_TIMEOUT(viewport->framesRendered() > before, longestWait);

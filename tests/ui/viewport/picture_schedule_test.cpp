@@ -4,6 +4,7 @@
 
 #include "ui/viewport/picture_schedule.h"
 
+#include <QCoreApplication>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -18,7 +19,7 @@ class PictureScheduleTest : public QObject {
         PictureSchedule schedule([] { return true; });
         QSignalSpy due(&schedule, &PictureSchedule::due);
         schedule.changed(); // nothing can be drawn yet
-        QTest::qWait(1);
+        QCoreApplication::processEvents();
         QCOMPARE(due.count(), 0);
         schedule.setReady(false);
         schedule.changed();
@@ -27,7 +28,7 @@ class PictureScheduleTest : public QObject {
         QVERIFY(schedule.begin());
         QVERIFY(!schedule.begin());
         schedule.changed(); // while it is drawn
-        QTest::qWait(1);
+        QCoreApplication::processEvents();
         QCOMPARE(due.count(), 1);
         schedule.ended(2);
         QTRY_COMPARE_WITH_TIMEOUT(due.count(), 2, longestWait);
@@ -41,7 +42,7 @@ class PictureScheduleTest : public QObject {
         PictureSchedule schedule([&seen] { return seen; });
         QSignalSpy due(&schedule, &PictureSchedule::due);
         schedule.setReady(false);
-        QTest::qWait(1);
+        QCoreApplication::processEvents();
         QCOMPARE(due.count(), 0);
         QVERIFY(!schedule.begin());
         seen = true;

@@ -94,7 +94,7 @@ class ViewportTest : public QObject {
         QSignalSpy failed(m_viewport.get(), &Viewport::failed);
         m_viewport->resize(side, side);
         m_viewport->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_viewport.get(), longestWait));
         QTRY_VERIFY_WITH_TIMEOUT(m_viewport->framesRendered() > 0, longestWait);
         QVERIFY(failed.isEmpty());
         m_viewport->setDarkTheme(false);
@@ -437,7 +437,7 @@ class ViewportTest : public QObject {
         m_viewport->setParent(&window);
         m_viewport->show();
         window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(QTest::qWaitForWindowExposed(&window, longestWait));
         QVERIFY(leads(picked().pixel(side / 2, side / 2), red));
         QVERIFY(qRed(picked().pixel(side / 2, side / 2)) > 150);
         m_viewport->setParent(nullptr);

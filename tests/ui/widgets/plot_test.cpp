@@ -72,16 +72,18 @@ class PlotTest : public QObject {
         plot.resize(700, 400);
         plot.show();
         plot.setChart(spec);
-        QTRY_COMPARE(plot.labelOfY(), QStringLiteral("time that one simulated second takes [ms]"));
+        QTRY_COMPARE_WITH_TIMEOUT(plot.labelOfY(),
+                                  QStringLiteral("time that one simulated second takes [ms]"), longestWait);
         QVERIFY(plot.showsLegend()); // beside
         plot.resize(700, 150);
         QTRY_VERIFY2(plot.labelOfY().endsWith(QString::fromUtf8("… [ms]")), qPrintable(plot.labelOfY()));
         QVERIFY(plot.showsLegend());
         plot.resize(300, 150); // neither beside nor below is room for it
-        QTRY_VERIFY(!plot.showsLegend());
+        QTRY_VERIFY_WITH_TIMEOUT(!plot.showsLegend(), longestWait);
         plot.resize(300, 400);
         QTRY_VERIFY(plot.showsLegend()); // below
-        QTRY_COMPARE(plot.labelOfY(), QStringLiteral("time that one simulated second takes [ms]"));
+        QTRY_COMPARE_WITH_TIMEOUT(plot.labelOfY(),
+                                  QStringLiteral("time that one simulated second takes [ms]"), longestWait);
     }
 
     void aPngHoldsEverySeriesInItsColour() {
@@ -212,7 +214,7 @@ class PlotTest : public QObject {
         PlotWidget plot;
         plot.resize(500, 300);
         plot.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, longestWait));
         ChartSpec other = example(SeriesStyle::Stacked);
         other.title.clear();
         other.series.resize(1);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "ui/widgets/sweep_charts.h"
@@ -13,6 +14,8 @@
 
 namespace carom {
 namespace {
+
+using test::longestWait;
 
 const std::string chartedBall = "sphere ball { radius 0.1 mass 1 centre 0, 1, 0 vel 1, 0, 0 }\n"
                                 "generate g { scene tower n 1 offset 9, 0, 0 }\n";
@@ -141,8 +144,8 @@ class SweepChartsTest : public QObject {
         plot.setChart(charts[0].chart);
         plot.setChart(chartsOf(charted({"ball.vel.x=1:7:7"}))[0].chart);
         plot.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
-        QTRY_VERIFY(plot.xOf(7) > 430);
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, longestWait));
+        QTRY_VERIFY_WITH_TIMEOUT(plot.xOf(7) > 430, longestWait);
     }
 };
 

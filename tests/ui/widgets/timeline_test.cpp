@@ -36,7 +36,7 @@ struct Shown {
         timeline.resize(628, 34);
         timeline.restart(step, duration);
         timeline.show();
-        if (!QTest::qWaitForWindowExposed(&timeline)) qFatal("the timeline is not on screen");
+        if (!QTest::qWaitForWindowExposed(&timeline, longestWait)) qFatal("the timeline is not on screen");
     }
     QPoint at(std::int64_t frame) const { return {static_cast<int>(timeline.xOf(frame)), 19}; }
     std::int64_t lastSeek() const { return seeks.isEmpty() ? -1 : seeks.last().first().toLongLong(); }

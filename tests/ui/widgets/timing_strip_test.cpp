@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
 #include "core/math/random.h"
@@ -16,6 +17,8 @@
 
 namespace carom {
 namespace {
+
+using test::longestWait;
 
 FrameSample randomSample(Random& random, std::int64_t frame) {
     FrameSample sample;
@@ -80,7 +83,7 @@ class TimingStripTest : public QObject {
         const std::vector<FrameSample> samples = randomSamples(80, 3);
         strip.addSamples(samples);
         strip.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QVERIFY(QTest::qWaitForWindowExposed(&strip, longestWait));
         QCOMPARE(strip.fullScale(), 40.0);
         const QImage image = strip.grab().toImage();
         for (int x = 299; x >= 300 - 2 * 80; --x) {
@@ -172,7 +175,7 @@ class TimingStripTest : public QObject {
         samples[slow].statistics.simulate += 30;
         strip.addSamples(samples);
         strip.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QVERIFY(QTest::qWaitForWindowExposed(&strip, longestWait));
         strip.setFocus();
         for (int i = 0; i < 10; ++i) QTest::keyClick(&strip, Qt::Key_Minus);
         QCOMPARE(strip.framesAColumn(), std::ptrdiff_t{8}); // the whole run fits, and no more
@@ -234,7 +237,7 @@ class TimingStripTest : public QObject {
         strip.showFrame(71);
         QCOMPARE(strip.frameAt(strip.cursor().value()), std::ptrdiff_t{70});
         strip.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QVERIFY(QTest::qWaitForWindowExposed(&strip, longestWait));
         const QRgb line = strip.palette().color(QPalette::Highlight).rgb();
         QCOMPARE(strip.grab().toImage().pixel(*strip.cursor(), 20), line);
         strip.showFrame(1000); // not in the graph
@@ -258,7 +261,7 @@ class TimingStripTest : public QObject {
         strip.resize(300, 100);
         strip.addSamples(randomSamples(50, 4));
         strip.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&strip));
+        QVERIFY(QTest::qWaitForWindowExposed(&strip, longestWait));
         QSignalSpy picked(&strip, &TimingStrip::framePicked);
         QTest::mouseClick(&strip, Qt::LeftButton, {}, {299, 50});
         QCOMPARE(strip.picked(), std::ptrdiff_t{49});

@@ -34,7 +34,7 @@ int kills() { return roundsOf("CAROM_KILLS", 3); }
 QByteArray xdotool(const QStringList& arguments) {
     QProcess process;
     process.start(QStringLiteral("xdotool"), arguments);
-    if (!process.waitForFinished(30000)) return {};
+    if (!process.waitForFinished(longestWait)) return {};
     return process.readAllStandardOutput().trimmed();
 }
 
@@ -236,7 +236,7 @@ class CrashTest : public QObject {
             while (!isBeingWritten() && process.state() != QProcess::NotRunning) process.waitForFinished(1);
             QThread::usleep(random.bounded(2000));
             process.kill();
-            process.waitForFinished();
+            process.waitForFinished(longestWait);
             killed += process.exitStatus() == QProcess::CrashExit ? 1 : 0;
             const QByteArray found = readFile(picture);
             QVERIFY2(found == "old" || found == whole, qPrintable(QStringLiteral("turn %1").arg(turn)));

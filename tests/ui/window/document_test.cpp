@@ -3,11 +3,13 @@
 #include "tests/support/test_class.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileSystemWatcher>
 #include <QSignalSpy>
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace carom;
@@ -143,16 +145,23 @@ class DocumentTest : public QObject {
         auto& [folder, path, buffer, document] = opened;
         QByteArray found;
         connect(&document, &Document::changedOutside, &document, [&] { found = document.textOnDisk(); });
+        QSignalSpy told(&document, &Document::changedOutside);
         QFile slow(path);
         QVERIFY(slow.open(QIODevice::WriteOnly | QIODevice::Unbuffered)); // now it is empty
         QByteArray whole;
+        qint64 longest = 0; // [ms] between two pieces: a machine in a hurry may hold this test up
+        QElapsedTimer clock;
+        clock.start();
         for (int piece = 0; piece < 8; ++piece) {
             slow.write("piece ");
             whole += "piece ";
-            QTest::qWait(quiet / 3);
+            QTest::qWait(quiet / 4);
+            longest = std::max(longest, clock.restart());
         }
         slow.close();
         QTRY_COMPARE_WITH_TIMEOUT(found, whole, longestWait);
+        // A piece is noticed before the next one is written.
+        QVERIFY2(told.count() == 1 || 2 * longest >= quiet, qPrintable(QString::number(told.count())));
     }
 
     void aFileDeletedOutsideLeavesItsTextUnsaved_data() {
