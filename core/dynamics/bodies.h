@@ -8,7 +8,9 @@
 #include "core/scene/scene.h"
 #include "core/shapes/shape.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace carom {
@@ -22,8 +24,7 @@ struct Bodies {
     std::vector<Vec3> inertia;        ///< principal, body axes [kg m²], 0 for immobile bodies
     std::vector<Vec3> inverseInertia; ///< [1/(kg m²)], 0 for immobile bodies
     std::vector<double>
-        boundingRadius; ///< [m], of the ball about the centre that holds the body; 0 for walls
-    std::vector<double> elastic, friction, rolling;
+        boundingRadius;               ///< [m], of the ball about the centre that holds the body; 0 for walls
     std::vector<std::uint8_t> mobile; ///< 1 where the body can move
     /// 1 where a frictionless impulse can turn the body: mobile and no sphere.
     std::vector<std::uint8_t> turnedByImpacts;
@@ -32,13 +33,15 @@ struct Bodies {
     std::vector<BodyIndex> walls;        ///< ascending
     std::vector<BodyIndex> bounded;      ///< everything that is not a wall, ascending
     /// Mobile bodies whose orientation can change, ascending: those that spin at the start, those that are no
-    /// spheres and can be hit, and those that a spring pulls beside their centre. A frictionless impulse
-    /// passes through a sphere's centre and never turns it; friction may, so where two bodies that can meet
-    /// have some, all that have some are here too; and so may rolling resistance, of which a pair has the
-    /// larger: with one body that has some, all are.
+    /// spheres and can be hit (a frictionless impulse passes through a sphere's centre and never turns it),
+    /// and those that an effect can turn.
     std::vector<BodyIndex> rotating;
 
-    // What effects contribute (effects/effect.h): without it bodies move uniformly until they meet.
+    // What effects contribute (effects/effect.h): without it bodies move uniformly until they meet, and then
+    // stay together without friction.
+    std::vector<double> elastic;      ///< restitution; a pair has the smaller of its two
+    std::vector<double> friction;     ///< Coulomb's coefficient; a pair has the geometric mean
+    std::vector<double> rolling;      ///< resistance, a lever arm [m]; a pair has the larger
     Vec3 gravity = Vec3::Zero();      ///< acceleration of whatever can move [m/s²]
     std::vector<SpringForce> springs; ///< those with an end that can move
     Forces forces;                    ///< on single bodies
@@ -53,10 +56,23 @@ struct Bodies {
 };
 
 /// Without what effects contribute.
-Bodies bodiesOf(const Scene& scene);
+Bodies bareBodiesOf(const Scene& scene);
 
-/// Whether a body's orientation can change without springs, friction and rolling resistance: the first part
-/// of the rule behind Bodies::rotating.
+/// Whether a body's orientation can change although no effect turns it: the first part of the rule behind
+/// Bodies::rotating.
 bool canRotate(const Scene& scene, const Body& body);
+
+/// Mobile bodies for which `turns(body)` holds can rotate, too.
+template<class Predicate>
+void addRotating(Bodies& bodies, const Predicate& turns) {
+    std::vector<BodyIndex> all;
+    std::size_t next = 0;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        const bool already = next < bodies.rotating.size() && bodies.rotating[next] == i;
+        if (already) ++next;
+        if (already || turns(i)) all.push_back(i);
+    }
+    bodies.rotating = std::move(all);
+}
 
 } // namespace carom

@@ -23,6 +23,16 @@ Invariants moved(const Bodies& bodies, std::span<const BodyIndex> list, const St
 
 } // namespace
 
+MotionTotals motionTotalsOf(const Bodies& bodies, const State& state) {
+    MotionTotals sum;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        sum.kinetic += 0.5 * bodies.mass[i] * state.velocity[i].squaredNorm();
+        sum.momentum += bodies.mass[i] * state.velocity[i];
+    }
+    for (const BodyIndex i : bodies.rotating) sum.kinetic += spinEnergy(bodies, i, state);
+    return sum;
+}
+
 Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity) {
     Invariants sum = moved(bodies, bodies.mobileBodies, state, gravity);
     for (const BodyIndex i : bodies.rotating) sum.kinetic += spinEnergy(bodies, i, state);

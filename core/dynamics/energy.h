@@ -15,6 +15,15 @@ struct Invariants {
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s] = Σ m v
 };
 
+/// The same without what the bodies store.
+struct MotionTotals {
+    double kinetic = 0;           ///< [J]
+    Vec3 momentum = Vec3::Zero(); ///< [kg m/s]
+};
+
+/// Summed like invariantsOf(), to the same bits.
+MotionTotals motionTotalsOf(const Bodies& bodies, const State& state);
+
 /// `gravity` is the acceleration g [m/s²]. Summed in the order of the bodies: the same bits every time.
 Invariants invariantsOf(const Bodies& bodies, const State& state, const Vec3& gravity);
 

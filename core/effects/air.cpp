@@ -129,6 +129,28 @@ void contribute(const Scene& scene, Bodies& bodies) {
     bodies.forces.addTerm(std::make_shared<AirDrag>(scene.air.wind, std::move(dragged)), bodies.count());
 }
 
+std::optional<double> gives(const Scene& scene) {
+    const bool pushes = scene.air.density > 0 && scene.air.wind != Vec3::Zero() &&
+                        std::ranges::any_of(scene.bodies, isDragged);
+    return pushes ? std::nullopt : std::optional<double>(0);
+}
+
+void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
+    std::size_t count = 0;
+    for (BodyIndex i = 0; i < scene.bodies.size() && count < mostHintsOfAKind; ++i) {
+        const Body& body = scene.bodies[i];
+        const ParameterSource* given = scene.find(body.source, "drag");
+        if (given == nullptr || !(body.drag > 0) || (body.mobile() && scene.air.source)) continue;
+        ++count;
+        hints.push_back(noEffectHint(
+            given->value,
+            body.mobile()
+                ? "`drag` has no effect: the scene has no air; declare it with `air { "
+                  "density 1.2 }`"
+                : "`drag` has no effect: " + scene.nameOf(i) + " is fixed; only what is not fixed moves"));
+    }
+}
+
 } // namespace
 
 extern const EffectRow airRow;
@@ -138,8 +160,10 @@ constinit const EffectRow airRow = {
     .help = "Air slows bodies by the square of their speed, and wind carries them along.",
     .decide = decide,
     .unmetMessage = "air drag is not simulated yet; bodies move as in a vacuum",
-    .contribute = contribute,
     .exactObjection = "air slows bodies between events",
+    .contribute = contribute,
+    .gives = gives,
+    .hint = hint,
 };
 
 } // namespace carom

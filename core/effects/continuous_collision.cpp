@@ -3,8 +3,6 @@
 #include "core/effects/scene_facts.h"
 
 #include "core/base/figures.h"
-#include "core/dynamics/spring_force.h"
-#include "core/dynamics/state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,22 +12,13 @@
 // body at the beginning and behind it at the end, unless the time of impact is located in between. How fast a
 // body can become follows from the energy that there is: all of it may end up in one body,
 //
-//     v + ω r ≤ √(2 E (1/m + r²/I))      E = kinetic energy + Σ m |g| (height above the floor) + springs
+//     v + ω r ≤ √(2 E (1/m + r²/I))      E = kinetic energy + what each effect can give (EffectRow::gives)
 //
 // where r counts for bodies that are no spheres. Without a level floor bodies fall ever faster, and where an
 // impact gives energy, or wind does, there is no bound either.
 
 namespace carom {
 namespace {
-
-/// How high the highest level floor is, against gravity [m]; nothing if there is none.
-std::optional<double> floorOf(const Scene& scene, const Vec3& up) {
-    std::optional<double> highest;
-    for (const Body& body : scene.bodies)
-        if (const Wall* wall = std::get_if<Wall>(&body.shape); wall != nullptr && wall->normal == up)
-            highest = std::max(highest.value_or(wall->offset), wall->offset);
-    return highest;
-}
 
 double kineticEnergyOf(const Body& body) {
     const Vec3 spin = body.pose.directionToBody(body.angularVelocity);
@@ -39,23 +28,15 @@ double kineticEnergyOf(const Body& body) {
 
 /// What there is to spend [J]; nothing where that has no bound.
 std::optional<double> energyOf(const Scene& scene) {
-    const bool gains = std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                                   [](const Body& body) { return body.elastic > 1; });
-    const bool windy = scene.air.density > 0 && scene.air.wind != Vec3::Zero();
-    if (gains || windy) return std::nullopt;
-
-    const Vec3& gravity = scene.gravity.acceleration;
-    const bool falls = gravity != Vec3::Zero();
-    const Vec3 up = falls ? Vec3(-gravity.normalized()) : Vec3::Zero();
-    const std::optional<double> floor = falls ? floorOf(scene, up) : 0;
-    if (!floor) return std::nullopt;
-    double energy = scene.springs.empty() ? 0 : springEnergy(springsOf(scene), initialStateOf(scene));
-    for (const Body& body : scene.bodies) {
-        if (!body.mobile()) continue;
-        const double height = up.dot(body.pose.position) - *floor;
-        if (falls && height < 0) return std::nullopt; // behind the floor, it falls for ever
-        energy += kineticEnergyOf(body) + body.mass * gravity.norm() * height;
+    double energy = 0;
+    for (const EffectRow& row : effects()) {
+        if (row.gives == nullptr) continue;
+        const std::optional<double> given = row.gives(scene);
+        if (!given) return std::nullopt;
+        energy += *given;
     }
+    for (const Body& body : scene.bodies)
+        if (body.mobile()) energy += kineticEnergyOf(body);
     return energy;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/catalogue.h"
 
 #include <array>
+#include <utility>
 
 namespace carom {
 
@@ -21,6 +22,14 @@ std::span<const EffectRow> effects() {
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }
+
+Diagnostic noEffectHint(SourceRange range, std::string message) {
+    return {.code = DiagnosticCode::WithoutEffect,
+            .range = range,
+            .message = std::move(message),
+            .notes = {},
+            .fixIt = {}};
+}
 
 std::string_view nameOf(EffectStatus status) {
     switch (status) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/diagnostic.h"
 #include "core/base/sentence.h"
 #include "core/base/source.h"
 #include "core/dynamics/abilities.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/ledger.h"
+#include "core/dynamics/state.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -15,8 +18,9 @@
 #include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
-// and its line in effects.def. A force on single bodies is a term (dynamics/force_term.h) that its effect
-// contributes, and every method of motion takes it into account.
+// and its line in effects.def. It gives the bodies what the methods of motion work with: coefficients of the
+// contact law, springs, or a force on single bodies (dynamics/force_term.h). Effects that follow from others
+// (rotation, resting, continuous collision) ask all rows and name none.
 
 namespace carom {
 
@@ -48,6 +52,18 @@ struct RunFacts {
     Sentence broadphaseReason = {};   ///< why `auto` chose it; empty where it was asked for
 };
 
+/// Why an effect has a consequence, and the place that calls for it.
+struct Cause {
+    Reason reason;
+    std::optional<SourceRange> source = {};
+};
+
+/// Potential energy that an effect keeps, and the account of the audit to which its changes belong.
+struct StoredEnergy {
+    double (*of)(const Scene& scene, const Bodies& bodies, const State& state) = nullptr; ///< [J]
+    LedgerAccount account = LedgerAccount::Gravity;
+};
+
 struct EffectRow {
     std::string_view name;  ///< "rolling_resistance"
     std::string_view title; ///< "Rolling resistance"
@@ -55,16 +71,33 @@ struct EffectRow {
     EffectDecision (*decide)(const Scene& scene, const RunFacts& run) = nullptr;
     /// What a warning says at each unmet place; empty for effects that have none.
     std::string_view unmetMessage = {};
-    /// Adds what the effect does to the bodies of the scene, where it is on. Null: methods of motion read it
-    /// from the bodies' own constants.
-    void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
     /// Why an exact method that does not simulate the effect cannot treat a scene that calls for it; empty
     /// where it can.
     std::string_view exactObjection = {};
+    /// Adds what the effect does to the bodies of the scene, where it is on. Null: it does nothing to them.
+    void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
+    /// Without a function: it stores none.
+    StoredEnergy stored = {};
+    /// The most energy that it can still give to the bodies from the start on [J]; nothing where that has no
+    /// bound. Null: it gives none.
+    std::optional<double> (*gives)(const Scene& scene) = nullptr;
+    /// Why it can set a body turning that does not turn yet; nothing where it cannot. Null: it never does.
+    std::optional<Cause> (*turns)(const Scene& scene, const RunFacts& run) = nullptr;
+    /// Why it makes energy less, so that bodies can come to rest; nothing where it does not. Null: it never
+    /// does.
+    std::optional<Cause> (*damps)(const Scene& scene) = nullptr;
+    /// Adds hints at words of the text by which the effect changes nothing.
+    void (*hint)(const Scene& scene, std::vector<Diagnostic>& hints) = nullptr;
 };
 
 /// Every effect, in the order of the report.
 std::span<const EffectRow> effects();
 const EffectRow* findEffect(std::string_view name);
+
+/// A text that says something in vain a thousand times is told of it so often by one effect: the list of
+/// problems stays one that can be read.
+inline constexpr std::size_t mostHintsOfAKind = 50;
+/// The hint at a word that has no effect.
+Diagnostic noEffectHint(SourceRange range, std::string message);
 
 } // namespace carom

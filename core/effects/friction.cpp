@@ -2,15 +2,19 @@
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
+#include <algorithm>
+
 // Coulomb friction: a tangential impulse of at most μ times the normal one, against the slip. μ of a pair is
 // the geometric mean of its two, so it is 0 unless both have some.
 
 namespace carom {
 namespace {
 
+bool isRough(const Body& body) { return body.friction > 0; }
+
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "friction"};
-    const MeetingPair pair = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
+    const MeetingPair pair = firstPairWith(scene, isRough);
     if (!pair) {
         decision.reason =
             Sentence{"the geometric mean of the coefficients is 0 for every pair that can meet"};
@@ -32,6 +36,41 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     return decision;
 }
 
+void contribute(const Scene& scene, Bodies& bodies) {
+    std::ranges::transform(scene.bodies, bodies.friction.begin(), &Body::friction);
+    addRotating(bodies, [&scene](BodyIndex i) { return isRough(scene.bodies[i]); });
+}
+
+std::optional<Cause> turns(const Scene& scene, const RunFacts& run) {
+    const MeetingPair rough = firstPairWith(scene, isRough);
+    if (!run.method.friction || !rough) return std::nullopt;
+    return Cause{Sentence{"friction can set %1 turning", {scene.nameOf(indexOf(scene, *rough.second))}},
+                 placeOf(scene, rough.first->source, "friction")};
+}
+
+std::optional<Cause> damps(const Scene& scene) {
+    const MeetingPair rough = firstPairWith(scene, isRough);
+    if (!rough) return std::nullopt;
+    return Cause{Sentence{"%1 slows down what it touches, so bodies can come to rest",
+                          {scene.nameOf(indexOf(scene, *rough.first))}},
+                 placeOf(scene, rough.first->source, "friction")};
+}
+
+void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
+    if (!anyCanMeet(scene) || firstPairWith(scene, isRough)) return;
+    std::size_t count = 0;
+    for (const Body& body : scene.bodies) {
+        const ParameterSource* given = scene.find(body.source, "friction");
+        if (!isRough(body) || given == nullptr || count == mostHintsOfAKind) continue;
+        ++count;
+        hints.push_back(noEffectHint(
+            given->value, "`friction` has no effect: a pair has the geometric mean of its two, and no body "
+                          "that " +
+                              scene.nameOf(indexOf(scene, body)) +
+                              " can meet has any; give the others friction too"));
+    }
+}
+
 } // namespace
 
 extern const EffectRow frictionRow;
@@ -42,6 +81,10 @@ constinit const EffectRow frictionRow = {
     .decide = decide,
     .unmetMessage = "friction is not simulated yet; bodies slide without it",
     .exactObjection = "friction would turn and slow the bodies it reaches",
+    .contribute = contribute,
+    .turns = turns,
+    .damps = damps,
+    .hint = hint,
 };
 
 } // namespace carom

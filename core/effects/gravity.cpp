@@ -4,6 +4,8 @@
 
 #include "core/base/figures.h"
 
+#include <algorithm>
+
 // Uniform gravity: every mobile body has the acceleration g, whatever its mass. The reference's only force;
 // it took 9.8 m/s² downwards, and so does a scene that declares none. Its energy is −m g·x.
 
@@ -31,6 +33,40 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
 
 void contribute(const Scene& scene, Bodies& bodies) { bodies.gravity = scene.gravity.acceleration; }
 
+// Zero at the world's origin.
+double stored(const Scene&, const Bodies& bodies, const State& state) {
+    double energy = 0;
+    for (const BodyIndex i : bodies.mobileBodies)
+        energy -= bodies.mass[i] * bodies.gravity.dot(state.pose[i].position);
+    return energy;
+}
+
+/// How high the highest level floor is, against gravity [m]; nothing if there is none.
+std::optional<double> floorOf(const Scene& scene, const Vec3& up) {
+    std::optional<double> highest;
+    for (const Body& body : scene.bodies)
+        if (const Wall* wall = std::get_if<Wall>(&body.shape); wall != nullptr && wall->normal == up)
+            highest = std::max(highest.value_or(wall->offset), wall->offset);
+    return highest;
+}
+
+// Down to the floor. Without a level one bodies fall ever faster, and so does what is behind it.
+std::optional<double> gives(const Scene& scene) {
+    const Vec3& gravity = scene.gravity.acceleration;
+    if (gravity == Vec3::Zero()) return 0;
+    const Vec3 up = -gravity.normalized();
+    const std::optional<double> floor = floorOf(scene, up);
+    if (!floor) return std::nullopt;
+    double energy = 0;
+    for (const Body& body : scene.bodies) {
+        if (!body.mobile()) continue;
+        const double height = up.dot(body.pose.position) - *floor;
+        if (height < 0) return std::nullopt;
+        energy += body.mass * gravity.norm() * height;
+    }
+    return energy;
+}
+
 } // namespace
 
 extern const EffectRow gravityRow;
@@ -40,6 +76,8 @@ constinit const EffectRow gravityRow = {
     .help = "Accelerates every mobile body by the same constant vector.",
     .decide = decide,
     .contribute = contribute,
+    .stored = {stored, LedgerAccount::Gravity},
+    .gives = gives,
 };
 
 } // namespace carom

@@ -33,6 +33,24 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
     return decision;
 }
 
+void contribute(const Scene& scene, Bodies& bodies) {
+    std::ranges::transform(scene.bodies, bodies.elastic.begin(), &Body::elastic);
+}
+
+std::optional<double> gives(const Scene& scene) {
+    const bool gains = std::ranges::any_of(scene.bodies, [](const Body& body) { return body.elastic > 1; });
+    return gains ? std::nullopt : std::optional<double>(0);
+}
+
+std::optional<Cause> damps(const Scene& scene) {
+    for (const Body& body : scene.bodies)
+        if (body.elastic < 1)
+            return Cause{Sentence{"impacts of %1 lose energy, so bodies can come to rest",
+                                  {scene.nameOf(indexOf(scene, body))}},
+                         placeOf(scene, body.source, "elastic")};
+    return std::nullopt;
+}
+
 } // namespace
 
 extern const EffectRow restitutionRow;
@@ -41,6 +59,9 @@ constinit const EffectRow restitutionRow = {
     .title = "Restitution",
     .help = "Bodies part with a share of the speed they met at.",
     .decide = decide,
+    .contribute = contribute,
+    .gives = gives,
+    .damps = damps,
 };
 
 } // namespace carom

@@ -2,8 +2,10 @@
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
+#include <algorithm>
+
 // Rolling resistance: a moment against rolling of at most the lever arm times the normal force; the arm of a
-// pair is the larger of its two. This version does not simulate it.
+// pair is the larger of its two, so one body that has some holds back all that roll over it.
 
 namespace carom {
 namespace {
@@ -35,6 +37,31 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     return decision;
 }
 
+const Body* firstResisting(const Scene& scene) {
+    const auto found = std::ranges::find_if(scene.bodies, [](const Body& body) { return body.rolling > 0; });
+    return found != scene.bodies.end() ? &*found : nullptr;
+}
+
+void contribute(const Scene& scene, Bodies& bodies) {
+    std::ranges::transform(scene.bodies, bodies.rolling.begin(), &Body::rolling);
+    addRotating(bodies, [](BodyIndex) { return true; });
+}
+
+std::optional<Cause> turns(const Scene& scene, const RunFacts& run) {
+    const Body* resisting = firstResisting(scene);
+    if (!run.method.rollingResistance || !anyCanMeet(scene) || resisting == nullptr) return std::nullopt;
+    return Cause{Sentence{"what rolls over %1 is held back", {scene.nameOf(indexOf(scene, *resisting))}},
+                 placeOf(scene, resisting->source, "rolling")};
+}
+
+std::optional<Cause> damps(const Scene& scene) {
+    const Body* resisting = firstResisting(scene);
+    if (resisting == nullptr) return std::nullopt;
+    return Cause{Sentence{"%1 slows down what rolls on it, so bodies can come to rest",
+                          {scene.nameOf(indexOf(scene, *resisting))}},
+                 placeOf(scene, resisting->source, "rolling")};
+}
+
 } // namespace
 
 extern const EffectRow rollingResistanceRow;
@@ -45,6 +72,9 @@ constinit const EffectRow rollingResistanceRow = {
     .decide = decide,
     .unmetMessage = "rolling resistance is not simulated yet; bodies roll on without it",
     .exactObjection = "rolling resistance acts between events",
+    .contribute = contribute,
+    .turns = turns,
+    .damps = damps,
 };
 
 } // namespace carom

@@ -10,16 +10,6 @@
 namespace carom {
 namespace {
 
-/// The first spring that pulls a mobile body beside its centre, or none.
-const Spring* firstOffCentre(const Scene& scene) {
-    const auto turns = [&](BodyIndex body, const Vec3& at) {
-        return body != noBody && scene.bodies[body].mobile() && at != Vec3::Zero();
-    };
-    for (const Spring& spring : scene.springs)
-        if (turns(spring.from, spring.fromAt) || turns(spring.to, spring.toAt)) return &spring;
-    return nullptr;
-}
-
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "rotation"};
     if (firstMobile(scene) == nullptr) {
@@ -36,32 +26,13 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
                               : Sentence{"%1 is not a sphere and can be hit beside its centre", {name}};
         return decision;
     }
-    const MeetingPair rough = firstPairWith(scene, [](const Body& body) { return body.friction > 0; });
-    if (run.method.friction && rough) {
+    for (const EffectRow& row : effects()) {
+        const std::optional<Cause> cause = row.turns != nullptr ? row.turns(scene, run) : std::nullopt;
+        if (!cause) continue;
         decision.status = EffectStatus::On;
-        decision.source = placeOf(scene, rough.first->source, "friction");
-        decision.reason =
-            Sentence{"friction can set %1 turning", {scene.nameOf(indexOf(scene, *rough.second))}};
+        decision.source = cause->source;
+        decision.reason = cause->reason;
         return decision;
-    }
-    if (run.method.rollingResistance && anyCanMeet(scene)) {
-        for (const Body& body : scene.bodies) {
-            if (!(body.rolling > 0)) continue;
-            decision.status = EffectStatus::On;
-            decision.source = placeOf(scene, body.source, "rolling");
-            decision.reason =
-                Sentence{"what rolls over %1 is held back", {scene.nameOf(indexOf(scene, body))}};
-            return decision;
-        }
-    }
-    if (run.method.springs) {
-        if (const Spring* spring = firstOffCentre(scene)) {
-            decision.status = EffectStatus::On;
-            decision.source = placeOf(scene, spring->source, "");
-            decision.reason = Sentence{"a spring between %1 and %2 pulls beside a centre",
-                                       {scene.nameOf(spring->from), scene.nameOf(spring->to)}};
-            return decision;
-        }
     }
     decision.reason =
         Sentence{"no body spins at the start, and impulses without friction pass through a sphere's centre"};

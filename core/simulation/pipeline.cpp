@@ -68,11 +68,10 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
     // What is done after each stage, as it is for 200,000 spheres in a gas.
     constexpr double copied = 0.1, numbered = 0.35, started = 0.4, settled = 0.55, decided = 0.6;
     stage.reach(copied);
-    m_bodies = bodiesOf(scene);
+    m_bodies = bareBodiesOf(scene);
     m_bodies.boxes = m_settings.boxes;
     stage.reach(numbered);
     m_initialState = initialStateOf(scene);
-    m_motion = motionFor(m_bodies, m_settings.integrator->motion);
     stage.reach(started);
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     stage.reach(settled);
@@ -86,7 +85,10 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
         warnOfUnmet(row, m_effects.back(), m_warnings);
         if (row.contribute != nullptr && m_effects.back().status == EffectStatus::On)
             row.contribute(m_scene, m_bodies);
+        if (row.stored.of != nullptr && m_effects.back().status == EffectStatus::On)
+            m_stored.push_back(row.stored);
     }
+    m_motion = motionFor(m_bodies, m_settings.integrator->motion);
     for (Diagnostic& warning : preRunWarnings(m_scene, m_settings, m_bodies, stage.part(decided, 1)))
         m_warnings.push_back(std::move(warning));
     for (Diagnostic& hint : withoutEffect(m_scene)) m_warnings.push_back(std::move(hint));

@@ -32,6 +32,8 @@ class Pipeline {
     bool simulates(std::string_view effect) const;
     /// The acceleration of every mobile body [m/s²]; zero where gravity is absent.
     const Vec3& gravity() const { return m_bodies.gravity; }
+    /// Of the effects that are simulated, in their order.
+    const std::vector<StoredEnergy>& stored() const { return m_stored; }
     /// The integrator's, but that nothing is called to turn bodies where none can turn.
     const SmoothMotion& motion() const { return m_motion; }
     /// What the scene asks for and this version does not do, and what would go wrong in the run, as warnings
@@ -48,6 +50,7 @@ class Pipeline {
     State m_initialState;
     SmoothMotion m_motion;
     std::vector<EffectDecision> m_effects;
+    std::vector<StoredEnergy> m_stored;
     std::vector<BodyIndex> m_warnedBodies;
 };
 

@@ -33,7 +33,7 @@ struct FrameStatistics {
     std::uint64_t resting = 0; ///< bodies at rest that the last substep left alone
 
     double kinetic = 0;           ///< [J]
-    double potential = 0;         ///< [J] of gravity and springs; height measured from the world's origin
+    double potential = 0;         ///< [J] that effects store; height measured from the world's origin
     Vec3 momentum = Vec3::Zero(); ///< [kg m/s], of mobile bodies
     double maxPenetration = 0;    ///< [m], the deepest overlap the narrow phase met in this frame
     /// How far the worst contact problem of the frame was from solved [m/s]: the speed by which some contact

@@ -5,6 +5,9 @@
 #include "core/dynamics/energy.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace carom {
 namespace {
@@ -36,14 +39,24 @@ void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCou
     frame.broad.cells += broad.cells;
 }
 
-// Potential energy belongs to gravity, to springs and to corrected positions; what is then left of the change
-// of the state is unexplained.
-void closeLedger(const Invariants& before, double stored, FrameStatistics& frame) {
+void measureStored(const Pipeline& pipeline, const State& state, std::vector<double>& into) {
+    into.clear();
+    for (const StoredEnergy& stored : pipeline.stored())
+        into.push_back(stored.of(pipeline.scene(), pipeline.bodies(), state));
+}
+
+// Potential energy belongs to the effects that store it, and height also to corrected positions; what is then
+// left of the change of the state is unexplained.
+void closeLedger(const Pipeline& pipeline, const State& state, const Invariants& before,
+                 std::span<const double> storedBefore, FrameStatistics& frame) {
     Ledger& ledger = frame.ledger;
-    const double rise = frame.potential - before.potential - stored;
-    ledger[LedgerAccount::Gravity].energy += rise - ledger.lifted;
+    for (std::size_t k = 0; k < storedBefore.size(); ++k) {
+        const StoredEnergy& stored = pipeline.stored()[k];
+        double rise = stored.of(pipeline.scene(), pipeline.bodies(), state) - storedBefore[k];
+        if (stored.account == LedgerAccount::Gravity) rise -= ledger.lifted;
+        ledger[stored.account].energy += rise;
+    }
     ledger[LedgerAccount::Parting].energy += ledger.lifted;
-    ledger[LedgerAccount::Spring].energy += stored;
     const LedgerEntry total = ledger.total();
     frame.unexplained.energy =
         frame.kinetic - before.kinetic + (frame.potential - before.potential) - total.energy;
@@ -53,12 +66,12 @@ void closeLedger(const Invariants& before, double stored, FrameStatistics& frame
 } // namespace
 
 void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame) {
-    const Invariants invariants = invariantsOf(pipeline.bodies(), state, pipeline.gravity());
-    frame.kinetic = invariants.kinetic;
-    frame.potential = invariants.potential;
-    frame.momentum = invariants.momentum;
-    const std::vector<SpringForce>& springs = pipeline.bodies().springs;
-    if (!springs.empty()) frame.potential += springEnergy(springs, state);
+    const MotionTotals motion = motionTotalsOf(pipeline.bodies(), state);
+    frame.kinetic = motion.kinetic;
+    frame.momentum = motion.momentum;
+    frame.potential = 0;
+    for (const StoredEnergy& stored : pipeline.stored())
+        frame.potential += stored.of(pipeline.scene(), pipeline.bodies(), state);
 }
 
 // One frame: `substeps` times the method's smooth motion, pairs, contacts and responses; then the accounts.
@@ -86,7 +99,7 @@ void stepWorld(World& world) {
                       .state = state,
                       .ledger = world.m_keepsLedger ? &frame.ledger : nullptr,
                       .parts = settings.substeps};
-    const double stored = world.m_keepsLedger ? springEnergy(pipeline.bodies().springs, state) : 0;
+    if (world.m_keepsLedger) measureStored(pipeline, state, world.m_stored);
     Loss loss;
     for (input.part = 0; input.part < input.parts && !loss; ++input.part) {
         const SolverReport report = world.m_solver->advance(input);
@@ -102,8 +115,7 @@ void stepWorld(World& world) {
         frame.ledger = {};
     } else {
         account(pipeline, state, frame);
-        if (world.m_keepsLedger)
-            closeLedger(before, springEnergy(pipeline.bodies().springs, state) - stored, frame);
+        if (world.m_keepsLedger) closeLedger(pipeline, state, before, world.m_stored, frame);
     }
     frame.simulate = wholeStep.elapsed();
 }

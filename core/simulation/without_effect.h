@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// What the text says in vain, as hints: the velocity of a body that is fixed, friction that no other body
-/// answers, a spring between ends that cannot move. At most fifty of a kind.
+/// What the text says in vain, as hints: the velocity of a body that is fixed, and what each effect says
+/// (EffectRow::hint). At most mostHintsOfAKind of a kind.
 std::vector<Diagnostic> withoutEffect(const Scene& scene);
 
 } // namespace carom

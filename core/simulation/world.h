@@ -74,6 +74,7 @@ class World {
     std::unique_ptr<Solver> m_solver;
     Workers m_workers;
     bool m_keepsLedger = false;
+    std::vector<double> m_stored; // [J], by Pipeline::stored(), at the start of a frame that is audited
 };
 
 } // namespace carom

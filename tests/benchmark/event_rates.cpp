@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+
 #include "app/errors.h"
 #include "app/files.h"
 #include "app/options.h"

@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/effect.h"
 #include "core/scene/scene.h"
 
 #include <initializer_list>
+#include <string_view>
 
 // A small vocabulary for tests: scenes without a text.
+
+namespace carom {
+
+/// The bodies as a stage of a solver takes them: with the coefficients of the contact laws. Gravity and
+/// springs are handed to it apart.
+inline Bodies bodiesOf(const Scene& scene) {
+    Bodies bodies = bareBodiesOf(scene);
+    for (const std::string_view effect : {"restitution", "friction", "rolling_resistance"})
+        if (findEffect(effect)
+                ->decide(scene, {.method = {.friction = true, .rollingResistance = true}})
+                .status == EffectStatus::On)
+            findEffect(effect)->contribute(scene, bodies);
+    return bodies;
+}
+
+} // namespace carom
 
 namespace carom::test {
 
