@@ -73,7 +73,7 @@ class ForcedSteps {
     Vec3 freeVelocityOf(const Step& step) const; ///< v̂
     /// What the terms gave to a body that came out with velocity `after` [N s].
     Vec3 impulseOf(const Step& step) const;
-    /// Books what the terms gave, on the way from `before` to `after`, to their accounts; returns the sum.
+    /// Records what the terms gave, on the way from `before` to `after`, to their accounts; returns the sum.
     LedgerEntry record(const Forces& forces, Ledger& ledger);
 
   private:

@@ -46,7 +46,7 @@ struct LedgerEntry {
 
 struct Ledger {
     std::array<LedgerEntry, ledgerAccounts> entries{};
-    double lifted = 0; ///< height [J] that corrected positions gave; the frame records it to Parting
+    double lifted = 0; ///< potential energy [J] that position corrections gave; the frame records it to Parting
 
     LedgerEntry& operator[](LedgerAccount account) { return entries[static_cast<std::size_t>(account)]; }
     const LedgerEntry& operator[](LedgerAccount account) const {
@@ -72,7 +72,7 @@ void recordBallisticAdvance(const Bodies& bodies, std::span<const BodyIndex> lis
 /// Momentum that `change` of velocity gives to `list`: of gravity's, their weight times the time.
 Vec3 weightOf(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& change);
 
-/// Books a motion that only gravity and one other thing can have made, by what it changed: gravity by the
+/// Records a motion that only gravity and one other thing can have made, by what it changed: gravity by the
 /// height lost and the momentum of the weight, `account` by the rest.
 void recordDifference(const Invariants& before, const Invariants& after, const Vec3& weight,
                       LedgerAccount account, Ledger& ledger);

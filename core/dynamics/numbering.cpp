@@ -8,12 +8,20 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 namespace carom {
 namespace {
 
 std::array<double, 3> numbersOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+std::vector<std::tuple<std::string_view, std::array<double, 3>>> numbersOf(const EffectValues& values) {
+    std::vector<std::tuple<std::string_view, std::array<double, 3>>> numbers;
+    for (const auto& [parameter, value] : values.all())
+        if (!value.isZero(0)) numbers.emplace_back(parameter, numbersOf(value));
+    return numbers;
+}
 
 std::array<double, 4> numbersOf(const Shape& shape) {
     struct Numbers {
@@ -39,7 +47,7 @@ auto placeOf(const Body& body) {
 auto everythingElseOf(const Body& body) {
     const Quat& q = body.pose.orientation;
     return std::tuple(static_cast<int>(kindOf(body.shape)), numbersOf(body.shape), body.mobile(), body.mass,
-                      body.elastic, body.friction, body.rolling, body.drag,
+                      body.elastic, body.friction, body.rolling, numbersOf(body.values),
                       std::array{q.x(), q.y(), q.z(), q.w()}, numbersOf(body.velocity),
                       numbersOf(body.angularVelocity));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include "core/base/figures.h"
 #include "core/dynamics/force_term.h"
@@ -92,16 +93,25 @@ class AirDrag final : public ForceTerm {
     std::vector<Dragged> m_bodies;
 };
 
-bool isDragged(const Body& body) { return body.mobile() && !isWall(body.shape) && body.drag > 0; }
+double dragOf(const Body& body) { return body.values.number("drag"); }
+
+bool isDragged(const Body& body) { return body.mobile() && !isWall(body.shape) && dragOf(body) > 0; }
+
+/// All 0 where none is declared.
+EffectDeclaration airOf(const Scene& scene) {
+    const EffectDeclaration* declared = scene.declared("air");
+    return declared != nullptr ? *declared : EffectDeclaration{.name = "air", .values = {}, .source = {}};
+}
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "air"};
-    const Air& air = scene.air;
+    const EffectDeclaration air = airOf(scene);
+    const double density = air.values.number("density");
     if (air.source) decision.source = placeOf(scene, *air.source, "density");
     const auto dragged = std::find_if(scene.bodies.begin(), scene.bodies.end(), isDragged);
-    if (!air.source && !(air.density > 0)) {
+    if (!air.source && !(density > 0)) {
         decision.reason = Sentence{"none is declared"};
-    } else if (!(air.density > 0)) {
+    } else if (!(density > 0)) {
         decision.reason = Sentence{"its density is 0"};
     } else if (dragged == scene.bodies.end()) {
         decision.reason = Sentence{"nothing that can move has `drag`"};
@@ -109,7 +119,7 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
         decision.status = run.method.bentPaths ? EffectStatus::On : EffectStatus::NotSimulatedYet;
         decision.reason =
             Sentence{"air of %1 kg/m³ slows %2, which has drag %3",
-                     {figure(air.density), scene.nameOf(indexOf(scene, *dragged)), figure(dragged->drag)}};
+                     {figure(density), scene.nameOf(indexOf(scene, *dragged)), figure(dragOf(*dragged))}};
         if (!run.method.bentPaths) {
             decision.reason.add(Sentence{"it moves as in a vacuum"});
             decision.unmet.push_back(decision.source.value_or(SourceRange{}));
@@ -119,28 +129,32 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 void contribute(const Scene& scene, Bodies& bodies) {
+    const EffectValues air = airOf(scene).values;
+    const double density = air.number("density");
     std::vector<AirDrag::Dragged> dragged;
     dragged.reserve(scene.bodies.size());
     for (const Body& body : scene.bodies) {
         const bool drags = isDragged(body);
-        dragged.push_back({body.shape, drags ? 0.5 * scene.air.density * body.drag : 0, body.mass,
+        dragged.push_back({body.shape, drags ? 0.5 * density * dragOf(body) : 0, body.mass,
                            drags ? largestProjectedArea(body.shape) : 0});
     }
-    bodies.forces.addTerm(std::make_shared<AirDrag>(scene.air.wind, std::move(dragged)), bodies.count());
+    bodies.forces.addTerm(std::make_shared<AirDrag>(air.vector("wind"), std::move(dragged)), bodies.count());
 }
 
 std::optional<double> gives(const Scene& scene) {
-    const bool pushes = scene.air.density > 0 && scene.air.wind != Vec3::Zero() &&
+    const EffectValues air = airOf(scene).values;
+    const bool pushes = air.number("density") > 0 && air.vector("wind") != Vec3::Zero() &&
                         std::ranges::any_of(scene.bodies, isDragged);
     return pushes ? std::nullopt : std::optional<double>(0);
 }
 
 void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
+    const bool hasAir = airOf(scene).source.has_value();
     std::size_t count = 0;
     for (BodyIndex i = 0; i < scene.bodies.size() && count < mostHintsOfAKind; ++i) {
         const Body& body = scene.bodies[i];
         const ParameterSource* given = scene.find(body.source, "drag");
-        if (given == nullptr || !(body.drag > 0) || (body.mobile() && scene.air.source)) continue;
+        if (given == nullptr || !(dragOf(body) > 0) || (body.mobile() && hasAir)) continue;
         ++count;
         hints.push_back(noEffectHint(
             given->value,
@@ -152,6 +166,41 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+
+EffectWords airWords() {
+    DeclarationRow air = {.name = "air",
+                          .help =
+                              "Air that drags on bodies by their `drag`; a scene without it is in a vacuum.",
+                          .layer = Layer::Carom,
+                          .once = true,
+                          .parameters = {{.name = "density",
+                                          .kind = ValueKind::Number,
+                                          .unit = "kg/m³",
+                                          .required = true,
+                                          .example = "1.2",
+                                          .constraint = Constraint::NotNegative,
+                                          .help = "Mass per volume; 1.2 near the ground.",
+                                          .layer = Layer::Carom},
+                                         {.name = "wind",
+                                          .kind = ValueKind::Vector,
+                                          .unit = "m/s",
+                                          .defaultText = "0, 0, 0",
+                                          .example = "0, 0, 0",
+                                          .help = "Velocity of the air.",
+                                          .layer = Layer::Carom}},
+                          .example = "air { density 1.2  wind 3, 0, 0 }"};
+    ParameterRow drag = {.name = "drag",
+                         .kind = ValueKind::Number,
+                         .defaultText = "0",
+                         .example = "0.47",
+                         .constraint = Constraint::NotNegative,
+                         .help = "Drag coefficient in `air`: 0.47 for a smooth ball, about 1 for a box.",
+                         .layer = Layer::Carom,
+                         .ofMoving = true,
+                         .title = "drag coefficient",
+                         .usual = 2}; // of blunt bodies
+    return {.declarations = {air}, .ofBodies = {drag}};
+}
 
 extern const EffectRow airRow;
 constinit const EffectRow airRow = {

@@ -8,14 +8,14 @@
 
 namespace carom {
 
-#define CAROM_EFFECT(row) extern const EffectRow row;
-#include "core/effects/effects.def"
+#define CAROM_EFFECT(row, words) extern const EffectRow row;
+#include "core/scene/effects.def"
 #undef CAROM_EFFECT
 
 std::span<const EffectRow> effects() {
     static const std::array rows = {
-#define CAROM_EFFECT(row) row,
-#include "core/effects/effects.def"
+#define CAROM_EFFECT(row, words) row,
+#include "core/scene/effects.def"
 #undef CAROM_EFFECT
     };
     return rows;

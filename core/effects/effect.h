@@ -18,9 +18,10 @@
 #include <vector>
 
 // An effect is simulated if and only if its absence cannot be proved from the scene. Each effect is one file
-// and its line in effects.def. It gives the bodies what the methods of motion work with: coefficients of the
-// contact law, springs, or a force on single bodies (dynamics/force_term.h). Effects that follow from others
-// (rotation, resting, continuous collision) ask all rows and name none.
+// and its line in scene/effects.def. It brings its words (scene/schema.h) and gives the bodies what the
+// methods of motion work with: coefficients of the contact law, springs, or a force on single bodies
+// (dynamics/force_term.h). Effects that follow from others (rotation, resting, continuous collision) ask all
+// rows and name none.
 
 namespace carom {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include <algorithm>
 
@@ -72,6 +73,24 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+
+EffectWords frictionWords() {
+    ParameterRow friction = {
+        .name = "friction",
+        .kind = ValueKind::Number,
+
+        .defaultText = "0",
+        .example = "0.3",
+        .constraint = Constraint::NotNegative,
+        .help = "Coulomb coefficient of friction; a pair has the geometric mean of its two.",
+        .layer = Layer::Carom,
+        .title = "friction",
+        .usual = 1,
+        .store = [](Declared& into,
+                    const CheckedValue& value) { std::get<Body>(into).friction = value.number; },
+        .read = [](const Body& body) { return body.friction; }};
+    return {.ofBodies = {friction}};
+}
 
 extern const EffectRow frictionRow;
 constinit const EffectRow frictionRow = {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include "core/base/figures.h"
 
@@ -68,6 +69,28 @@ std::optional<double> gives(const Scene& scene) {
 }
 
 } // namespace
+
+EffectWords gravityWords() {
+    DeclarationRow gravity = {.name = "gravity",
+                              .help =
+                                  "The acceleration of free fall; a scene without it has 9.8 m/s² downwards.",
+                              .layer = Layer::Carom,
+                              .once = true,
+                              .parameters = {{.name = "accel",
+                                              .kind = ValueKind::Vector,
+                                              .unit = "m/s²",
+                                              .defaultText = "0, -9.8, 0",
+                                              .example = "0, -9.8, 0",
+                                              .help = "Acceleration of everything that can move.",
+                                              .layer = Layer::Carom,
+                                              .store =
+                                                  [](Declared& into, const CheckedValue& value) {
+                                                      std::get<Gravity>(into).acceleration = value.vector;
+                                                  }}},
+                              .begin = []() -> Declared { return Gravity{}; },
+                              .example = "gravity { accel 0, -1.62, 0 }"};
+    return {.declarations = {gravity}};
+}
 
 extern const EffectRow gravityRow;
 constinit const EffectRow gravityRow = {

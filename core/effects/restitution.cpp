@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include "core/base/figures.h"
 
@@ -52,6 +53,24 @@ std::optional<Cause> damps(const Scene& scene) {
 }
 
 } // namespace
+
+EffectWords restitutionWords() {
+    ParameterRow elastic = {
+        .name = "elastic",
+        .kind = ValueKind::Number,
+
+        .defaultText = "1",
+        .example = "1",
+        .constraint = Constraint::NotNegative,
+        .help = "Coefficient of restitution; a pair has the smaller of its two.",
+
+        .title = "elasticity",
+        .usual = 1,
+        .store = [](Declared& into,
+                    const CheckedValue& value) { std::get<Body>(into).elastic = value.number; },
+        .read = [](const Body& body) { return body.elastic; }};
+    return {.ofBodies = {elastic}};
+}
 
 extern const EffectRow restitutionRow;
 constinit const EffectRow restitutionRow = {

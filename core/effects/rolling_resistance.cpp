@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include <algorithm>
 
@@ -63,6 +64,24 @@ std::optional<Cause> damps(const Scene& scene) {
 }
 
 } // namespace
+
+EffectWords rollingResistanceWords() {
+    ParameterRow rolling = {
+        .name = "rolling",
+        .kind = ValueKind::Number,
+        .unit = "m",
+        .defaultText = "0",
+        .example = "0.001",
+        .constraint = Constraint::NotNegative,
+        .help = "Rolling resistance, a lever arm; a pair has the larger of its two.",
+        .layer = Layer::Carom,
+        .title = "rolling resistance",
+        .usual = 0.01,
+        .store = [](Declared& into,
+                    const CheckedValue& value) { std::get<Body>(into).rolling = value.number; },
+        .read = [](const Body& body) { return body.rolling; }};
+    return {.ofBodies = {rolling}};
+}
 
 extern const EffectRow rollingResistanceRow;
 constinit const EffectRow rollingResistanceRow = {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
+#include "core/scene/schema.h"
 
 #include "core/dynamics/spring_force.h"
 #include "core/dynamics/state.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 // Springs with dampers: a force k (length − rest) + c · rate along the line between two points of bodies.
@@ -33,6 +35,8 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
                                                 : Sentence{"no spring has an end that can move"};
     return decision;
 }
+
+Spring& spring(Declared& declared) { return std::get<Spring>(declared); }
 
 /// Whether the spring pulls a body beside its centre at that end.
 bool pullsAside(const Scene& scene, BodyIndex body, const Vec3& at) {
@@ -87,6 +91,70 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+
+EffectWords springWords() {
+    std::vector<ParameterRow> rows = {
+        {.name = "from",
+         .kind = ValueKind::Label,
+         .required = true,
+         .example = "world",
+         .help = "Label of the body at its first end, or `world`.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).from = value.body; }},
+        {.name = "to",
+         .kind = ValueKind::Label,
+         .required = true,
+         .example = "world",
+         .help = "Label of the body at its second end, or `world`.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).to = value.body; }},
+        {.name = "stiffness",
+         .kind = ValueKind::Number,
+         .unit = "N/m",
+         .required = true,
+         .example = "100",
+         .constraint = Constraint::Positive,
+         .help = "Force per length of stretch.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).stiffness = value.number; }},
+        {.name = "damping",
+         .kind = ValueKind::Number,
+         .unit = "N·s/m",
+         .defaultText = "0",
+         .example = "1",
+         .constraint = Constraint::NotNegative,
+         .help = "Force per speed of stretching.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).damping = value.number; }},
+        {.name = "length",
+         .kind = ValueKind::Number,
+         .unit = "m",
+         .defaultText = "the distance between its ends at the start",
+         .example = "1",
+         .constraint = Constraint::NotNegative,
+         .help = "Length at which it neither pulls nor pushes.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).length = value.number; }},
+        {.name = "fromAt",
+         .kind = ValueKind::Vector,
+         .unit = "m",
+         .defaultText = "0, 0, 0",
+         .example = "0, 0, 0",
+         .help = "Where the first end is attached, in the body's own frame, or in the world's for `world`.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).fromAt = value.vector; }},
+        {.name = "toAt",
+         .kind = ValueKind::Vector,
+         .unit = "m",
+         .defaultText = "0, 0, 0",
+         .example = "0, 0, 0",
+         .help = "Where the second end is attached, in the body's own frame, or in the world's for `world`.",
+         .store = [](Declared& into, const CheckedValue& value) { spring(into).toAt = value.vector; }}};
+    for (ParameterRow& row : rows) row.layer = Layer::Carom;
+    DeclarationRow declared = {
+        .name = "spring",
+        .help = "A straight spring with a damper between two bodies, or a body and the world.",
+        .layer = Layer::Carom,
+        .parameters = std::move(rows),
+        .begin = []() -> Declared { return Spring{}; },
+        .example = "sphere bob { radius 0.1  mass 1  centre 0, 1, 0 }\n"
+                   "spring { from world  to bob  fromAt 0, 2, 0  stiffness 100 }"};
+    return {.declarations = {std::move(declared)}};
+}
 
 extern const EffectRow springRow;
 constinit const EffectRow springRow = {

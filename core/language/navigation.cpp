@@ -115,7 +115,11 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
             ++expectation;
             entry.built = true;
         } else {
-            entry.built = isSource(scene.gravity.source, range) || isSource(scene.air.source, range) ||
+            entry.built = isSource(scene.gravity.source, range) ||
+                          std::ranges::any_of(scene.effects,
+                                              [&](const EffectDeclaration& effect) {
+                                                  return isSource(effect.source, range);
+                                              }) ||
                           isSource(scene.simulation.source, range) || isSource(scene.camera.source, range);
         }
         entries.push_back(entry);

@@ -34,7 +34,7 @@ std::optional<std::size_t> numberBehind(std::string_view owner, std::string_view
 const std::optional<DeclarationSource>& onlySource(const Scene& scene, std::string_view name) {
     static constexpr std::optional<DeclarationSource> none;
     if (name == "gravity") return scene.gravity.source;
-    if (name == "air") return scene.air.source;
+    if (const EffectDeclaration* effect = scene.declared(name)) return effect->source;
     if (name == "simulation") return scene.simulation.source;
     if (name == "camera") return scene.camera.source;
     if (name == "sweep" && scene.sweep) return scene.sweep->source;

@@ -104,7 +104,7 @@ class Validator {
         sound = claimLabel(syntax, row) && sound;
         sound = claimOnce(syntax, row) && sound;
         const std::size_t firstSource = m_scene.parameterSources.size();
-        Declared declared = row.begin();
+        Declared declared = row.begun();
         sound = takeParameters(syntax, row, declared) && sound;
         if (Spring* spring = std::get_if<Spring>(&declared); spring != nullptr && sound)
             sound = hasTwoEnds(syntax, *spring);
@@ -143,9 +143,9 @@ class Validator {
         gravity.source = source;
         m_scene.gravity = gravity;
     }
-    void add(Air& air, const DeclarationSource& source) {
-        air.source = source;
-        m_scene.air = air;
+    void add(EffectDeclaration& effect, const DeclarationSource& source) {
+        effect.source = source;
+        m_scene.effects.push_back(std::move(effect));
     }
     void add(SimulationSettings& settings, const DeclarationSource& source) {
         settings.source = source;
@@ -234,7 +234,7 @@ class Validator {
             given.sound = false;
             return;
         }
-        parameterRow->store(into, *value);
+        storeValue(*parameterRow, *value, into);
         m_scene.parameterSources.push_back({parameterRow->name, parameter.name, parameter.value});
     }
 

@@ -34,6 +34,31 @@ const ParameterSource* Scene::find(const DeclarationSource& source, std::string_
     return nullptr;
 }
 
+void EffectValues::set(std::string_view parameter, const Vec3& value) {
+    const auto place = std::ranges::lower_bound(m_values, parameter, {}, &Value::parameter);
+    if (place != m_values.end() && place->parameter == parameter)
+        place->value = value;
+    else
+        m_values.insert(place, {parameter, value});
+}
+
+Vec3 EffectValues::vector(std::string_view parameter) const {
+    const auto place = std::ranges::find(m_values, parameter, &Value::parameter);
+    return place != m_values.end() ? place->value : Vec3(Vec3::Zero());
+}
+
+const EffectDeclaration* Scene::declared(std::string_view name) const {
+    const auto place = std::ranges::find(effects, name, &EffectDeclaration::name);
+    return place != effects.end() ? &*place : nullptr;
+}
+
+EffectDeclaration& Scene::declare(std::string_view name) {
+    const auto place = std::ranges::find(effects, name, &EffectDeclaration::name);
+    return place != effects.end()
+               ? *place
+               : effects.emplace_back(EffectDeclaration{.name = name, .values = {}, .source = {}});
+}
+
 std::string_view familyOf(std::string_view label) {
     const std::size_t last = label.find_last_not_of("0123456789");
     const bool numbered = last != label.npos && last + 1 < label.size();

@@ -33,6 +33,26 @@ struct DeclarationSource {
     std::uint32_t parameterCount = 0;
 };
 
+/// What effects' own parameters are given, by the parameter's name (schema.h). What is not given is 0.
+class EffectValues {
+  public:
+    /// A number stands in x.
+    struct Value {
+        std::string_view parameter; ///< of the schema's row: it lives for ever
+        Vec3 value = Vec3::Zero();
+    };
+
+    void set(std::string_view parameter, const Vec3& value);
+    void set(std::string_view parameter, double value) { set(parameter, Vec3(value, 0, 0)); }
+    double number(std::string_view parameter) const { return vector(parameter).x(); }
+    Vec3 vector(std::string_view parameter) const;
+    const std::vector<Value>& all() const { return m_values; } ///< by name, ascending
+    std::vector<Value>& all() { return m_values; }
+
+  private:
+    std::vector<Value> m_values;
+};
+
 struct Body {
     Shape shape;                         ///< walls carry their own place; their pose is the identity
     Pose pose;                           ///< at the start
@@ -43,7 +63,7 @@ struct Body {
     double elastic = 1;                  ///< restitution; a pair has the smaller of its two
     double friction = 0;                 ///< Coulomb; a pair has the geometric mean
     double rolling = 0;                  ///< rolling resistance, a lever arm [m]; a pair has the larger
-    double drag = 0;                     ///< drag coefficient in air
+    EffectValues values;                 ///< of the other parameters that effects give to bodies
     Vec3 colour = Vec3::Ones();          ///< red, green, blue in 0..1
     std::string label;                   ///< empty where there is none
     DeclarationSource source;
@@ -67,10 +87,11 @@ struct Spring {
     DeclarationSource source;
 };
 
-struct Air {
-    double density = 0;                      ///< [kg/m³]
-    Vec3 wind = Vec3::Zero();                ///< velocity of the air [m/s]
-    std::optional<DeclarationSource> source; ///< absent: there is none
+/// A declaration that an effect brings, such as `air`: only the effect knows what its values are.
+struct EffectDeclaration {
+    std::string_view name; ///< of the schema's row
+    EffectValues values;
+    std::optional<DeclarationSource> source; ///< absent in scenes without a text
 };
 
 /// What a `simulation` declaration or a command line asks for; what is absent is left to the preset.
@@ -162,7 +183,7 @@ struct Scene {
     std::vector<Body> bodies; ///< in the order of the text, walls included; BodyIndex points here
     std::vector<Spring> springs;
     Gravity gravity;
-    Air air;
+    std::vector<EffectDeclaration> effects; ///< in the order of the text
     SimulationSettings simulation;
     CameraSettings camera;
     std::vector<Expectation> expectations;
@@ -172,6 +193,10 @@ struct Scene {
 
     /// Where a declaration gave a parameter; nothing if it did not.
     const ParameterSource* find(const DeclarationSource& source, std::string_view parameter) const;
+    /// The first declaration of an effect's by its name, or none.
+    const EffectDeclaration* declared(std::string_view name) const;
+    /// The same, made where there is none.
+    EffectDeclaration& declare(std::string_view name);
     /// The body that carries a label, or noBody.
     BodyIndex labelled(std::string_view label) const;
     /// Whether a generator made the body: it has no declaration of its own in the text.

@@ -11,6 +11,7 @@
 
 // The one table that knows the scene language's declarations. The validator, completion, hover help, the
 // formatter, the manual page and the language reference are all made from it: a new parameter is one new row.
+// Effects bring their own rows (effects.def): nothing here includes an effect, and none is known by name.
 
 namespace carom {
 
@@ -52,8 +53,8 @@ struct CheckedValue {
 };
 
 /// What one declaration builds, while its parameters are stored into it.
-using Declared = std::variant<Body, Spring, Gravity, Air, SimulationSettings, CameraSettings, Expectation,
-                              Generated, SweepRequest>;
+using Declared = std::variant<Body, Spring, Gravity, EffectDeclaration, SimulationSettings, CameraSettings,
+                              Expectation, Generated, SweepRequest>;
 
 enum class Layer : std::uint8_t { Reference, Carom };
 
@@ -72,8 +73,20 @@ struct ParameterRow {
     bool repeats = false;                         ///< may be given again, another value each time
     std::string_view help = {};                   ///< one line
     Layer layer = Layer::Reference;
+    bool ofMoving = false; ///< of a body: means something only for one that may move; walls lack it
+    std::string_view title =
+        {};           ///< of a body's number: what a panel calls it, "drag coefficient"; "": not shown
+    double usual = 0; ///< how far it usually reaches, in its unit: the range of a slider
+    /// Null, for numbers and vectors of effects: by name into the EffectValues of what is declared.
     void (*store)(Declared& into, const CheckedValue& value) = nullptr;
+    /// Of a body's number that has a title. Null: by name from its EffectValues.
+    double (*read)(const Body& body) = nullptr;
 };
+
+/// Stores a value that has passed its row's checks.
+void storeValue(const ParameterRow& row, const CheckedValue& value, Declared& into);
+/// The number of a body that the row stores [the row's unit].
+double numberOf(const ParameterRow& row, const Body& body);
 
 struct DeclarationRow {
     std::string_view name = {};
@@ -83,13 +96,21 @@ struct DeclarationRow {
     std::string_view labels = {}; ///< what its label labels where that is no body: "an expectation"
     bool once = false;            ///< a scene has at most one
     std::vector<ParameterRow> parameters = {};
-    Declared (*begin)() = nullptr; ///< an empty one, defaults in place
+    /// An empty one, defaults in place. Null: an EffectDeclaration.
+    Declared (*begin)() = nullptr;
     std::string_view example = {}; ///< a snippet that validates by itself (with the bodies it names)
 
     const ParameterRow* find(std::string_view parameter) const;
     bool takesLabel() const { return isBody || !labels.empty(); }
     /// Whether it names bodies, and so can be built only when all bodies are known.
     bool takesLabels() const;
+    Declared begun() const;
+};
+
+/// What an effect adds to the language.
+struct EffectWords {
+    std::vector<DeclarationRow> declarations = {};
+    std::vector<ParameterRow> ofBodies = {}; ///< of every body; walls lack those of moving bodies
 };
 
 /// Every declaration of the language, in the order of the manual.

@@ -122,27 +122,11 @@ ParameterRow fixedRow() {
         .store = [](Declared& into, const CheckedValue& value) { body(into).fixed = value.word == "yes"; }};
 }
 
-ParameterRow dragRow() {
-    return {.name = "drag",
-            .kind = ValueKind::Number,
-            .defaultText = "0",
-            .example = "0.47",
-            .constraint = Constraint::NotNegative,
-            .help = "Drag coefficient in `air`: 0.47 for a smooth ball, about 1 for a box.",
-            .layer = Layer::Carom,
-            .store = [](Declared& into, const CheckedValue& value) { body(into).drag = value.number; }};
-}
-
-// What every body has.
-void addSurfaceRows(std::vector<ParameterRow>& rows) {
-    rows.push_back(
-        {.name = "elastic",
-         .kind = ValueKind::Number,
-         .defaultText = "1",
-         .example = "1",
-         .constraint = Constraint::NotNegative,
-         .help = "Coefficient of restitution; a pair has the smaller of its two.",
-         .store = [](Declared& into, const CheckedValue& value) { body(into).elastic = value.number; }});
+// What effects give to bodies, and the colour.
+void addSurfaceRows(std::vector<ParameterRow>& rows, bool moving) {
+    for (const EffectWords& words : effectWords())
+        for (const ParameterRow& row : words.ofBodies)
+            if (moving || !row.ofMoving) rows.push_back(row);
     rows.push_back(
         {.name = "colour",
          .kind = ValueKind::Colour,
@@ -151,25 +135,6 @@ void addSurfaceRows(std::vector<ParameterRow>& rows) {
          .constraint = Constraint::UnitRange,
          .help = "Red, green and blue, each from 0 to 1, or one of the sixteen basic colour names.",
          .store = [](Declared& into, const CheckedValue& value) { body(into).colour = value.vector; }});
-    rows.push_back(
-        {.name = "friction",
-         .kind = ValueKind::Number,
-         .defaultText = "0",
-         .example = "0.3",
-         .constraint = Constraint::NotNegative,
-         .help = "Coulomb coefficient of friction; a pair has the geometric mean of its two.",
-         .layer = Layer::Carom,
-         .store = [](Declared& into, const CheckedValue& value) { body(into).friction = value.number; }});
-    rows.push_back(
-        {.name = "rolling",
-         .kind = ValueKind::Number,
-         .unit = "m",
-         .defaultText = "0",
-         .example = "0.001",
-         .constraint = Constraint::NotNegative,
-         .help = "Rolling resistance, a lever arm; a pair has the larger of its two.",
-         .layer = Layer::Carom,
-         .store = [](Declared& into, const CheckedValue& value) { body(into).rolling = value.number; }});
 }
 
 } // namespace
@@ -180,8 +145,7 @@ DeclarationRow sphereDeclaration() {
                                                     shape<Sphere>(into).radius = value.number;
                                                 }),
                                       massRow(), centreRow(), velRow(), angvelRow(Layer::Carom)};
-    addSurfaceRows(rows);
-    rows.push_back(dragRow());
+    addSurfaceRows(rows, true);
     rows.push_back(fixedRow());
     return {.name = Sphere::name,
             .help = "A solid ball of uniform density.",
@@ -219,8 +183,7 @@ DeclarationRow cylinderDeclaration() {
              }},
         velRow(),
         angvelRow(Layer::Reference)};
-    addSurfaceRows(rows);
-    rows.push_back(dragRow());
+    addSurfaceRows(rows, true);
     rows.push_back(fixedRow());
     return {.name = Cylinder::name,
             .help = "A solid cylinder of uniform density.",
@@ -251,7 +214,7 @@ DeclarationRow wallDeclaration() {
          .store = [](Declared& into, const CheckedValue& value) {
              shape<Wall>(into).offset = -value.number;
          }}};
-    addSurfaceRows(rows);
+    addSurfaceRows(rows, false);
     return {.name = Wall::name,
             .help = "An immobile half-space: everything behind a plane is solid.",
             .isBody = true,
@@ -287,8 +250,7 @@ DeclarationRow cuboidDeclaration() {
              }},
         velRow(),
         angvelRow(Layer::Carom)};
-    addSurfaceRows(rows);
-    rows.push_back(dragRow());
+    addSurfaceRows(rows, true);
     rows.push_back(fixedRow());
     for (ParameterRow& row : rows) row.layer = Layer::Carom;
     return {.name = Cuboid::name,

@@ -3,6 +3,8 @@
 
 #include "core/scene/schema.h"
 
+#include <vector>
+
 // The rows of the schema, made by the files that hold their stores; read them through schema().
 
 namespace carom {
@@ -12,13 +14,13 @@ DeclarationRow cylinderDeclaration();
 DeclarationRow wallDeclaration();
 DeclarationRow cuboidDeclaration();
 
-DeclarationRow gravityDeclaration();
-DeclarationRow airDeclaration();
-DeclarationRow springDeclaration();
 DeclarationRow simulationDeclaration();
 DeclarationRow cameraDeclaration();
 DeclarationRow expectDeclaration();
 DeclarationRow generateDeclaration();
 DeclarationRow sweepDeclaration();
+
+/// Of every effect that has some, in the order of effects.def.
+const std::vector<EffectWords>& effectWords();
 
 } // namespace carom

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-// The declarations that are no bodies: gravity, air, springs, how the scene is simulated and looked at.
+// How the scene is simulated and looked at.
 
 namespace carom {
 namespace {
@@ -14,7 +14,6 @@ constexpr double radiansPerDegree = std::numbers::pi / 180;
 
 CameraSettings& camera(Declared& declared) { return std::get<CameraSettings>(declared); }
 SimulationSettings& simulation(Declared& declared) { return std::get<SimulationSettings>(declared); }
-Spring& spring(Declared& declared) { return std::get<Spring>(declared); }
 
 ParameterRow simulationNumber(std::string_view name, std::string_view unit, std::string_view help,
                               void (*store)(Declared&, const CheckedValue&)) {
@@ -50,119 +49,6 @@ ParameterRow simulationWord(std::string_view name, std::span<const std::string_v
 }
 
 } // namespace
-
-DeclarationRow gravityDeclaration() {
-    return {.name = "gravity",
-            .help = "The acceleration of free fall; a scene without it has 9.8 m/s² downwards.",
-            .layer = Layer::Carom,
-            .once = true,
-            .parameters = {{.name = "accel",
-                            .kind = ValueKind::Vector,
-                            .unit = "m/s²",
-                            .defaultText = "0, -9.8, 0",
-                            .example = "0, -9.8, 0",
-                            .help = "Acceleration of everything that can move.",
-                            .layer = Layer::Carom,
-                            .store =
-                                [](Declared& into, const CheckedValue& value) {
-                                    std::get<Gravity>(into).acceleration = value.vector;
-                                }}},
-            .begin = []() -> Declared { return Gravity{}; },
-            .example = "gravity { accel 0, -1.62, 0 }"};
-}
-
-DeclarationRow airDeclaration() {
-    return {
-        .name = "air",
-        .help = "Air that drags on bodies by their `drag`; a scene without it is in a vacuum.",
-        .layer = Layer::Carom,
-        .once = true,
-        .parameters = {{.name = "density",
-                        .kind = ValueKind::Number,
-                        .unit = "kg/m³",
-                        .required = true,
-                        .example = "1.2",
-                        .constraint = Constraint::NotNegative,
-                        .help = "Mass per volume; 1.2 near the ground.",
-                        .layer = Layer::Carom,
-                        .store =
-                            [](Declared& into, const CheckedValue& value) {
-                                std::get<Air>(into).density = value.number;
-                            }},
-                       {.name = "wind",
-                        .kind = ValueKind::Vector,
-                        .unit = "m/s",
-                        .defaultText = "0, 0, 0",
-                        .example = "0, 0, 0",
-                        .help = "Velocity of the air.",
-                        .layer = Layer::Carom,
-                        .store = [](Declared& into,
-                                    const CheckedValue& value) { std::get<Air>(into).wind = value.vector; }}},
-        .begin = []() -> Declared { return Air{}; },
-        .example = "air { density 1.2  wind 3, 0, 0 }"};
-}
-
-DeclarationRow springDeclaration() {
-    std::vector<ParameterRow> rows = {
-        {.name = "from",
-         .kind = ValueKind::Label,
-         .required = true,
-         .example = "world",
-         .help = "Label of the body at its first end, or `world`.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).from = value.body; }},
-        {.name = "to",
-         .kind = ValueKind::Label,
-         .required = true,
-         .example = "world",
-         .help = "Label of the body at its second end, or `world`.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).to = value.body; }},
-        {.name = "stiffness",
-         .kind = ValueKind::Number,
-         .unit = "N/m",
-         .required = true,
-         .example = "100",
-         .constraint = Constraint::Positive,
-         .help = "Force per length of stretch.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).stiffness = value.number; }},
-        {.name = "damping",
-         .kind = ValueKind::Number,
-         .unit = "N·s/m",
-         .defaultText = "0",
-         .example = "1",
-         .constraint = Constraint::NotNegative,
-         .help = "Force per speed of stretching.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).damping = value.number; }},
-        {.name = "length",
-         .kind = ValueKind::Number,
-         .unit = "m",
-         .defaultText = "the distance between its ends at the start",
-         .example = "1",
-         .constraint = Constraint::NotNegative,
-         .help = "Length at which it neither pulls nor pushes.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).length = value.number; }},
-        {.name = "fromAt",
-         .kind = ValueKind::Vector,
-         .unit = "m",
-         .defaultText = "0, 0, 0",
-         .example = "0, 0, 0",
-         .help = "Where the first end is attached, in the body's own frame, or in the world's for `world`.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).fromAt = value.vector; }},
-        {.name = "toAt",
-         .kind = ValueKind::Vector,
-         .unit = "m",
-         .defaultText = "0, 0, 0",
-         .example = "0, 0, 0",
-         .help = "Where the second end is attached, in the body's own frame, or in the world's for `world`.",
-         .store = [](Declared& into, const CheckedValue& value) { spring(into).toAt = value.vector; }}};
-    for (ParameterRow& row : rows) row.layer = Layer::Carom;
-    return {.name = "spring",
-            .help = "A straight spring with a damper between two bodies, or a body and the world.",
-            .layer = Layer::Carom,
-            .parameters = std::move(rows),
-            .begin = []() -> Declared { return Spring{}; },
-            .example = "sphere bob { radius 0.1  mass 1  centre 0, 1, 0 }\n"
-                       "spring { from world  to bob  fromAt 0, 2, 0  stiffness 100 }"};
-}
 
 DeclarationRow simulationDeclaration() {
     using D = Declared;

@@ -2440,6 +2440,22 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <source>What is left at the end: height and centre of mass relative to the scene&apos;s size, time to rest relative to the duration, energy lost relative to the largest exchanged.</source>
         <translation>Was am Ende übrig ist: Höhe und Schwerpunkt relativ zur Größe der Szene, Zeit bis zur Ruhe relativ zur Dauer, verlorene Energie relativ zur größten umgesetzten.</translation>
     </message>
+    <message>
+        <source>drag coefficient</source>
+        <translation>Widerstandsbeiwert</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
+    </message>
+    <message>
+        <source>rolling resistance</source>
+        <translation>Rollwiderstand</translation>
+    </message>
 </context>
 <context>
     <name>carom::DiagnosticMarks</name>
@@ -2789,22 +2805,6 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>immobile</source>
         <translation>unbeweglich</translation>
-    </message>
-    <message>
-        <source>elasticity</source>
-        <translation>Elastizität</translation>
-    </message>
-    <message>
-        <source>friction</source>
-        <translation>Reibung</translation>
-    </message>
-    <message>
-        <source>rolling resistance</source>
-        <translation>Rollwiderstand</translation>
-    </message>
-    <message>
-        <source>drag coefficient</source>
-        <translation>Widerstandsbeiwert</translation>
     </message>
     <message>
         <source>moment of inertia</source>

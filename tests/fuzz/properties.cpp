@@ -52,9 +52,9 @@ std::string brokenScene(const Analysis& analysis) {
     const bool silent = analysis.mistakes == 0;
     const std::size_t built = analysis.scene.bodies.size() + analysis.scene.springs.size() +
                               analysis.scene.expectations.size() + (analysis.scene.gravity.source ? 1 : 0) +
-                              (analysis.scene.simulation.source ? 1 : 0) +
-                              (analysis.scene.air.source ? 1 : 0) + (analysis.scene.generated ? 1 : 0) +
-                              (analysis.scene.sweep ? 1 : 0) + (analysis.scene.camera.source ? 1 : 0);
+                              (analysis.scene.simulation.source ? 1 : 0) + analysis.scene.effects.size() +
+                              (analysis.scene.generated ? 1 : 0) + (analysis.scene.sweep ? 1 : 0) +
+                              (analysis.scene.camera.source ? 1 : 0);
     const std::size_t declared = analysis.tree.declarations.size();
     if (silent && built != declared) return "a declaration was left out without a message";
     if (built > declared) return "more was built than was declared";

@@ -24,13 +24,13 @@ using namespace test;
 constexpr double halfTurn = std::numbers::pi;
 
 Body dragged(Body body, double drag) {
-    body.drag = drag;
+    body.values.set("drag", drag);
     return body;
 }
 
 Scene inAir(Scene scene, double density = 1.2, const Vec3& wind = Vec3::Zero()) {
-    scene.air.density = density;
-    scene.air.wind = wind;
+    scene.declare("air").values.set("density", density);
+    scene.declare("air").values.set("wind", wind);
     return scene;
 }
 
@@ -249,7 +249,8 @@ class AirTest : public QObject {
         Random random(seed);
         for (int round = 0; round < 12; ++round) {
             Scene scene = inAir(randomRoughScene(random), 1.2, randomVector(random, 3));
-            for (Body& body : scene.bodies) body.drag = random.below(3) == 0 ? 0 : random.uniform();
+            for (Body& body : scene.bodies)
+                body.values.set("drag", random.below(3) == 0 ? 0 : random.uniform());
             for (const char* method : {"contacts", "microcollisions"}) {
                 SimulationSettings options = byMethod(method);
                 if (round % 2 == 0) options.preset = "fast";

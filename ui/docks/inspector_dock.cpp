@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/expectations/expectation_proposals.h"
+#include "core/scene/schema.h"
 #include "core/simulation/quantities.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/colour_picker.h"
@@ -10,6 +11,7 @@
 #include "ui/widgets/expect_menu.h"
 #include "ui/widgets/text_of.h"
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QPainter>
 #include <QPolygonF>
@@ -22,6 +24,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace carom {
@@ -41,11 +45,14 @@ constexpr int measuredRole = Qt::UserRole + 5;
 constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
 constexpr int curveWidth = 56;         // [px]
 constexpr int leastWidth = 250;        // [px] of a panel that has room for curves and sliders
-constexpr double usualRolling = 0.01;  // [m]
-constexpr double usualDrag = 2;        // of blunt bodies
 
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
+
+/// Of core, which speaks English.
+QString translated(std::string_view title) {
+    return QCoreApplication::translate("carom::Core", std::string(title).c_str());
+}
 
 const QString nothing = QStringLiteral("–");
 const QString colourParameter = QStringLiteral("colour");
@@ -416,16 +423,13 @@ void InspectorDock::addDeclared() {
         addRow(group, tr("mass"), tr("immobile"), {});
     }
     addColour(group, body.colour);
-    // What may be 0 reaches from there as far as it usually does, or twice as far as it is.
-    const auto upTo = [](double usual, double value) {
-        return SliderRange{.most = std::max(usual, 2 * value)};
-    };
-    addSlidingField(group, tr("elasticity"), "elastic", body.elastic, {.most = 1}, {});
-    addSlidingField(group, tr("friction"), "friction", body.friction, upTo(1, body.friction), {});
-    addSlidingField(group, tr("rolling resistance"), "rolling", body.rolling,
-                    upTo(usualRolling, body.rolling), metres);
-    if (bodies.mobile[m_body] != 0)
-        addSlidingField(group, tr("drag coefficient"), "drag", body.drag, upTo(usualDrag, body.drag), {});
+    // From 0 as far as it usually reaches, or twice as far as it is where that is more.
+    for (const ParameterRow& row : findDeclaration(nameOf(kindOf(body.shape)))->parameters) {
+        if (row.title.empty() || (row.ofMoving && bodies.mobile[m_body] == 0)) continue;
+        const double value = numberOf(row, body);
+        addSlidingField(group, translated(row.title), row.name.data(), value,
+                        {.most = value > row.usual ? 2 * value : row.usual}, textOf(row.unit));
+    }
 }
 
 /// Each frame once; one that lies before the last begins anew.

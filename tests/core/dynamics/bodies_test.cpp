@@ -67,6 +67,8 @@ class BodiesTest : public QObject {
         QVERIFY(near(along.kinetic, 0.5 * 3 * 9 + 0.5 * (3 * 0.25 / 2) * 16));
         QVERIFY(near(along.potential, 3 * 10 * 7));
         QCOMPARE(along.momentum, Vec3(3, 6, 6));
+        const MotionTotals totals = motionTotalsOf(bodiesOf(scene), initialStateOf(scene));
+        QVERIFY(totals.kinetic == along.kinetic && totals.momentum == along.momentum);
 
         // Laid along x by a quarter turn about z, the same spin is across the axis: I = m (3 r² + h²)/12.
         body.pose.orientation = Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5));

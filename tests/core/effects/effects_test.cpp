@@ -4,11 +4,15 @@
 
 #include "core/effects/effect.h"
 #include "core/language/analysis.h"
+#include "core/simulation/world.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 // Each decision, its status, and the very text that calls for it.
 
@@ -43,6 +47,72 @@ class EffectsTest : public QObject {
             QVERIFY2(!decision.reason.empty(), row.name.data());
             QVERIFY(decision.unmet.empty());
         }
+    }
+
+    void coefficientsReachTheBodiesOnlyWhereTwoThatCanMeetHaveThem_data() {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<bool>("contributed");
+        QTest::newRow("both rough") << "friction 0.3"
+                                    << "friction 0.2" << true;
+        QTest::newRow("one rough") << "friction 0.3"
+                                   << "" << false;
+        QTest::newRow("declared 0") << "friction 0"
+                                    << "friction 0" << false;
+    }
+    void coefficientsReachTheBodiesOnlyWhereTwoThatCanMeetHaveThem() {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(bool, contributed);
+        const QString text = QStringLiteral("simulation { method contacts }\n"
+                                            "sphere { radius 1 mass 1 centre 0, 5, 0 %1 }\n"
+                                            "sphere { radius 1 mass 1 centre 9, 5, 0 %2 }\n")
+                                 .arg(first, second);
+        const Pipeline pipeline(analyse(text.toStdString()).scene);
+        const std::vector<double> expected =
+            contributed ? std::vector<double>{0.3, 0.2} : std::vector<double>{0, 0};
+        QCOMPARE(pipeline.bodies().friction, expected);
+        QCOMPARE(pipeline.bodies().rotating.size(), contributed ? std::size_t{2} : std::size_t{0});
+        QCOMPARE(pipeline.bodies().elastic, (std::vector<double>{1, 1}));
+    }
+
+    void springsTurnWhatTheyPullBesideItsCentreAndRollingResistanceAll() {
+        const std::string balls =
+            std::string("simulation { method contacts }\nsphere a { radius 1 mass 1 centre 0, 5, 0 }\n") +
+            second;
+        const std::string spring = "spring { from world to a stiffness 1 toAt ";
+        const auto rotating = [&](const std::string& more) {
+            return Pipeline(analyse(balls + more).scene).bodies().rotating;
+        };
+        QCOMPARE(rotating(spring + "0, 0, 0 }"), std::vector<BodyIndex>{});
+        QCOMPARE(rotating(spring + "0, 1e-12, 0 }"), std::vector<BodyIndex>{0});
+        QCOMPARE(rotating("wall { normal 0, 1, 0 toOrig 0 rolling 0.1 }"), (std::vector<BodyIndex>{0, 1}));
+    }
+
+    void wordsOfAnEffectAreKeptByName() {
+        const Scene scene =
+            analyse("air { wind 1, 2, 3 density 1.2 }\nsphere { radius 1 mass 1 centre 0, 5, 0 drag 0.5 }\n")
+                .scene;
+        const EffectDeclaration* air = scene.declared("air");
+        QVERIFY(air != nullptr && scene.declared("water") == nullptr);
+        QCOMPARE(air->values.number("density"), 1.2);
+        QCOMPARE(air->values.vector("wind"), Vec3(1, 2, 3));
+        QCOMPARE(scene.bodies[0].values.number("drag"), 0.5);
+        QCOMPARE(scene.bodies[0].values.number("lift"), 0.0);
+    }
+
+    void whatEffectsStoreIsThePotentialEnergy() {
+        // 2 kg at 5 m under 10 m/s², and a spring of 100 N/m stretched from 1 m to 3 m.
+        const Scene scene =
+            analyse("gravity { accel 0, -10, 0 }\nsphere a { radius 1 mass 2 centre 0, 5, 0 }\n"
+                    "spring { from world to a fromAt 0, 8, 0 stiffness 100 length 1 }\n")
+                .scene;
+        double sum = 0;
+        const Pipeline pipeline(scene);
+        for (const StoredEnergy& stored : pipeline.stored())
+            sum += stored.of(scene, pipeline.bodies(), pipeline.initialState());
+        QCOMPARE(sum, 100.0 + 200.0);
+        QCOMPARE(World(std::make_shared<const Pipeline>(scene)).statistics().potential, sum);
     }
 
     void decisionsCiteTheTextThatCallsForThem_data() {
@@ -103,7 +173,11 @@ class EffectsTest : public QObject {
               "sphere bead { radius 0.05 mass 0.01 centre 9, 5, 0 }"),
             "not simulated yet", "sphere");
         row("continuous collision in the wind", "continuous_collision",
-            floor + s("air { density 1 wind 1, 0, 0 }\n") + one, "not simulated yet", "sphere");
+            floor + s("air { density 1 wind 1, 0, 0 }\n") +
+                s("sphere { radius 1 mass 1 centre 0, 5, 0 drag 0.5 }\n"),
+            "not simulated yet", "sphere");
+        row("continuous collision in wind that drags on nothing", "continuous_collision",
+            floor + s("air { density 1 wind 1, 0, 0 }\n") + one, "absent", "");
         row("continuous collision of one", "continuous_collision", one, "absent", "");
         row("continuous collision behind the floor", "continuous_collision",
             s("wall { normal 0, 1, 0 toOrig -9 }\n") + one, "not simulated yet", "sphere");

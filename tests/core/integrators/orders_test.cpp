@@ -96,9 +96,9 @@ Scene dampedPendulum() {
 /// A light ball that is thrown in air, in a side wind.
 Scene thrownBall() {
     Scene scene = sceneOf({sphere(0.1, 0.1, Vec3::Zero(), Vec3(10, 5, 2))}, downwards());
-    scene.bodies[0].drag = 0.5;
-    scene.air.density = 1.2;
-    scene.air.wind = Vec3(0, 0, -5);
+    scene.bodies[0].values.set("drag", 0.5);
+    scene.declare("air").values.set("density", 1.2);
+    scene.declare("air").values.set("wind", Vec3(0, 0, -5));
     return scene;
 }
 
@@ -107,7 +107,7 @@ Scene thrownPlate() {
     Scene scene = thrownBall();
     scene.bodies[0] =
         moving(cuboid(Vec3(0.1, 0.2, 0.3), 1, Vec3::Zero()), Vec3(10, -5, 4), Vec3(0.2, 0.1, 0.1));
-    scene.bodies[0].drag = 0.5;
+    scene.bodies[0].values.set("drag", 0.5);
     return scene;
 }
 

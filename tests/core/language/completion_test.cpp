@@ -43,7 +43,7 @@ std::string names(std::string text) {
 }
 
 constexpr const char* types =
-    "sphere cylinder wall cuboid gravity air spring simulation camera expect generate sweep";
+    "sphere cylinder wall cuboid gravity spring air simulation camera expect generate sweep";
 
 class CompletionTest : public QObject {
     Q_OBJECT
@@ -92,11 +92,11 @@ class CompletionTest : public QObject {
     }
 
     void inAListTheMissingParametersAreOfferedRequiredOnesFirst() {
-        QCOMPARE(names("wall { | }"), std::string("normal toOrig elastic colour friction rolling"));
-        QCOMPARE(names("wall w { elastic 1 | toOrig 0 }"), std::string("normal colour friction rolling"));
-        QCOMPARE(names("wall { toOrig 0\n  nor|"), std::string("normal elastic colour friction rolling"));
+        QCOMPARE(names("wall { | }"), std::string("normal toOrig elastic friction rolling colour"));
+        QCOMPARE(names("wall w { elastic 1 | toOrig 0 }"), std::string("normal friction rolling colour"));
+        QCOMPARE(names("wall { toOrig 0\n  nor|"), std::string("normal elastic friction rolling colour"));
         QCOMPARE(names("wall { toOrig 0 no|rmal 1, 2, 3 }"),
-                 std::string("normal elastic colour friction rolling"));
+                 std::string("normal elastic friction rolling colour"));
     }
 
     void aListThatIsNeverClosedEndsWithItsTokens() {
@@ -187,7 +187,7 @@ class CompletionTest : public QObject {
         const std::optional<carom::HoverText> ofType = hoverAt(analyse(type.text), type.offset);
         QVERIFY(ofType);
         QCOMPARE(ofType->detail,
-                 std::string("wall [label] { normal toOrig [elastic] [colour] [friction] [rolling] }"));
+                 std::string("wall [label] { normal toOrig [elastic] [friction] [rolling] [colour] }"));
         const Place parameter = placeIn("sphere { mass| 1 }");
         const std::optional<carom::HoverText> ofParameter =
             hoverAt(analyse(parameter.text), parameter.offset);
