@@ -26,11 +26,11 @@ EnergyGuard::EnergyGuard(const Pipeline& pipeline, const FrameStatistics& start)
 std::optional<EnergyRise> EnergyGuard::look(const FrameStatistics& frame) {
     m_given.add(frame.ledger);
     m_least = std::min(m_least, frame.potential);
-    const double parted = std::max(0.0, m_given[LedgerAccount::Parting].energy);
+    const double corrected = std::max(0.0, m_given[LedgerAccount::Parting].energy);
     double supplied = 0;
     for (const LedgerAccount account : m_suppliers) supplied += std::max(0.0, m_given[account].energy);
     supplied = std::min(supplied, m_carried + std::max(0.0, frame.potential - m_potential));
-    const double rise = frame.kinetic + frame.potential - m_start - parted - supplied;
+    const double rise = frame.kinetic + frame.potential - m_start - corrected - supplied;
     const double scale = m_scale + (m_potential - m_least) + supplied;
     if (m_hasRisen || !(rise > mostEnergyRise * scale)) return std::nullopt;
     m_hasRisen = true;

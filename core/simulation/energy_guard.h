@@ -14,7 +14,7 @@
 // any more:
 //
 //     E − E₀ − P − W > part · S    E₀ the energy at the start
-//                                  P  what parting of bodies gave that overlapped (the ledger has it)
+//                                  P  what corrections of overlaps gave (the ledger has it)
 //                                  W  what wind gave, no more than is needed to carry all bodies along and
 //                                     to lift them to where they are
 //     S = K₀ + U₀ + (V₀ − V)ₘₐₓ + Σ m |g| r + W

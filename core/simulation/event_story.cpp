@@ -9,11 +9,19 @@
 namespace carom {
 namespace {
 
-/// A body whose misfit is larger explains nothing.
+/// A body whose misfit is larger explains nothing. A body that took no momentum has 1, so from there on any
+/// bystander would do; two that took half each have 0.5, and at less neither would be found.
 constexpr double worst = 0.9;
-/// What a direction that is wrong by a right angle weighs against a momentum that is wrong by half.
+/// The misfit of an immobile body, which takes momentum unseen, where the direction is wrong by a right
+/// angle: as much as that of a mobile one which took half. At twice that it would explain nothing there.
 constexpr double immobileShare = 0.5;
-/// Changes of a momentum below this part of it are rounding.
+/// The misfit of a wall that is a radius away: small beside that of a direction, because it only has to tell
+/// parallel walls from each other.
+constexpr double gapShare = 0.1;
+/// How much further apart than they can have come bodies may be, of the radius: positions are corrected by
+/// less. Without it an impact of bodies at rest would find no neighbour.
+constexpr double slack = 0.05;
+/// Changes of a momentum below this part of it are rounding; that of some thousand operations is 1e-13.
 constexpr double unnoticed = 1e-9;
 
 struct Neighbour {
@@ -47,14 +55,14 @@ class Search {
         const auto fastest = [&](BodyIndex body) {
             return std::max(m_before.velocity[body].norm(), m_after.velocity[body].norm());
         };
-        return 2 * h * (fastest(m_body) + fastest(other)) + 0.05 * m_radius;
+        return 2 * h * (fastest(m_body) + fastest(other)) + slack * m_radius;
     }
 
     Neighbour ofWall(BodyIndex other, const Wall& wall) const {
         const double gap = distanceTo(wall, m_place) - m_radius;
         if (gap > reach(other)) return {};
         const double aside = 1 - m_given[m_body].normalized().dot(wall.normal);
-        return {other, immobileShare * aside + 0.1 * std::max(gap, 0.0) / m_radius,
+        return {other, immobileShare * aside + gapShare * std::max(gap, 0.0) / m_radius,
                 m_place - m_radius * wall.normal};
     }
 
