@@ -11,8 +11,8 @@
 
 namespace carom {
 
-/// Sorts what has a `pair`, ascending: a counting sort by the first body, whose few pairs are then put in
-/// order one by one. No pair may occur twice.
+/// Sorts what has a `pair`, ascending: a counting sort by the first body, then each body's pairs by the
+/// second: few for most bodies, all of them for a floor. No pair may occur twice.
 template<class Entry>
 class PairSort {
   public:
@@ -24,9 +24,12 @@ class PairSort {
         if (m_sorted.capacity() < entries.capacity()) m_sorted.reserve(entries.capacity());
         m_sorted.resize(entries.size());
         for (const Entry& entry : entries) m_sorted[m_first[entry.pair.a]++] = entry;
-        for (std::size_t i = 1; i < m_sorted.size(); ++i)
-            for (std::size_t k = i; k > 0 && m_sorted[k].pair < m_sorted[k - 1].pair; --k)
-                std::swap(m_sorted[k], m_sorted[k - 1]);
+        const auto isBefore = [](const Entry& one, const Entry& other) { return one.pair.b < other.pair.b; };
+        for (auto from = m_sorted.begin(); from != m_sorted.end();) {
+            const auto to = m_sorted.begin() + m_first[from->pair.a]; // by now where the body's pairs end
+            if (!std::is_sorted(from, to, isBefore)) std::sort(from, to, isBefore);
+            from = to;
+        }
         std::swap(entries, m_sorted);
     }
 

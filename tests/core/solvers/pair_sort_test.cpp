@@ -8,10 +8,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
-// Sorting by pairs against the library's sort.
+// Sorting by pairs against the library's sort, and its work where one body has all pairs.
 
 namespace carom {
 namespace {
@@ -19,6 +20,21 @@ namespace {
 struct Numbered {
     BodyPair pair;
     int number = 0;
+};
+
+/// Counts how often one is written.
+struct Counted {
+    static inline long written = 0;
+    BodyPair pair;
+
+    Counted() = default;
+    explicit Counted(BodyPair bodies) : pair(bodies) {}
+    Counted(const Counted& other) : pair(other.pair) { ++written; }
+    Counted& operator=(const Counted& other) {
+        pair = other.pair;
+        ++written;
+        return *this;
+    }
 };
 
 } // namespace
@@ -48,6 +64,21 @@ class PairSortTest : public QObject {
             for (std::size_t i = 0; i < pairs.size(); ++i)
                 QVERIFY(pairs[i].pair == expected[i].pair && pairs[i].number == expected[i].number);
         }
+    }
+
+    // A floor under n bodies whose pairs come in several ascending runs, as blocks of islands give them.
+    void theWorkForAFloorGrowsWithItsPairs() {
+        constexpr BodyIndex bodies = 4097, runs = 8;
+        std::vector<Counted> pairs;
+        for (BodyIndex run = 0; run < runs; ++run)
+            for (BodyIndex b = runs - run; b < bodies; b += runs) pairs.emplace_back(BodyPair{0, b});
+        PairSort<Counted> sort;
+        Counted::written = 0;
+        sort.sort(pairs, bodies);
+        for (BodyIndex i = 0; i + 1 < bodies; ++i) QVERIFY((pairs[i].pair == BodyPair{0, i + 1}));
+        const double n = static_cast<double>(pairs.size());
+        QVERIFY2(static_cast<double>(Counted::written) < 4 * n * std::log2(n),
+                 qPrintable(QString::number(Counted::written)));
     }
 };
 
