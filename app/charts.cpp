@@ -44,7 +44,7 @@ void drawBenchmark(const Benchmark& benchmark, const std::string& folder) {
 void drawGas(const GasStudy& study, const std::string& folder) { draw(chartsOf(study), folder); }
 
 void drawSweep(const Sweep& sweep, const std::vector<SweepPoint>& points, const std::string& folder) {
-    draw(chartsOf(sweep, points), folder);
+    draw(chartsOf(sweep, points, ChartWords::OfCommandLine), folder);
 }
 
 void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& path) {

@@ -22,11 +22,12 @@ namespace {
 
 constexpr std::int64_t many = 100'000'000;
 
-/// What the scene's `sweep` declaration says, but where the command line says something else.
+/// What the scene's `sweep` declaration says, if it counts, but where the command line says something else.
 SweepDefinition definitionFrom(const Arguments& arguments, const std::string& text) {
     SweepDefinition definition;
-    if (const std::optional<SweepRequest> declared = analyse(text).scene.sweep)
-        definition = definitionOf(*declared);
+    if (!arguments.has("no-declaration"))
+        if (const std::optional<SweepRequest> declared = analyse(text).scene.sweep)
+            definition = definitionOf(*declared);
     if (arguments.has("vary")) definition.vary = arguments.texts("vary");
     if (arguments.has("measure")) definition.measures = arguments.texts("measure");
     if (arguments.has("zip")) definition.zip = true;
@@ -154,6 +155,7 @@ CommandRow sweepCommand() {
                 {"frames", 'n', "F", "frames of each run (default its `duration`, else 600)"},
                 {"generate", 0, "GENERATOR",
                  "make the scene, 'pile --n 400'; `generate.n=...` then varies an option of the generator"},
+                {"no-declaration", 0, "", "take nothing from the scene's `sweep` declaration"},
                 {"threads", 0, "T", "runs to make side by side (default all cores); the rows are the same"},
                 shardOption(),
                 {"resume", 0, "", "go on with the runs in the folder of `--output`"},
@@ -164,7 +166,9 @@ CommandRow sweepCommand() {
                  "`--shard` shard-I.csv"},
             },
         .details =
-            "What the command line leaves open is that of the scene's `sweep` declaration, if it has one.\n\n"
+            "What the command line leaves open is that of the scene's `sweep` declaration, if it has one; "
+            "`--no-declaration` leaves it aside, so that its `zip`, `random`, `seeds` and `frames` are "
+            "off.\n\n"
             "A path names a label (`cue`), `body 7`, a family (`log` for log1, log2, ...), `bodies` (each "
             "that "
             "has it), `spring 2`, `simulation`, `gravity`, `air` or `generate`; then a parameter, and of a "

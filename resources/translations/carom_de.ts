@@ -347,12 +347,16 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <translation>%1 Läufe je Punkt</translation>
     </message>
     <message>
-        <source>; line: median, bands: half of the runs, and nine of ten</source>
-        <translation>; Linie: Median, Bänder: die Hälfte der Läufe, und neun von zehn</translation>
-    </message>
-    <message>
         <source>%1, median</source>
         <translation>%1, Median</translation>
+    </message>
+    <message>
+        <source>line: median, bands: half of the runs, and nine of ten</source>
+        <translation>Linie: Median, Bänder: die Hälfte der Läufe, und neun von zehn</translation>
+    </message>
+    <message>
+        <source>no run gave a value</source>
+        <translation>kein Lauf ergab einen Wert</translation>
     </message>
 </context>
 <context>

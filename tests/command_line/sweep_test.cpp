@@ -211,6 +211,26 @@ class SweepCommandTest : public QObject {
         // The command line wins.
         QCOMPARE(carom({"sweep", in("own.sdl"), "--vary=ball.vel.x=1,2", "-o", in("other")}).exitCode, 0);
         QCOMPARE(linesOf(QString::fromUtf8(readFile(in("other/sweep.csv")))).size(), 3);
+        // Without the declaration nothing is measured.
+        const Ended bare =
+            carom({"sweep", in("own.sdl"), "--no-declaration", "--vary=ball.vel.x=1,2", "-o", in("bare")});
+        QCOMPARE(bare.exitCode, 2);
+        QVERIFY2(bare.err.contains("there is nothing to measure"), qPrintable(bare.err));
+    }
+
+    void whatADeclarationSwitchesOnCanBeSwitchedOff() {
+        writeFile(in("zipped.sdl"), fallingBall +
+                                        "sweep { vary \"ball.vel.x=1:3:3\" vary \"ball.vel.z=1:3:3\" "
+                                        "measure \"final x of ball\" zip yes frames 5 }\n");
+        QCOMPARE(carom({"sweep", in("zipped.sdl"), "-o", in("zipped")}).exitCode, 0);
+        QCOMPARE(linesOf(QString::fromUtf8(readFile(in("zipped/sweep.csv")))).size(), 1 + 3);
+        QCOMPARE(carom({"sweep", in("zipped.sdl"), "--no-declaration", "--vary=ball.vel.x=1:3:3",
+                        "--vary=ball.vel.z=1:3:3", "--measure=final x of ball", "-o", in("product")})
+                     .exitCode,
+                 0);
+        const QStringList rows = linesOf(QString::fromUtf8(readFile(in("product/sweep.csv"))));
+        QCOMPARE(rows.size(), 1 + 9);
+        QVERIFY2(rows[1].contains(",done,30,"), qPrintable(rows[1])); // frames of its duration, half a second
     }
 
     void aGeneratedSceneIsSweptOverItsOptionsAndSeeds() {

@@ -190,6 +190,7 @@ QString SweepDock::command() const {
         command += QStringLiteral(" --") + QLatin1StringView(option);
         if (!value.isEmpty()) command += u' ' + value;
     };
+    if (m_form->leavesDeclarationAside()) add("no-declaration", {});
     for (const std::string& vary : definition.vary) add("vary", quotedForShell(textOf(vary)));
     if (definition.zip) add("zip", {});
     if (definition.random > 0) add("random", QString::number(definition.random));
@@ -496,7 +497,7 @@ QString SweepDock::exportFolder(const QString& folder) const {
             !problem.isEmpty())
             return problem;
     if (m_results.size() < m_sweep->runs()) return {};
-    for (const SweepChart& chart : m_charts)
+    for (const SweepChart& chart : chartsOf(*m_sweep, m_points.points, ChartWords::OfCommandLine))
         for (const char* ending : {".svg", ".png"})
             if (const QString problem =
                     writeChart(chart.chart, place.filePath(chart.name + QLatin1StringView(ending)));

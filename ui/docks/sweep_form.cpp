@@ -13,10 +13,16 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include <algorithm>
+#include <limits>
+
 namespace carom {
 namespace {
 
-constexpr int mostCount = 1'000'000;
+constexpr int mostCount = std::numeric_limits<int>::max();
+
+/// A count of a declaration as a field holds it.
+int countOf(std::int64_t count) { return static_cast<int>(std::min<std::int64_t>(count, mostCount)); }
 
 /// A field for texts, one a line, so many lines high.
 QPlainTextEdit* lineField(const char* name, const QString& label, int lines) {
@@ -124,9 +130,9 @@ void SweepForm::fill(const SweepDefinition& definition) {
     m_vary->setPlainText(inLines(definition.vary));
     m_measures->setPlainText(inLines(definition.measures));
     m_zip->setChecked(definition.zip);
-    m_frames->setValue(static_cast<int>(definition.frames.value_or(0)));
-    m_seeds->setValue(static_cast<int>(definition.seeds));
-    m_random->setValue(static_cast<int>(definition.random));
+    m_frames->setValue(countOf(definition.frames.value_or(0)));
+    m_seeds->setValue(countOf(definition.seeds));
+    m_random->setValue(countOf(definition.random));
     m_proposedMeasure.clear();
     m_proposedPath.clear();
 }
@@ -178,6 +184,13 @@ SweepDefinition SweepForm::definition() const {
     definition.seeds = m_seeds->value();
     if (m_frames->value() > 0) definition.frames = m_frames->value();
     return definition;
+}
+
+bool SweepForm::leavesDeclarationAside() const {
+    if (!m_declared) return false;
+    const SweepDefinition asked = definition();
+    return (m_declared->zip && !asked.zip) || (m_declared->random > 0 && asked.random == 0) ||
+           (m_declared->seeds > 0 && asked.seeds == 0) || (m_declared->frames && !asked.frames);
 }
 
 bool SweepForm::isFilled() const { return !linesOf(*m_vary).empty() && !linesOf(*m_measures).empty(); }

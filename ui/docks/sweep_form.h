@@ -31,6 +31,9 @@ class SweepForm : public QWidget {
     /// The only path that is varied so far; empty where there is none, or several.
     QString onlyPath() const;
     SweepDefinition definition() const;
+    /// Whether something that the scene's `sweep` declaration switches on is off here: what is said beside a
+    /// declaration only adds to it.
+    bool leavesDeclarationAside() const;
     /// Whether something is varied and something measured.
     bool isFilled() const;
 

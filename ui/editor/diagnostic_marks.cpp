@@ -98,8 +98,8 @@ void DiagnosticMarks::showHover(int position, int x, int y) {
     }
     if (messages.isEmpty()) messages = helpAt(static_cast<std::uint32_t>(position));
     if (!messages.isEmpty())
-        QToolTip::showText(m_editor.viewport()->mapToGlobal(QPoint(x, y + 12)),
-                           QStringLiteral("<p>%1</p>").arg(messages.join(QStringLiteral("<br>"))), &m_editor);
+        m_editor.showTip(QPoint(x, y + 12),
+                         QStringLiteral("<p>%1</p>").arg(messages.join(QStringLiteral("<br>"))));
 }
 
 /// What the word there means, where it is one of the language's.

@@ -81,10 +81,8 @@ void ExpectationMarks::showHover(int position, int x, int y) {
         m_editor.send(Sci::SCI_LINEFROMPOSITION, m_editor.send(Sci::SCI_POSITIONFROMPOINT, margins + 1, y));
     const CheckRow* row = rowAt(line);
     if (row == nullptr) return;
-    QToolTip::showText(m_editor.viewport()->mapToGlobal(QPoint(x, y + 12)),
-                       QStringLiteral("<p><b>%1</b><br>%2</p>")
-                           .arg(row->wish.toHtmlEscaped(), wordsOf(*row).toHtmlEscaped()),
-                       &m_editor);
+    m_editor.showTip(QPoint(x, y + 12), QStringLiteral("<p><b>%1</b><br>%2</p>")
+                                            .arg(row->wish.toHtmlEscaped(), wordsOf(*row).toHtmlEscaped()));
 }
 
 void ExpectationMarks::click(int margin, int line) {

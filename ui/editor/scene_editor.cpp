@@ -6,11 +6,13 @@
 #include "ui/editor/scene_lexer.h"
 #include "ui/base/theme.h"
 
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QDragEnterEvent>
 #include <QFontDatabase>
 #include <QMenu>
 #include <QMimeData>
+#include <QToolTip>
 #include <QUrl>
 
 #include <algorithm>
@@ -316,6 +318,11 @@ long SceneEditor::send(unsigned int message, std::int64_t a, std::int64_t b) con
     return SendScintilla(message, static_cast<unsigned long>(a), static_cast<long>(b));
 }
 
+void SceneEditor::showTip(const QPoint& place, const QString& html) {
+    if (QApplication::activePopupWidget() != nullptr) return;
+    QToolTip::showText(viewport()->mapToGlobal(place), html, this);
+}
+
 void SceneEditor::contextMenuEvent(QContextMenuEvent* event) {
     QMenu* menu = createStandardContextMenu();
     if (menu == nullptr) return;
@@ -326,6 +333,7 @@ void SceneEditor::contextMenuEvent(QContextMenuEvent* event) {
             ? static_cast<std::uint32_t>(send(SCI_POSITIONFROMPOINT, event->pos().x(), event->pos().y()))
             : caret();
     Q_EMIT menuOpens(*menu, offset);
+    QToolTip::hideText();
     menu->popup(event->globalPos());
 }
 

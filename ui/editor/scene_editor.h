@@ -73,6 +73,9 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void markUnsaved() override;
     void exchangeBytes(const QByteArray& bytes) override;
 
+    /// A tip at a place of the viewport [px]; none over a menu that is open, which it would cover.
+    void showTip(const QPoint& place, const QString& html);
+
     long send(unsigned int message, std::int64_t a = 0, std::int64_t b = 0) const;
 
   Q_SIGNALS:

@@ -9,7 +9,9 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QFileInfo>
+#include <QFont>
 #include <QFontMetrics>
+#include <QLocale>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 #include <QToolTip>
@@ -32,6 +34,19 @@ struct PlotTexts {
     Q_DECLARE_TR_FUNCTIONS(Plot)
 };
 
+/// The font of charts in files: one that depends on no desktop, screen or setting, so that the same chart is
+/// the same file whoever writes it.
+QFont fontOfFiles() {
+    constexpr int height = 12; // [units of the chart]
+    QFont font(QStringLiteral("Sans Serif"));
+    font.setPixelSize(height);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    font.setStyleStrategy(QFont::NoSubpixelAntialias);
+    font.setResolveMask(
+        QFont::AllPropertiesResolved); // what is not said here is not the application's either
+    return font;
+}
+
 QByteArray encoded(QCustomPlot& plot, const QString& ending, const QSize& size) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -45,6 +60,7 @@ QByteArray encoded(QCustomPlot& plot, const QString& ending, const QSize& size) 
         svg.setViewBox(QRect(QPoint(0, 0), size));
         QCPPainter painter;
         painter.begin(&svg);
+        painter.setFont(plot.font()); // else the application's, which the file names
         painter.setMode(QCPPainter::pmVectorized);
         painter.setMode(QCPPainter::pmNoCaching);
         plot.toPainter(&painter, size.width(), size.height());
@@ -73,6 +89,8 @@ QString writeChart(const ChartSpec& spec, const QString& path, const QSize& size
         ending != QLatin1StringView("pdf"))
         return PlotTexts::tr("`%1` has no ending of a chart; name it .png, .svg or .pdf").arg(path);
     QCustomPlot plot;
+    plot.setFont(fontOfFiles());
+    plot.setLocale(QLocale::c());
     plot.resize(size);
     drawChart(plot, spec, {Qt::white, QColor(0x202428), QColor(0xDADDE2)});
     const QByteArray bytes = encoded(plot, ending, size);

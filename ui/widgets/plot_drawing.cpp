@@ -59,6 +59,8 @@ void dress(QCPAxis& axis, const ChartAxis& spec, const ChartColours& colours) {
     axis.setLabel(titleOf(spec));
     axis.setLabelColor(colours.text);
     axis.setTickLabelColor(colours.text);
+    axis.setLabelFont(axis.parentPlot()->font()); // those of its making are the application's
+    axis.setTickLabelFont(axis.parentPlot()->font());
     for (void (QCPAxis::*set)(const QPen&) :
          {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
         (axis.*set)(QPen(colours.text, 1));
@@ -187,6 +189,7 @@ void addMap(QCustomPlot& plot, const ChartMap& map, const ChartColours& colours)
         }
     if (map.range) std::tie(least, most) = *map.range;
     cells->setInterpolate(false);
+    if (!(least <= most)) return; // a scale would say values that there are not
     QCPColorScale* scale = new QCPColorScale(&plot);
     int row = 0; // of the axes, below the headings
     while (row < plot.plotLayout()->rowCount() && plot.plotLayout()->element(row, 0) != plot.axisRect())
@@ -201,7 +204,8 @@ void addMap(QCustomPlot& plot, const ChartMap& map, const ChartColours& colours)
     dress(*scale->axis(), map.scale, colours);
     cells->setColorScale(scale);
     cells->setGradient(mapColours());
-    if (least <= most) cells->setDataRange({least, most > least ? most : least + 1});
+    const double half = most > least ? 0 : std::max(0.05 * std::abs(most), 1e-9); // about the only value
+    cells->setDataRange({least - half, most + half});
 }
 
 void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
@@ -305,6 +309,7 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         line->setPen(QPen(colours.text, 1, Qt::DashLine));
         QCPItemText* label = new QCPItemText(&plot);
         label->setText(level.label);
+        label->setFont(plot.font());
         label->setColor(colours.text);
         QColor ground = colours.ground;
         ground.setAlpha(190);
@@ -478,7 +483,7 @@ void drawChart(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
     plot.clearPlottables();
     QCPLayoutGrid& grid = *plot.plotLayout();
     for (int row = 0; row < grid.rowCount(); ++row) // the scale of a map before
-        if (grid.columnCount() > 1 && qobject_cast<QCPColorScale*>(grid.element(row, 1)))
+        if (grid.hasElement(row, 1) && qobject_cast<QCPColorScale*>(grid.element(row, 1)))
             grid.remove(grid.element(row, 1));
     plot.axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, nullptr);
     grid.simplify();
@@ -492,6 +497,7 @@ void drawChart(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
     addSeries(plot, spec, colours);
     QFont bold = plot.font();
     bold.setBold(true);
+    plot.legend->setFont(plot.font());
     const LegendPlace legend = legendPlaceOf(plot, spec);
     const bool named = legend != LegendPlace::None, beside = legend == LegendPlace::Beside;
     const int names = beside ? widthOfNames(plot, spec) : 0;

@@ -17,9 +17,11 @@ namespace {
 
 constexpr std::size_t mostLines = 6, mostMaps = 12;
 
-struct SweepChartsTexts {
-    Q_DECLARE_TR_FUNCTIONS(SweepCharts)
-};
+constexpr const char* runsOfPointText = QT_TRANSLATE_NOOP("SweepCharts", "%1 runs a point");
+constexpr const char* bandsText =
+    QT_TRANSLATE_NOOP("SweepCharts", "line: median, bands: half of the runs, and nine of ten");
+constexpr const char* nothingText = QT_TRANSLATE_NOOP("SweepCharts", "no run gave a value");
+constexpr const char* medianText = QT_TRANSLATE_NOOP("SweepCharts", "%1, median");
 
 /// One axis of the points, by the first of its parameters.
 struct PointAxis {
@@ -71,8 +73,9 @@ QString unitOf(const SweepMeasure& measure) {
 
 class Charts {
   public:
-    Charts(const Sweep& sweep, const std::vector<SweepPoint>& points)
-        : m_sweep(sweep), m_points(points), m_axes(axesOf(sweep)), m_several(sweep.runsOfPoint() > 1) {
+    Charts(const Sweep& sweep, const std::vector<SweepPoint>& points, ChartWords words)
+        : m_sweep(sweep), m_points(points), m_axes(axesOf(sweep)), m_several(sweep.runsOfPoint() > 1),
+          m_words(words) {
         for (std::size_t k = 1; k < m_axes.size(); ++k)
             if (m_axes[k].count > m_axes[m_along].count) m_along = k;
         for (std::size_t k = 0; k < m_axes.size(); ++k)
@@ -101,13 +104,23 @@ class Charts {
     }
 
   private:
+    QString inWords(const char* text) const {
+        return m_words == ChartWords::OfWindow ? QCoreApplication::translate("SweepCharts", text)
+                                               : QString::fromLatin1(text);
+    }
     std::size_t numberOf(const SweepPoint& point) const { return point.firstRun / m_sweep.runsOfPoint(); }
     ChartAxis measureAxis(std::size_t measure) const {
         const SweepMeasure& asked = m_sweep.measures()[measure];
         return {.label = textOf(asked.text), .unit = unitOf(asked), .logarithmic = false};
     }
-    QString note() const {
-        return m_several ? SweepChartsTexts::tr("%1 runs a point").arg(m_sweep.runsOfPoint()) : QString();
+    QStringList notes(std::size_t measure, const std::vector<const SweepPoint*>& points) const {
+        QStringList notes;
+        if (m_several) notes += inWords(runsOfPointText).arg(m_sweep.runsOfPoint());
+        if (std::ranges::none_of(points, [measure](const SweepPoint* point) {
+                return std::isfinite(point->spreads[measure].median);
+            }))
+            notes += inWords(nothingText);
+        return notes;
     }
 
     SweepChart chartOf(std::size_t measure, ChartSpec chart,
@@ -119,9 +132,15 @@ class Charts {
         const PointAxis& along = m_axes[m_along];
         const bool byName = !along.isNumeric();
         std::map<std::size_t, std::vector<const SweepPoint*>> byLine;
-        for (const SweepPoint& point : m_points) byLine[lineOf(numberOf(point))].push_back(&point);
+        std::vector<const SweepPoint*> all;
+        for (const SweepPoint& point : m_points) {
+            byLine[lineOf(numberOf(point))].push_back(&point);
+            all.push_back(&point);
+        }
+        QStringList words = notes(measure, all);
+        if (m_several) words += inWords(bandsText);
         ChartSpec chart{.title = textOf(m_sweep.measures()[measure].text),
-                        .note = note(),
+                        .note = words.join(QStringLiteral("; ")),
                         .x = chartAxisOf(along, m_sweep.definition(), byName),
                         .y = measureAxis(measure),
                         .series = {},
@@ -164,8 +183,6 @@ class Charts {
             runs.push_back(std::move(runsOfLine));
         }
         chart.legend = byLine.size() > 1;
-        if (m_several)
-            chart.note += SweepChartsTexts::tr("; line: median, bands: half of the runs, and nine of ten");
         return chartOf(measure, std::move(chart), std::move(runs));
     }
 
@@ -203,9 +220,9 @@ class Charts {
             cells.values[row * cells.columns + column] = point->spreads[measure].median;
             runs[row][column] = point->firstRun;
         }
-        if (m_several) cells.scale.label = SweepChartsTexts::tr("%1, median").arg(cells.scale.label);
+        if (m_several) cells.scale.label = inWords(medianText).arg(cells.scale.label);
         ChartSpec chart{.title = textOf(m_sweep.measures()[measure].text),
-                        .note = note(),
+                        .note = notes(measure, points).join(QStringLiteral("; ")),
                         .x = chartAxisOf(across, m_sweep.definition(), true),
                         .y = chartAxisOf(upwards, m_sweep.definition(), true),
                         .series = {},
@@ -249,12 +266,14 @@ class Charts {
     std::size_t m_lines = 1;
     std::size_t m_rows = 0, m_columns = 0; ///< axes of a map
     bool m_several;                        ///< runs a point
+    ChartWords m_words;
 };
 
 } // namespace
 
-std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-    return Charts(sweep, points).make();
+std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points,
+                                 ChartWords words) {
+    return Charts(sweep, points, words).make();
 }
 
 } // namespace carom

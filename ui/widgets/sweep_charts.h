@@ -15,11 +15,18 @@ struct SweepChart : NamedChart {
     std::vector<std::vector<std::size_t>> runs;
 };
 
+/// Whose words a chart has.
+enum class ChartWords {
+    OfWindow,      ///< in its language
+    OfCommandLine, ///< English, whatever the window speaks: its files are the same for everybody
+};
+
 /// A chart a measure, `sweep-1`, `sweep-2`, ...: over one axis a line, with bands of the quartiles and of 90
 /// % where a point has several runs; over several a line for each combination of the shorter ones, or, where
 /// these are too many, a map of colours over the two longest. Of more axes there is a map for each
 /// combination of the others, `sweep-1-1`, `sweep-1-2`, ..., as long as they are few. None where nothing is
 /// listed to be varied.
-std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points);
+std::vector<SweepChart> chartsOf(const Sweep& sweep, const std::vector<SweepPoint>& points,
+                                 ChartWords words = ChartWords::OfWindow);
 
 } // namespace carom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/files.h"
+#include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
 #include "core/simulation/build.h"
@@ -8,10 +9,12 @@
 #include "ui/widgets/plot.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QLabel>
 #include <QMenu>
@@ -22,6 +25,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTranslator>
 
 #include <memory>
 
@@ -43,6 +47,25 @@ SharedBuild built(const std::string& text, bool fresh = true) {
 const std::string gliding = "gravity { accel 0, 0, 0 }\n"
                             "sphere ball { radius 0.1 mass 1 centre 0, 1, 0 vel 2, 0, 0 }\n"
                             "simulation { step 0.1 }\n";
+
+/// Another language: every text is another one.
+class Foreign : public QTranslator {
+  public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char*, const char* text, const char*, int) const override {
+        return QStringLiteral("\u00AB") + QString::fromUtf8(text) + QStringLiteral("\u00BB");
+    }
+};
+
+/// A file of a sweep without what may differ: the seconds of the table, and the report, which is of them.
+QByteArray comparable(const QString& path) {
+    const QByteArray bytes = test::readFile(path);
+    if (path.endsWith(QLatin1StringView("summary.txt"))) return bytes.left(bytes.indexOf(':'));
+    if (!path.endsWith(QLatin1StringView("/sweep.csv"))) return bytes;
+    QByteArray rows;
+    for (const QByteArray& row : bytes.split('\n')) rows += row.left(row.lastIndexOf(',')) + '\n';
+    return rows;
+}
 
 } // namespace
 
@@ -122,6 +145,67 @@ class SweepDockTest : public QObject {
         const QString png = m_folder.filePath(QStringLiteral("chart.png"));
         QCOMPARE(m_dock->exportTo(png), QString());
         QVERIFY(!QImage(png).isNull());
+    }
+
+    // Lines, lines with bands, maps, and several maps; under another font and language than the command
+    // line's.
+    void theFolderIsThatOfTheCommandLine_data() {
+        QTest::addColumn<QString>("vary");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("lines") << "ball.vel.x=1:4:4\nball.vel.y=log 1:8:3"
+                               << "";
+        QTest::newRow("together") << "ball.vel.x=1:4:4\nball.vel.y=1,2,5,7"
+                                  << "zip";
+        QTest::newRow("words") << "simulation.method=contacts,events"
+                               << "";
+        QTest::newRow("draws") << "ball.vel.x=1:4:4\nball.vel.y=normal 0:1"
+                               << "random 8";
+        QTest::newRow("seeds") << "simulation.substeps=1,2"
+                               << "seeds 3";
+        QTest::newRow("maps") << "ball.vel.x=1:7:7\nball.vel.y=0:7:8\nball.vel.z=1,2"
+                              << "";
+    }
+    void theFolderIsThatOfTheCommandLine() {
+        QFETCH(QString, vary);
+        QFETCH(QString, words);
+        const QString scene = m_folder.filePath(
+            QStringLiteral("scene %1.sdl").arg(QString::fromLatin1(QTest::currentDataTag())));
+        const bool isGenerated = words.startsWith(QLatin1StringView("seeds"));
+        const std::string text =
+            "\xEF\xBB\xBF// \xC3\xA4\r\n" +
+            (isGenerated ? std::string("generate { scene pile n 3 }\nsimulation { step 0.1 }\n") : gliding);
+        test::writeFile(scene, QByteArray::fromStdString(text));
+        m_dock->setScene(built(text), QFileInfo(scene).fileName(), scene);
+        ask(vary.toLatin1(), isGenerated ? "final centre_of_mass_y" : "final x of ball\nmax speed of ball");
+        child<QSpinBox>("sweepFrames")->setValue(6);
+        child<QCheckBox>("sweepZip")->setChecked(words == QLatin1StringView("zip"));
+        child<QSpinBox>("sweepRandom")->setValue(words == QLatin1StringView("random 8") ? 8 : 0);
+        child<QSpinBox>("sweepSeeds")->setValue(isGenerated ? 3 : 0);
+        sweep();
+        QApplication::setApplicationVersion(
+            test::carom({QStringLiteral("--version")}).out.section(u' ', 1, 1).trimmed());
+        const QFont usual = QApplication::font();
+        QFont large = usual;
+        large.setPointSize(17);
+        large.setItalic(true);
+        Foreign foreign;
+        QApplication::setFont(large);
+        QApplication::installTranslator(&foreign);
+        const QString ours = scene + QStringLiteral(".window"), theirs = scene + QStringLiteral(".shell");
+        const QString problem = m_dock->exportFolder(ours);
+        QApplication::removeTranslator(&foreign);
+        QApplication::setFont(usual);
+        QCOMPARE(problem, QString());
+        const QString command =
+            m_dock->command().replace(QLatin1StringView("carom "), QLatin1StringView("$carom "));
+        const test::Ended ended = test::shell(command.left(command.lastIndexOf(QLatin1StringView(" -o "))) +
+                                              QStringLiteral(" -o '%1'").arg(theirs));
+        QVERIFY2(ended.exitCode == 0, qPrintable(ended.err));
+        const QStringList files = QDir(theirs).entryList(QDir::Files, QDir::Name);
+        QCOMPARE(QDir(ours).entryList(QDir::Files, QDir::Name), files);
+        QVERIFY2(files.size() >= 7, qPrintable(files.join(u' ')));
+        for (const QString& file : files)
+            QVERIFY2(comparable(ours + u'/' + file) == comparable(theirs + u'/' + file), qPrintable(file));
     }
 
     void aSweepThatIsPausedGoesOn() {
@@ -225,6 +309,23 @@ class SweepDockTest : public QObject {
                                 "'ball-sweep'"));
     }
 
+    // Three million frames became one million, and what a declaration switches on could not be switched off.
+    void theCommandSwitchesOffWhatADeclarationSwitchesOn() {
+        const std::string declared = gliding + "sweep { vary \"ball.vel.x=1:4:4\" vary \"ball.vel.y=1:4:4\" "
+                                               "measure \"final x of ball\" zip yes frames 3000000 }\n";
+        m_dock->setScene(built(declared), QStringLiteral("ball.sdl"), {});
+        QCOMPARE(m_dock->form().definition().frames, std::optional<std::int64_t>(3'000'000));
+        const QString option = QStringLiteral("--no-declaration");
+        QVERIFY2(!m_dock->command().contains(option), qPrintable(m_dock->command()));
+        child<QSpinBox>("sweepFrames")->setValue(7);
+        QVERIFY(!m_dock->command().contains(option));
+        child<QCheckBox>("sweepZip")->setChecked(false);
+        QVERIFY(m_dock->command().contains(option));
+        child<QCheckBox>("sweepZip")->setChecked(true);
+        child<QSpinBox>("sweepFrames")->setValue(0);
+        QVERIFY(m_dock->command().contains(option));
+    }
+
   private:
     template<class Widget>
     Widget* child(const char* name) {
@@ -234,7 +335,7 @@ class SweepDockTest : public QObject {
     QString vary() { return child<QPlainTextEdit>("sweepVary")->toPlainText(); }
     QString measures() { return child<QPlainTextEdit>("sweepMeasures")->toPlainText(); }
     QString state() { return child<QLabel>("sweepState")->text(); }
-    void ask(const char* vary, const char* measure) {
+    void ask(const QByteArray& vary, const char* measure) {
         child<QPlainTextEdit>("sweepVary")->setPlainText(QString::fromLatin1(vary));
         child<QPlainTextEdit>("sweepMeasures")->setPlainText(QString::fromLatin1(measure));
     }

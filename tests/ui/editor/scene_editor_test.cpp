@@ -10,12 +10,15 @@
 #include "core/scene/schema.h"
 
 #include <QCheckBox>
+#include <QContextMenuEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMimeData>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QToolTip>
 #include <QUrl>
@@ -494,6 +497,29 @@ class SceneEditorTest : public QObject {
         Q_EMIT editor.SCN_DWELLSTART(wrong, 60, 10);
         QVERIFY2(QToolTip::text().contains(QStringLiteral("blue")), qPrintable(QToolTip::text()));
         QVERIFY(QToolTip::text().contains(QStringLiteral("Ctrl+.")));
+    }
+
+    // The mouse rests where it was clicked: a tip there would lie over the first entries of the menu.
+    void noTipCoversTheMenuOfARightClick() {
+        SceneEditor editor(m_theme);
+        DiagnosticMarks marks(editor, m_theme);
+        editor.setBytes("sphere { radius 1 mass 1 centre 0,0,0 }\n");
+        editor.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&editor, longestWait));
+        marks.show(built(editor));
+        const int radius = static_cast<int>(editor.bytes().indexOf("radius") + 2);
+        Q_EMIT editor.SCN_DWELLSTART(radius, 60, 10);
+        QVERIFY(QToolTip::isVisible());
+        QPointer<QMenu> opened;
+        connect(&editor, &SceneEditor::menuOpens, &editor, [&opened](QMenu& menu) { opened = &menu; });
+        QContextMenuEvent click(QContextMenuEvent::Mouse, QPoint(60, 10),
+                                editor.viewport()->mapToGlobal(QPoint(60, 10)));
+        QApplication::sendEvent(editor.viewport(), &click);
+        QVERIFY(opened && opened->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!QToolTip::isVisible(), longestWait);
+        Q_EMIT editor.SCN_DWELLSTART(radius, 60, 10);
+        QVERIFY(!QToolTip::isVisible());
+        opened->close();
     }
 
     void aFileDroppedOnTheTextIsToBeOpened() {

@@ -26,7 +26,8 @@ struct ChartedSweep {
 };
 
 /// A sweep whose figure is 100 times the index of the first value, and the index of the second, and the seed.
-ChartedSweep charted(std::vector<std::string> vary, std::int64_t seeds = 0) {
+ChartedSweep charted(std::vector<std::string> vary, std::int64_t seeds = 0,
+                     SweepOutcome outcome = SweepOutcome::Done) {
     const ReadSweep read = readSweep({.vary = std::move(vary),
                                       .measures = {"final x of ball"},
                                       .seeds = seeds,
@@ -42,6 +43,7 @@ ChartedSweep charted(std::vector<std::string> vary, std::int64_t seeds = 0) {
         const std::size_t point = run / ofPoint;
         SweepResult one;
         one.run = run;
+        one.outcome = outcome;
         one.figures = {100.0 * static_cast<double>(point / second) + static_cast<double>(point % second) +
                        static_cast<double>(run % ofPoint)};
         summary.add(one);
@@ -125,6 +127,24 @@ class SweepChartsTest : public QObject {
         QVERIFY(
             chartsOf(charted({"ball.vel.x=1:14:14", "ball.vel.z=1:14:14", "ball.vel.y=1:13:13"})).empty());
         QVERIFY(chartsOf(charted({}, 4)).empty());
+    }
+
+    // A scale from 0 to 1 beside it said what no run had given.
+    void aMapWithoutValuesHasNoScale() {
+        QTemporaryDir folder;
+        const std::vector<SweepChart> charts =
+            chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}, 0, SweepOutcome::Faulty));
+        QCOMPARE(charts[0].chart.note, QStringLiteral("no run gave a value"));
+        const QString path = folder.filePath(QStringLiteral("map.png"));
+        QCOMPARE(writeChart(charts[0].chart, path), QString());
+        const QImage image(path);
+        int coloured = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                if (image.pixelColor(x, y).hsvSaturation() > 100 && image.pixelColor(x, y).value() > 60)
+                    ++coloured;
+        QCOMPARE(coloured, 0);
+        QCOMPARE(chartsOf(charted({"ball.vel.x=1:7:7", "ball.vel.z=1:9:9"}))[0].chart.note, QString());
     }
 
     // The lowest cell, left below, is dark; the highest, right above, is light.
