@@ -5,6 +5,7 @@
 #include "app/files.h"
 #include "app/version.h"
 #include "core/base/catalogue.h"
+#include "core/base/memory_limit.h"
 #include "core/base/text.h"
 
 #include <unistd.h>
@@ -181,6 +182,7 @@ int runCommandLine(const std::string& program, std::span<const std::string> word
         const auto [command, named] = commandNamed(words);
         if (command) {
             who.append(" ").append(command->name);
+            limitMemory();
             return runCommand(*command, words.subspan(named));
         }
         rejectUnknownMember(words);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/player/simulation_thread.h"
 
+#include "core/base/memory_limit.h"
+
 #include <pthread.h>
 
 #include <algorithm>
@@ -119,6 +121,7 @@ void SimulationThread::execute(const LoadCommand& command) {
 
 void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     m_world.reset(); // its memory is the new one's
+    limitMemory();
     m_torn = false;
     m_world = std::make_unique<World>(pipeline);
     m_shown = false;

@@ -229,6 +229,28 @@ class FaultsTest : public QObject {
         QVERIFY2(ended.err.contains("not enough memory"), qPrintable(ended.err));
     }
 
+    void memoryThatTheMachineLacksIsNotPromised() {
+        // 20,000 spheres at one place have 200 million contacts, for which contacts would take 350 GB: Linux
+        // promises them and then ends the program, or another one.
+        QProcess process;
+        process.start(CAROM_PROGRAM, {"run", scene(), "-n", "1000000000", "--stats", path("s.csv")});
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("s.csv")).size() > 0, longestWait);
+        qint64 most = -1; // [bytes]; `unlimited` is no number
+        for (const QByteArray& line :
+             readFile(QString("/proc/%1/limits").arg(process.processId())).split('\n'))
+            if (line.startsWith("Max data size"))
+                most = line.mid(13).simplified().split(' ').first().toLongLong();
+        process.kill();
+        process.waitForFinished();
+        QVERIFY(most > 0);
+        qint64 machine = 0;
+        for (const QByteArray& line : readFile("/proc/meminfo").split('\n'))
+            if (line.startsWith("MemTotal:") || line.startsWith("SwapTotal:"))
+                machine +=
+                    1024 * line.mid(line.indexOf(':') + 1).simplified().split(' ').first().toLongLong();
+        QVERIFY2(most < machine, qPrintable(QString("%1 of %2").arg(most).arg(machine)));
+    }
+
     // Each of the first requests for memory, and every second power of two of those behind them, is refused
     // once.
     void anyRequestForMemoryMayFail_data() {
@@ -283,6 +305,22 @@ class FaultsTest : public QObject {
         QCOMPARE(run["frames"].toInt(-1), 0);
         QVERIFY(run["state_hash"].isNull());
         QVERIFY(readFile(path("slow.csv")).startsWith("frame,time"));
+    }
+
+    void anInterruptEndsAListOfContacts() {
+        // 4.5 million pairs: the list was made as a whole before the first row was written, and nothing ended
+        // it.
+        constexpr int bodies = 3000;
+        writeFile(path("heap.sdl"), QByteArray("sphere { radius 1 mass 1 centre 0,0,0 }\n").repeated(bodies));
+        QProcess process;
+        process.setStandardErrorFile(QProcess::nullDevice());
+        process.start(CAROM_PROGRAM, {"contacts", path("heap.sdl")});
+        QVERIFY(process.waitForReadyRead(longestWait));
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        const Ended ended = finish(process);
+        QCOMPARE(ended.exitCode, 130);
+        QVERIFY(ended.out.startsWith("a,b,depth"));
+        QVERIFY(ended.out.count('\n') < bodies * (bodies - 1) / 2);
     }
 
     void nohupIsHeeded() {
