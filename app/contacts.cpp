@@ -42,10 +42,11 @@ int runContacts(const Arguments& arguments) {
     const Build built = loadScene(arguments.operands.front(), options);
     World world(built.pipeline);
     catchInterrupts();
+    InterruptibleWork work([] {}); // rows are written as they are found
     {
         Progress progress(frame);
         while (world.state().frame < frame && world.health().finite && !interrupted()) {
-            world.step();
+            work.step([&] { world.step(); });
             progress.update(world.state().frame);
         }
     }
@@ -54,11 +55,16 @@ int runContacts(const Arguments& arguments) {
         printError(describeLoss("carom contacts", world));
         return exitcode::unphysical;
     }
-    std::string text = "a,b,depth,nx,ny,nz,ax,ay,az,bx,by,bz\n";
-    for (const TouchingPair& touching : touchingPairs(built.pipeline->bodies(), world.state()))
-        text += rowsOf(touching);
-    printOut(text);
-    return exitcode::done;
+    OutputFile output("-");
+    output.write("a,b,depth,nx,ny,nz,ax,ay,az,bx,by,bz\n");
+    work.step([&] {
+        forEachTouchingPair(built.pipeline->bodies(), world.state(), [&](const TouchingPair& touching) {
+            output.write(rowsOf(touching));
+            return !interrupted();
+        });
+    });
+    output.close();
+    return interrupted() ? exitcode::interrupted : exitcode::done;
 }
 
 } // namespace

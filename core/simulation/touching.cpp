@@ -47,14 +47,23 @@ std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<P
     return {search->pairs().begin(), search->pairs().end()};
 }
 
-std::vector<TouchingPair> touchingPairs(const Bodies& bodies, const State& state) {
-    std::vector<TouchingPair> result;
-    Manifold manifold;
+void forEachTouchingPair(const Bodies& bodies, const State& state,
+                         const std::function<bool(const TouchingPair&)>& take) {
+    TouchingPair touching;
     for (const BodyPair pair : candidates(bodies, state)) {
         const PlacedShape a{&bodies.shape[pair.a], &state.pose[pair.a]};
         const PlacedShape b{&bodies.shape[pair.b], &state.pose[pair.b]};
-        if (collide(a, b, 0, manifold)) result.push_back({pair, manifold});
+        touching.pair = pair;
+        if (collide(a, b, 0, touching.manifold) && !take(touching)) return;
     }
+}
+
+std::vector<TouchingPair> touchingPairs(const Bodies& bodies, const State& state) {
+    std::vector<TouchingPair> result;
+    forEachTouchingPair(bodies, state, [&](const TouchingPair& touching) {
+        result.push_back(touching);
+        return true;
+    });
     return result;
 }
 

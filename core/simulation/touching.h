@@ -8,6 +8,7 @@
 #include "core/math/pose.h"
 #include "core/shapes/manifold.h"
 
+#include <functional>
 #include <vector>
 
 namespace carom {
@@ -23,8 +24,12 @@ void updateAt(const Bodies& bodies, const std::vector<Pose>& poses, Broadphase& 
 /// Every pair of which at least one body is mobile whose boxes overlap, ascending; walls have no box.
 std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<Pose>& poses);
 
-/// Every pair of which at least one body is mobile whose distance is at most 0, ascending, with its contact
-/// points. For reports and pictures of one state; a run keeps its own.
+/// Hands over every pair of which at least one body is mobile whose distance is at most 0, ascending, with
+/// its contact points, until `take` returns false. For reports and pictures of one state; a run keeps its
+/// own.
+void forEachTouchingPair(const Bodies& bodies, const State& state,
+                         const std::function<bool(const TouchingPair&)>& take);
+/// The same as a list, which takes some 500 bytes a pair.
 std::vector<TouchingPair> touchingPairs(const Bodies& bodies, const State& state);
 
 } // namespace carom
