@@ -4,8 +4,9 @@
 namespace carom {
 namespace {
 
-/// Four doubles from anywhere.
-using Loose = double __attribute__((vector_size(32), aligned(8)));
+/// Four doubles from anywhere. (Clang drops an alignment that is named together with the size.)
+using Loose [[gnu::aligned(alignof(double))]] = Wide;
+static_assert(alignof(Loose) == alignof(double));
 using Lanes = std::int64_t __attribute__((vector_size(32)));
 
 [[gnu::always_inline]] inline Wide loadLoose(const double* from) {
