@@ -27,6 +27,7 @@ namespace {
 constexpr quint32 seed = 4711;    // of the moments of the kills
 constexpr int behind = 500;       // [ms] the swap file may be, by the settings of these sessions
 constexpr int intoTheFrame = 300; // [ms] of processor time
+constexpr int mostTurns = 1000;   // until one is killed in time
 const QByteArray original = "// a scene\n";
 
 int kills() { return roundsOf("CAROM_KILLS", 3); }
@@ -224,7 +225,7 @@ class CrashTest : public QObject {
         const QByteArray whole = readFile(picture);
         QRandomGenerator random(seed);
         int killed = 0, replaced = 0;
-        for (int turn = 0; turn < kills(); ++turn) {
+        for (int turn = 0; turn < kills() || (killed == 0 && turn < mostTurns); ++turn) {
             writeFile(picture, "old");
             QProcess process;
             process.setStandardErrorFile(QProcess::nullDevice());
