@@ -61,8 +61,9 @@ class Contacts final : public Solver {
     Contacts(const Bodies& bodies, const SolverSettings& settings)
         : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_resting(bodies.count()),
           m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
-          m_base(bodies.count(), passesOf(settings)), m_brief(bodies.count(), passesOf(settings)),
-          m_calm(bodies.count()), m_isOnSpring(bodies.count(), 0) {
+          m_base(bodies.count(), passesOf(settings)), m_patience(bodies.count(), 0),
+          m_brief(bodies.count(), passesOf(settings)), m_calm(bodies.count()),
+          m_isOnSpring(bodies.count(), 0) {
         for (const SpringForce& spring : bodies.springs) {
             m_links.push_back({spring.from, spring.to});
             for (const BodyIndex end : {spring.from, spring.to})
@@ -82,11 +83,13 @@ class Contacts final : public Solver {
         Resting resting;
         Manifolds manifolds; // of the base path
         BasePath base;
-        int stayed = 0, patience = 0;
+        std::vector<std::uint8_t> patience;
         Refinement::Memory refinement;
         std::vector<double> calm;
 
-        std::size_t bytes() const { return heldBytes(contacts, resting, manifolds, base, refinement, calm); }
+        std::size_t bytes() const {
+            return heldBytes(contacts, resting, manifolds, base, patience, refinement, calm);
+        }
     };
     SolverReport rest(const SolverInput& input);
     void findMembers(const SolverInput& input);
@@ -100,7 +103,7 @@ class Contacts final : public Solver {
     void enterBase(const SolverInput& input);
     void enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
                double skin);
-    void leave(const SolverInput& input, BasePath& path);
+    void leaveMarked(const SolverInput& input);
     void sleepWhatRests(const SolverInput& input);
     void moveRefined(const SolverInput& input, SolverReport& report);
     void moveStepped(const SolverInput& input, SolverReport& report);
@@ -142,14 +145,14 @@ class Contacts final : public Solver {
     Candidates m_candidates;
     ImpulseReach m_reach;
     Refinement m_refinement;
-    BasePath m_base;                  // for as long as it holds
-    int m_stayed = 0, m_patience = 0; // how long that was, and is to be at most [substeps]
-    BasePath m_brief;                 // for the substep
+    BasePath m_base;                      // for as long as it holds
+    std::vector<std::uint8_t> m_patience; // by body of it: how long that may be [substeps]
+    BasePath m_brief;                     // for the substep
     Calm m_calm;
     std::vector<std::uint8_t> m_isOnSpring; // by body: it never counts as calm
     std::vector<BodyIndex> m_members;       // mobile bodies that do not rest
     std::vector<BodyIndex> m_free;          // members that did not take the base path when the substep began
-    std::vector<BodyIndex> m_entering, m_passing, m_woken;
+    std::vector<BodyIndex> m_entering, m_passing, m_woken, m_leaving;
     std::vector<BodyPair> m_links;     // the ends of springs
     ContactSet m_contacts;             // of refined islands, from the last substep
     FoundContacts m_found;             // of the substep
@@ -189,13 +192,12 @@ SolverReport Contacts::advance(const SolverInput& input) {
 
     m_work = {};
     findContacts(input);
-    if (!findJoining(input)) { // an island touches two blocks: all is found anew
+    while (!findJoining(input)) { // an island touches two blocks: all is found anew
         m_found.dropDistant();
-        leave(input, m_base);
-        m_found.carryOn(m_left);
+        m_found.carryOn({});
+        leaveMarked(input);
         coverMembers(input);
         findContacts(input);
-        findJoining(input);
     }
     m_refinement.choose({input.bodies, input.state, m_islands, m_free, m_found.canMeet(), m_joins,
                          input.gravity, input.substep, input.part, input.parts},
@@ -226,8 +228,9 @@ SolverReport Contacts::advance(const SolverInput& input) {
 }
 
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
-    Persistent persistent{m_contacts, m_resting,  m_found.manifolds(),   m_base,
-                          m_stayed,   m_patience, m_refinement.memory(), m_calm.times()};
+    Persistent persistent{m_contacts,    m_resting,  m_found.manifolds(),
+                          m_base,        m_patience, m_refinement.memory(),
+                          m_calm.times()};
     persistent.base.dropWhatLeft();
     return std::make_unique<Remembered<Persistent>>(std::move(persistent));
 }
@@ -240,7 +243,6 @@ void Contacts::recall(const SolverMemory& memory) {
     m_calm.recall(persistent.calm);
     m_found.recall(persistent.manifolds);
     m_base = persistent.base;
-    m_stayed = persistent.stayed;
     m_patience = persistent.patience;
     m_brief.clear();
 }
@@ -257,12 +259,13 @@ void Contacts::findMembers(const SolverInput& input) {
                                 input.substep,
                             input.broadphase);
     if (input.part == 0) followMembers(input); // later parts of a frame were followed just now
-    const auto isOver = [&] {
-        return input.part == 0 && (m_stayed >= m_patience || m_base.isOutgrown(m_found.manifolds()));
-    };
-    if (!m_base.isEmpty() && (isOver() || !renewBase(input))) {
-        leave(input, m_base);
-        m_found.carryWith(m_left);
+    if (!m_base.isEmpty()) {
+        if (input.part == 0) {
+            for (const BodyIndex i : m_members)
+                if (m_base.has(i) && m_patience[i] == 0) m_base.mark(i);
+            m_base.markOutgrown(m_found.manifolds());
+        }
+        if (!renewBase(input)) leaveMarked(input);
     }
     coverMembers(input);
     while (wakeTouched(input)) {
@@ -272,7 +275,7 @@ void Contacts::findMembers(const SolverInput& input) {
     m_resting.exchange(input.bodies, m_contacts);
 }
 
-// False if all must leave the base path.
+// False if some must leave the base path.
 bool Contacts::renewBase(const SolverInput& input) {
     return m_base.renew(stepped(input), input.substep, reachTime(input, input.parts * input.substep),
                         lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
@@ -322,7 +325,7 @@ void Contacts::findContacts(const SolverInput& input) {
 }
 
 // The islands of those that do not take the base path, and which of them touch some that do. False if one
-// touches two blocks.
+// touches two blocks: what it touches there must leave.
 bool Contacts::findJoining(const SolverInput& input) {
     m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
                   m_found.canMeet(), m_isOnSpring, m_base.blockOf()});
@@ -334,20 +337,15 @@ bool Contacts::findJoining(const SolverInput& input) {
         for (const std::uint32_t index : m_islands[i].pairs)
             for (const BodyIndex body : {m_found.set().pairs[index].a, m_found.set().pairs[index].b}) {
                 if (blockOf[body] == 0) continue;
-                if (m_joins[i] != 0 && m_joins[i] != blockOf[body]) return false;
-                m_joins[i] = blockOf[body];
+                if (m_joins[i] == 0) m_joins[i] = blockOf[body];
+                if (m_joins[i] != blockOf[body]) m_base.mark(body);
             }
-    return true;
+    return !m_base.anyMarked();
 }
 
 // Bodies of islands that are not refined take the base path, for as long as it holds or for this substep.
 void Contacts::enterBase(const SolverInput& input) {
     const double time = input.parts * input.substep;
-    if (m_base.isEmpty()) {
-        m_stayed = 0;
-        m_patience = m_refinement.patience();
-    }
-    m_patience = std::min(m_patience, m_stayed + m_refinement.patience());
     m_entering.clear();
     m_passing.clear();
     for (const std::uint32_t island : m_refinement.stepped()) {
@@ -365,6 +363,7 @@ void Contacts::enterBase(const SolverInput& input) {
              BasePath::isBusy(input.bodies, input.state, bodies, static_cast<std::size_t>(pairs), time));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         list.insert(list.end(), bodies.begin(), bodies.end());
+        for (const BodyIndex body : bodies) m_patience[body] = m_refinement.patienceOf(island);
     }
     m_known = m_found.known();
     enter(input, m_base, m_entering, time, lastingSkin);
@@ -384,13 +383,11 @@ void Contacts::enter(const SolverInput& input, BasePath& path, std::vector<BodyI
     path.enter(stepping, list, m_neighbours, m_links, input.substep, m_known, m_found.manifolds());
 }
 
-void Contacts::leave(const SolverInput& input, BasePath& path) {
+void Contacts::leaveMarked(const SolverInput& input) {
     m_left.clear();
-    if (&path == &m_base)
-        for (const BodyIndex i : m_members)
-            if (m_base.has(i)) m_refinement.waited(std::span(&i, 1), m_stayed);
-    path.leave(stepped(input), m_found.manifolds(), m_left);
+    m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
     m_sort.sort(m_left, m_bodies.count());
+    m_found.carryWith(m_left);
 }
 
 void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
@@ -428,10 +425,16 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     }
     if (report.loss) return;
     m_calm.note(input.bodies, input.state, m_passing, input.gravity, input.substep);
-    m_refinement.waited(m_passing, 1);
-    leave(input, m_brief);
+    for (const BodyIndex body : m_passing) m_refinement.waited(body);
+    for (const BodyIndex body : m_members) {
+        if (!m_base.has(body)) continue;
+        m_refinement.waited(body);
+        if (m_patience[body] > 0) --m_patience[body];
+    }
+    m_left.clear();
+    m_brief.leave(stepped(input), m_found.manifolds(), m_left);
+    m_sort.sort(m_left, m_bodies.count());
     m_found.carryOn(m_left);
-    ++m_stayed;
     if (input.part + 1 == input.parts && m_settings.resting) sleepWhatRests(input);
 }
 
@@ -466,7 +469,7 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
     m_rest.end(stepping, manifolds, m_unused);
 }
 
-// At the end of a frame. Where an island is calm all leave the base path; the others enter it again.
+// At the end of a frame. Who is calm leaves the base path; what does not rest then enters it again.
 void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
     for (const BodyIndex i : m_members)
@@ -476,11 +479,16 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
         return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, body, input.gravity) &&
                !mayFloat(input.bodies, body, input.gravity);
     };
-    if (!(input.gravity.norm() > 0) || !m_base.anyIsland(isCalm)) return;
-    leave(input, m_base);
+    if (!(input.gravity.norm() > 0)) return;
+    m_base.markIslands(isCalm);
+    if (!m_base.anyMarked()) return;
+    m_left.clear();
+    m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
+    m_sort.sort(m_left, m_bodies.count());
+    std::sort(m_leaving.begin(), m_leaving.end());
     m_pairs.clear();
     for (const Manifolds::Entry& entry : m_left) m_pairs.push_back(entry.pair);
-    m_islands.find(input.bodies, m_entering, m_pairs, m_links);
+    m_islands.find(input.bodies, m_leaving, m_pairs, m_links);
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
         if (std::all_of(island.bodies.begin(), island.bodies.end(), isCalm)) putToSleep(input, island);

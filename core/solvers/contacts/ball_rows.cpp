@@ -199,6 +199,23 @@ CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody*
     }
 }
 
+/// One pair of a group, with its rows.
+void copyLane(const BallGroup& from, BallGroup& to, std::size_t lane) {
+    to.a[lane] = from.a[lane];
+    to.b[lane] = from.b[lane];
+    for (std::size_t k = 0; k < 3; ++k) {
+        to.normal[k][lane] = from.normal[k][lane];
+        to.tangent[k][lane] = from.tangent[k][lane];
+    }
+    for (Wide BallGroup::*value :
+         {&BallGroup::radiusA, &BallGroup::radiusB, &BallGroup::friction, &BallGroup::restitution,
+          &BallGroup::push, &BallGroup::hard, &BallGroup::gap})
+        (to.*value)[lane] = (from.*value)[lane];
+    for (Wide BallRow::*value : {&BallRow::massNormal, &BallRow::massTangent, &BallRow::normal,
+                                 &BallRow::along1, &BallRow::along2, &BallRow::approach, &BallRow::carried})
+        (to.row.*value)[lane] = (from.row.*value)[lane];
+}
+
 } // namespace
 
 struct BallRows::Refresh {
@@ -294,20 +311,46 @@ CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
 void BallRows::clear() {
     m_groups.clear();
     m_fixed.clear();
+    m_holes.clear();
     m_active = 0;
+}
+
+BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
+    BallGroup group;
+    group.a.fill(immobile);
+    group.b.fill(immobile);
+    group.normal[1] = wideOf(1);
+    group.tangent[0] = wideOf(1);
+    return group;
+}
+
+// A pair that joins an island may be of a body that is in the group already.
+bool BallRows::isFree(Lane lane, const BallPair& pair, std::uint32_t immobile) const {
+    const BallGroup& group = m_groups[lane.group];
+    const auto isThere = [&](std::uint32_t body) {
+        return body != immobile && (std::count(group.a.begin(), group.a.end(), body) > 0 ||
+                                    std::count(group.b.begin(), group.b.end(), body) > 0);
+    };
+    return !isThere(pair.a) && !isThere(pair.b);
+}
+
+BallRows::Lane BallRows::laneFor(const BallPair& pair, std::uint32_t immobile) {
+    if (m_isSingle && !m_holes.empty() && isFree(m_holes.back(), pair, immobile)) {
+        const Lane lane = m_holes.back();
+        m_holes.pop_back();
+        return lane;
+    }
+    const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile, m_groups.size());
+    if (place.isNew) {
+        m_groups.push_back(emptyGroup(immobile));
+        m_fixed.emplace_back().isSingle = m_isSingle;
+    }
+    return {place.group, place.lane};
 }
 
 void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
                    std::span<const SolverBody> bodies) {
-    const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile, m_groups.size());
-    if (place.isNew) {
-        BallGroup& group = m_groups.emplace_back();
-        group.a.fill(immobile);
-        group.b.fill(immobile);
-        group.normal[1] = wideOf(1);
-        group.tangent[0] = wideOf(1);
-        m_fixed.emplace_back();
-    }
+    const Lane place = laneFor(pair, immobile);
     BallGroup& group = m_groups[place.group];
     Fixed& fixed = m_fixed[place.group];
     const std::size_t lane = place.lane;
@@ -339,6 +382,44 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     set(fixed.place, pair.fixed);
     fixed.wall[lane] = pair.wall ? 1 : 0;
     fixed.source[lane] = source;
+}
+
+void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
+                    std::uint32_t immobile) {
+    m_holes.clear();
+    m_active = 0;
+    const BallGroup empty = emptyGroup(immobile);
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        BallGroup& group = m_groups[i];
+        Fixed& fixed = m_fixed[i];
+        std::size_t left = 0;
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            if (fixed.source[lane] == noPair) continue;
+            fixed.source[lane] = sources[fixed.source[lane]];
+            if (fixed.source[lane] == noPair) {
+                copyLane(empty, group, lane);
+                for (Wide& place : fixed.place) place[lane] = 0;
+                fixed.wall[lane] = 0;
+                continue;
+            }
+            group.a[lane] = bodies[group.a[lane]];
+            group.b[lane] = bodies[group.b[lane]];
+            ++left;
+        }
+        if (left == 0) continue;
+        if (!group.idle) ++m_active;
+        if (kept != i) {
+            m_groups[kept] = group;
+            m_fixed[kept] = fixed;
+        }
+        ++kept;
+    }
+    m_groups.resize(kept);
+    m_fixed.resize(kept);
+    for (std::uint32_t i = kept; i-- > 0;)
+        for (std::uint32_t lane = wideLanes; lane-- > 0 && m_fixed[i].isSingle;)
+            if (m_fixed[i].source[lane] == noPair) m_holes.push_back({i, lane});
 }
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,

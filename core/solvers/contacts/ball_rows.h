@@ -71,11 +71,19 @@ class BallRows {
     static constexpr std::uint32_t noPair = 0xffffffff;
 
     void clear();
-    /// To be called before pairs are added, with the number of bodies there are now.
-    void begin(std::size_t bodies) { m_packer.begin(bodies); }
+    /// To be called before pairs are added, with the number of bodies there are now. Pairs that are `single`
+    /// are of islands without others: it does not matter which of them share a group.
+    void begin(std::size_t bodies, bool single) {
+        m_packer.begin(bodies);
+        m_isSingle = single;
+    }
     /// `source` is given back by forEach.
     void add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
              std::span<const SolverBody> bodies);
+    /// Pairs stay whose source gets a number other than noPair, in the groups and lanes they are in, with the
+    /// new numbers of source and bodies.
+    void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
+              std::uint32_t immobile);
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
     std::size_t activeGroups() const { return m_active; }
@@ -125,7 +133,14 @@ class BallRows {
         std::array<Wide, 3> place{};
         Wide wall{}; ///< 1 for a wall, otherwise 0
         std::array<std::uint32_t, wideLanes> source{noPair, noPair, noPair, noPair};
+        bool isSingle = false; ///< all pairs are, or were when they were added
     };
+    struct Lane {
+        std::uint32_t group = 0, lane = 0;
+    };
+    static BallGroup emptyGroup(std::uint32_t immobile);
+    bool isFree(Lane lane, const BallPair& pair, std::uint32_t immobile) const;
+    Lane laneFor(const BallPair& pair, std::uint32_t immobile);
     struct Refresh;
     static Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
         return {from[0][lane], from[1][lane], from[2][lane]};
@@ -137,6 +152,8 @@ class BallRows {
     std::vector<BallGroup> m_groups;
     std::vector<Fixed> m_fixed;   // by group
     Scratch<LanePacker> m_packer; // of the pairs that are added together
+    bool m_isSingle = false;      // what is added now
+    std::vector<Lane> m_holes;    // of groups of single pairs, the first last
     std::size_t m_active = 0;     // groups
     double m_deepest = 0;
 };

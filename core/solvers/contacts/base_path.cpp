@@ -15,7 +15,7 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 /// An island that needs so many times more sweeps than its block makes had better enter another.
 constexpr int tooFew = 4;
 
-/// Of so many bodies one at most is renewed: of more, pairs are found for all.
+/// Of so many bodies of an island one at most is renewed: where more are, it leaves.
 constexpr std::size_t fewRenewed = 16;
 /// And only where one body in so many is here: the neighbours may have to search for all.
 constexpr std::size_t partHere = 4;
@@ -66,6 +66,13 @@ bool isWrong(std::size_t number, const ContactCount& count) {
     return needed < sweeps || (isForFewBalls(number) && needed >= tooFew * sweeps);
 }
 
+/// Whether that cannot wait for the next frame: what makes more sweeps than it needs may, while it has few
+/// points.
+bool isFarWrong(std::size_t number, const ContactCount& count) {
+    return isWrong(number, count) &&
+           (count.points > fewPoints || sweepsOf(divisionNumber(count)) > sweepsOf(number));
+}
+
 Division divisionOf(std::uint8_t number, int passes) {
     Division division = divisionsOfSubstep[number];
     division.passes *= passes;
@@ -112,7 +119,10 @@ bool BasePath::isUnchanged(const State& state) const {
 
 bool BasePath::renew(const SteppedInput& input, double substep, double time, double skin,
                      Neighbours& neighbours, Broadphase& broadphase, Manifolds& manifolds) {
-    if (m_isBroken || !isUnchanged(input.state)) return false;
+    if (!isUnchanged(input.state)) {
+        markIslands([](BodyIndex) { return true; });
+        return false;
+    }
     std::size_t all = 0;
     for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
     const auto forget = [&] {
@@ -121,15 +131,36 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     };
     forget();
     findOutrun(input, substep, time, skin, neighbours);
-    if (m_renewed.empty()) return true;
-    if (fewRenewed * m_renewed.size() > all || partHere * all < input.bodies.mobileBodies.size())
+    if (m_renewed.empty()) return !anyMarked();
+    if (partHere * all < input.bodies.mobileBodies.size()) {
+        markIslands([](BodyIndex) { return true; });
         return false;
+    }
     while (!findStruck(input, neighbours)) { // what is found depends on nothing but where the bodies are
         neighbours.search(input.bodies, input.state, broadphase);
         forget();
         findOutrun(input, substep, time, skin, neighbours);
     }
-    return takeUpPairs(input, neighbours, manifolds);
+    markWhereMany();
+    takeUpPairs(input, neighbours, manifolds);
+    return !anyMarked();
+}
+
+// Islands of which many bodies are to be renewed leave instead.
+void BasePath::markWhereMany() {
+    std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
+    for (std::size_t number = 0; number < divisions; ++number)
+        outrun[number].assign(m_blocks[number].isEmpty() ? 0 : m_blocks[number].islandNumbers(), 0);
+    for (const auto& [body, reach] : m_renewed) {
+        const std::uint32_t island = blockWith(body).islandOf(body);
+        if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island)) mark(body);
+    }
+    const auto leaves = [this](const Renewed& renewed) {
+        const bool is = blockWith(renewed.body).isMarked(renewed.body);
+        if (is) m_renewal[renewed.body] = 0;
+        return is;
+    };
+    std::erase_if(m_renewed, leaves);
 }
 
 // Those that may outrun their reach, with a new one.
@@ -137,7 +168,9 @@ void BasePath::findOutrun(const SteppedInput& input, double substep, double time
                           const Neighbours& neighbours) {
     for (const SteppedMotion& block : m_blocks)
         for (const BodyIndex i : block.bodies()) {
-            if (Neighbours::reachFactor * pathOf(input, i, substep, neighbours) <= roomOf(input, i)) continue;
+            if (block.isMarked(i) ||
+                Neighbours::reachFactor * pathOf(input, i, substep, neighbours) <= roomOf(input, i))
+                continue;
             m_renewed.push_back(
                 {i, pathOf(input, i, time, neighbours) + skin * input.bodies.boundingRadius[i]});
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
@@ -169,8 +202,9 @@ bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
     return covered;
 }
 
-// Pairs of the renewed that are not here yet. False if one joins two blocks.
-bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
+// Pairs of the renewed that are not here yet. Islands of different blocks that one of them would join are
+// marked.
+void BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
     for (const auto& [body, reach] : m_renewed) {
         m_reach[body] = reach;
         m_origin[body] = input.state.pose[body];
@@ -190,23 +224,26 @@ bool BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbou
     for (const auto& [i, reach] : m_renewed)
         for (const BodyIndex k : neighbours.around(i)) {
             const bool mobile = input.bodies.mobile[k] != 0;
-            if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i))) continue;
+            if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).isMarked(k))) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             const double margin = marginOf(input, pair);
             if (!areWithin(input.bodies, input.state, pair, margin) ||
                 std::binary_search(m_present.begin(), m_present.end(), pair))
                 continue;
-            if (mobile && m_block[i] != m_block[k]) return false;
+            if (mobile && m_block[i] != m_block[k]) {
+                mark(i);
+                mark(k);
+                continue;
+            }
             m_entering.push_back({pair, Manifolds::none, margin});
         }
     std::sort(m_entering.begin(), m_entering.end());
     for (const Entry& entry : m_entering) {
         const auto [a, b] = entry.pair;
-        SteppedMotion& block = m_blocks[m_block[hereOf(entry.pair)] - 1u];
+        SteppedMotion& block = blockWith(hereOf(entry.pair));
         if (has(a) && has(b)) block.joinIslands(block.islandOf(a), block.islandOf(b));
         block.addPair(input, entry, manifolds);
     }
-    return true;
 }
 
 bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
@@ -300,6 +337,8 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
     m_islands.find(input.bodies, list, m_pairs, links);
     m_isEmpty = m_isEmpty && list.empty();
     m_numbers.clear();
+    std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
+    for (std::vector<ContactCount>& ofBlock : counts) ofBlock.clear();
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
         m_numbers.push_back(numberFor(island, manifolds));
@@ -310,7 +349,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
         block.addIsland(input, island.bodies, island.links);
     }
     for (SteppedMotion& block : m_blocks)
-        if (!block.isEmpty()) block.beginPairs();
+        if (!block.isEmpty()) block.beginSinglePairs();
     // What touches side by side: the others are idle together.
     const auto takeUpAll = [&](std::size_t i, bool near) {
         for (const std::uint32_t index : m_islands[i].pairs)
@@ -337,8 +376,11 @@ std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifold
     for (const std::uint32_t index : island.pairs) {
         const BodyIndex here = hereOf(m_entering[index].pair);
         if (here == noBody) continue;
-        count.round = false; // what it joins need not be round
-        m_isBroken = m_isBroken || isWrong(m_block[here] - 1u, count);
+        const std::size_t number = m_block[here] - 1u;
+        std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
+        if (counts[number].empty()) countContacts(number, manifolds);
+        count.add(counts[number][m_blocks[number].islandOf(here)]);
+        if (isFarWrong(number, count)) mark(here);
         return m_block[here];
     }
     return static_cast<std::uint8_t>(divisionNumber(count) + 1);
@@ -350,7 +392,8 @@ void BasePath::takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t 
     SteppedMotion& block = m_blocks[number - 1u];
     const BodyIndex here = hereOf(entry.pair);
     if (here != noBody && m_block[here] != number) {
-        m_isBroken = true; // beyond the reach of this substep, or the solver would have begun anew
+        mark(here); // beyond the reach of this substep, or the solver would have begun anew
+        block.mark(block.islandOf(member));
         if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         return;
     }
@@ -372,19 +415,30 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
     return report;
 }
 
-bool BasePath::isOutgrown(const Manifolds& manifolds) {
+// Of the islands of a block, as of the last substep.
+void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
+    std::array<std::vector<ContactCount>, divisions>& all = m_counts;
+    std::vector<ContactCount>& counts = all[number];
+    counts.assign(m_blocks[number].islandNumbers(), {});
+    m_blocks[number].forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
+        counts[island].add(points, isRound);
+    });
+}
+
+bool BasePath::markOutgrown(const Manifolds& manifolds) {
+    const std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
+    bool any = false;
     for (std::size_t number = 0; number < divisions; ++number) {
-        const SteppedMotion& block = m_blocks[number];
+        SteppedMotion& block = m_blocks[number];
         if (block.isEmpty()) continue;
-        m_counts.assign(block.islandNumbers(), {});
-        block.forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
-            m_counts[island].add(points, isRound);
-        });
-        if (std::any_of(m_counts.begin(), m_counts.end(),
-                        [&](const ContactCount& count) { return isWrong(number, count); }))
-            return true;
+        countContacts(number, manifolds);
+        for (std::uint32_t island = 0; island < counts[number].size(); ++island) {
+            if (!isWrong(number, counts[number][island])) continue;
+            block.mark(island);
+            any = true;
+        }
     }
-    return false;
+    return any;
 }
 
 void BasePath::dropWhatLeft() {
@@ -398,16 +452,30 @@ std::size_t BasePath::bytes() const {
     return sum;
 }
 
+void BasePath::leaveMarked(const SteppedInput& input, Manifolds& manifolds, std::vector<BodyIndex>& left,
+                           std::vector<Manifolds::Entry>& carried) {
+    left.clear();
+    m_leaving.clear();
+    m_isEmpty = true;
+    for (SteppedMotion& block : m_blocks) {
+        if (block.isEmpty()) continue;
+        block.leave(input, manifolds, m_newNumbers, left, m_leaving);
+        m_isEmpty = m_isEmpty && block.isEmpty();
+    }
+    for (const BodyIndex body : left) m_block[body] = noBlock;
+    for (const Entry& entry : m_leaving) carried.push_back({entry.pair, entry.place});
+}
+
 void BasePath::leave(const SteppedInput& input, Manifolds& manifolds,
                      std::vector<Manifolds::Entry>& carried) {
+    m_leaving.clear();
     for (SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
         for (const BodyIndex body : block.bodies()) m_block[body] = noBlock;
         block.end(input, manifolds, m_leaving);
-        for (const Entry& entry : m_leaving) carried.push_back({entry.pair, entry.place});
     }
+    for (const Entry& entry : m_leaving) carried.push_back({entry.pair, entry.place});
     m_isEmpty = true;
-    m_isBroken = false;
 }
 
 void BasePath::clear() {
@@ -416,7 +484,6 @@ void BasePath::clear() {
         block.clear();
     }
     m_isEmpty = true;
-    m_isBroken = false;
 }
 
 } // namespace carom

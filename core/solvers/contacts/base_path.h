@@ -20,10 +20,10 @@
 //     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
 //              body that turns comes down with another part of it, and a chain of bodies passes an impact
 //              on by a few of them a pass. So there is a block of bodies for every division of the substep.
-//     renewal  where a few bodies outrun their reach, pairs are found for these anew. If many do, if somebody
-//              else has moved one, if others join two blocks, or if an island has grown out of its block's
-//              division, all leave, and the solver begins anew.
-//              Bodies at rest stay for many frames.
+//     renewal  where a few bodies of an island outrun their reach, pairs are found for these anew
+//     leaving  islands go one by one, and enter as others do: those of which more bodies than that outrun
+//              their reach, whose time here is over, that have grown out of their block's division, or that
+//              meet another block. Bodies at rest stay for many frames.
 
 namespace carom {
 
@@ -34,6 +34,10 @@ struct ContactCount {
     void add(int count, bool isRound) {
         points += static_cast<std::size_t>(count);
         round = round && isRound;
+    }
+    void add(const ContactCount& other) {
+        points += other.points;
+        round = round && other.round;
     }
 };
 
@@ -53,7 +57,7 @@ class BasePath {
     std::size_t islands() const;
     /// Sees to it that the pairs serve for another `substep` [s]. The few that may outrun their reach, or be
     /// struck by one of those, get a new one for `time` [s] and `skin` times their size, and the pairs that
-    /// are within it.
+    /// are within it. False if some islands are marked: those must leave.
     bool renew(const SteppedInput& input, double substep, double time, double skin, Neighbours& neighbours,
                Broadphase& broadphase, Manifolds& manifolds);
 
@@ -74,19 +78,31 @@ class BasePath {
         for (const SteppedMotion& block : m_blocks)
             if (!block.isEmpty()) block.forEachContact(bodies, state, manifolds, visit);
     }
-    /// Whether `isCalm(body)` holds for all bodies of any island.
-    template<class IsCalm>
-    bool anyIsland(const IsCalm& isCalm) {
+    bool anyMarked() const {
         return std::any_of(m_blocks.begin(), m_blocks.end(),
-                           [&](SteppedMotion& block) { return !block.isEmpty() && block.anyIsland(isCalm); });
+                           [](const SteppedMotion& block) { return !block.isEmpty() && block.anyMarked(); });
     }
-    /// Whether an island, as of the last substep, has so many contacts that it would enter another block, of
-    /// a coarser division: it has grown since it entered.
-    bool isOutgrown(const Manifolds& manifolds);
+    /// Marks the island of a body that is here: it is to leave.
+    void mark(BodyIndex body) {
+        SteppedMotion& block = blockWith(body);
+        block.mark(block.islandOf(body));
+    }
+    /// Marks the islands of which `is(body)` holds for all bodies.
+    template<class Is>
+    void markIslands(const Is& is) {
+        for (SteppedMotion& block : m_blocks)
+            if (!block.isEmpty()) block.markIslands(is);
+    }
+    /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
+    /// of a coarser division: they have grown since they entered. True if there are any.
+    bool markOutgrown(const Manifolds& manifolds);
     /// What has left is left out of copies that are to be kept.
     void dropWhatLeft();
     std::size_t bytes() const;
-    /// All leave. Appends the manifolds that are carried on.
+    /// Those of marked islands leave. `left` are the bodies; appends the manifolds that are carried on.
+    void leaveMarked(const SteppedInput& input, Manifolds& manifolds, std::vector<BodyIndex>& left,
+                     std::vector<Manifolds::Entry>& carried);
+    /// All leave.
     void leave(const SteppedInput& input, Manifolds& manifolds, std::vector<Manifolds::Entry>& carried);
     /// All leave, and nothing is carried on.
     void clear();
@@ -116,7 +132,9 @@ class BasePath {
     void findOutrun(const SteppedInput& input, double substep, double time, double skin,
                     const Neighbours& neighbours);
     bool findStruck(const SteppedInput& input, Neighbours& neighbours);
-    bool takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
+    void markWhereMany();
+    void takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
+    SteppedMotion& blockWith(BodyIndex body) { return m_blocks[m_block[body] - 1u]; }
     double roomLeft(const SteppedInput& input, BodyIndex body) const;
     double marginOf(const SteppedInput& input, BodyPair pair) const;
     bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
@@ -124,6 +142,7 @@ class BasePath {
                    std::span<Manifolds::Entry> known);
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
+    void countContacts(std::size_t number, const Manifolds& manifolds);
     void takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                 Manifolds& manifolds);
     /// The end of a pair that is here already, or noBody.
@@ -131,18 +150,18 @@ class BasePath {
 
     int m_passes = 1;
     bool m_isEmpty = true;
-    bool m_isBroken =
-        false; // a pair of two blocks may meet in the next substep, or somebody is in a wrong one
     std::vector<double> m_reach;       // by body [m]
     std::vector<Pose> m_origin;        // by body: where it was when it entered
     std::vector<std::uint8_t> m_block; // by body
     std::array<SteppedMotion, divisions> m_blocks;
     Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
+    Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted
+    Scratch<SteppedMotion::NewNumbers> m_newNumbers;
     Scratch<std::vector<BodyPair>> m_pairs;      // of m_entering
     Scratch<std::vector<std::uint8_t>> m_isNear; // of m_entering
     Scratch<Islands> m_islands;
-    Scratch<std::vector<std::uint8_t>> m_numbers; // by island that enters: its block
-    Scratch<std::vector<ContactCount>> m_counts;  // by island of a block
+    Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
+    Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
     std::vector<Renewed> m_renewed;
     std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here

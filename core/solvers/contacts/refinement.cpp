@@ -55,7 +55,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     m_lone.clear();
     m_expected.clear();
     m_isTriedSoon.assign(islands.count(), 0);
-    m_patience = (1 << mostFailures) - 1;
+    m_patience.assign(islands.count(), (1 << mostFailures) - 1);
     double items = 0;
     for (std::uint32_t i = 0; i < islands.count(); ++i) {
         const Island island = islands[i];
@@ -79,7 +79,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         for (const BodyIndex body : island.bodies) wait = std::max(wait, m_wait[body]);
         if (wait > 0) {
             m_isTriedSoon[i] = wait < input.parts - input.part ? 1 : 0;
-            if (m_isTriedSoon[i] == 0) m_patience = std::min<int>(m_patience, wait);
+            m_patience[i] = wait;
             m_base.push_back(i);
             continue;
         }
@@ -125,11 +125,6 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         if (std::exchange(m_isLone[body], std::uint8_t{0}) != 0) m_lone.push_back(body);
     for (const std::uint32_t island : m_base)
         for (const BodyIndex body : islands[island].bodies) m_stepped[body] = 1;
-}
-
-void Refinement::waited(std::span<const BodyIndex> bodies, int substeps) {
-    for (const BodyIndex body : bodies)
-        m_wait[body] = static_cast<std::uint8_t>(std::max(0, m_wait[body] - substeps));
 }
 
 void Refinement::spend(const Island& island, double operations) {

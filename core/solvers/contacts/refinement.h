@@ -80,10 +80,12 @@ class Refinement {
     void pay(double refined, double base);
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
-    /// In how many substeps the first of the islands that are stepped now is to be tried again.
-    int patience() const { return m_patience; }
-    /// Bodies have been on the base path for so many substeps.
-    void waited(std::span<const BodyIndex> bodies, int substeps);
+    /// In how many substeps an island that is stepped is to be tried again.
+    std::uint8_t patienceOf(std::uint32_t island) const { return m_patience[island]; }
+    /// A body has been on the base path for a substep.
+    void waited(BodyIndex body) {
+        if (m_wait[body] > 0) --m_wait[body];
+    }
     /// Whether an island that is stepped is to be tried again before the frame ends.
     bool isTriedSoon(std::uint32_t island) const { return m_isTriedSoon[island] != 0; }
     /// Bodies that touch nothing within the substep and that no spring holds, ascending.
@@ -138,7 +140,7 @@ class Refinement {
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
     std::vector<Choice> m_refined;
     std::vector<std::uint32_t> m_base;
-    int m_patience = 0;                      // substeps
+    std::vector<std::uint8_t> m_patience;    // by island [substeps]
     std::vector<std::uint8_t> m_isTriedSoon; // by island
     std::vector<BodyIndex> m_lone;
     std::vector<std::uint8_t> m_isLone; // by body

@@ -55,7 +55,10 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_island.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
-    m_islands = m_joined = 0;
+    m_groups.clear();
+    m_joined = 0;
+    m_isSettled = true;
+    m_isMarked = false;
     m_links.clear();
     m_entries.clear();
     m_isFlipped.clear();
@@ -66,7 +69,8 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
 
 void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                               std::span<const std::uint32_t> springs) {
-    const std::uint32_t island = static_cast<std::uint32_t>(m_islands++);
+    const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
+    m_groups.push_back({.joined = island, .bodies = list.size()});
     for (const BodyIndex body : list) {
         m_local[body] = static_cast<std::uint32_t>(m_bodies.size());
         m_list.push_back(body);
@@ -88,8 +92,17 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
 
 void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
     if (one == other) return;
-    std::replace(m_island.begin() + 1, m_island.end(), other, one);
+    Group &into = m_groups[one], &from = m_groups[other];
+    from.joined = one;
+    into.bodies += from.bodies;
+    into.leaves = into.leaves || from.leaves;
     ++m_joined;
+    m_isSettled = false;
+}
+
+void SteppedMotion::settle() {
+    if (std::exchange(m_isSettled, true)) return;
+    for (std::size_t i = 1; i < m_island.size(); ++i) m_island[i] = rootOf(m_island[i]);
 }
 
 void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds) {
@@ -139,6 +152,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
 }
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
+    settle();
     SteppedReport report;
     Invariants before;
     if (input.ledger != nullptr) before = invariantsOf(input.bodies, m_list, input.state, input.gravity);
@@ -292,7 +306,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     }
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
-    if (bounces) m_energy.remember(m_bodies, m_island, m_islands);
+    if (bounces) m_energy.remember(m_bodies, m_island, m_groups.size());
     m_balls.warmStart(m_bodies);
     warmStart(m_rows, m_bodies);
     for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
@@ -443,9 +457,11 @@ PersistentManifold SteppedMotion::manifoldOfBalls(const Bodies& bodies, const St
     return manifold;
 }
 
-void SteppedMotion::storeBalls(const SteppedInput& input, Manifolds& manifolds) {
+template<class Goes>
+void SteppedMotion::storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds) {
     m_balls.forEach([&](std::uint32_t index, const Vec3& normal, const Vec3& impulse) {
         Entry& entry = m_entries[index];
+        if (!goes(entry.pair)) return;
         if (entry.place == Manifolds::none) {
             if (impulse == Vec3::Zero()) return;
             entry.place = manifolds.add(entry.pair);
@@ -468,16 +484,89 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 
 std::size_t SteppedMotion::bytes() const {
     return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_orientations, m_island, m_free, m_struck,
-                     m_links, m_entries, m_isFlipped, m_general, m_balls);
+                     m_links, m_entries, m_isFlipped, m_general, m_balls, m_groups);
 }
 
 void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries) {
-    storeBalls(input, manifolds);
-    entries.clear();
+    storeBalls(
+        input, [](BodyPair) { return true; }, manifolds);
     for (const Entry& entry : m_entries)
         if (entry.place != Manifolds::none) entries.push_back(entry);
-    m_sort.sort(entries, m_local.size());
     clear();
+}
+
+void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
+                          std::vector<BodyIndex>& bodies, std::vector<Entry>& entries) {
+    if (!m_isMarked) return;
+    settle();
+    const auto goes = [this](BodyPair pair) { return m_groups[m_island[numberOf(pair)]].leaves; };
+    storeBalls(input, goes, manifolds);
+    for (const Entry& entry : m_entries)
+        if (entry.place != Manifolds::none && goes(entry.pair)) entries.push_back(entry);
+    for (std::size_t i = 1; i < m_island.size(); ++i)
+        if (m_groups[m_island[i]].leaves) bodies.push_back(m_list[i - 1]);
+    keepUnmarked(input.bodies, numbers);
+}
+
+// Who stays has other numbers, and all else as it was.
+void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
+    constexpr std::uint32_t gone = BallRows::noPair;
+    const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };
+    const auto isHere = [this](BodyIndex body) { return body != noBody && m_local[body] != immobile; };
+    std::uint32_t kept = 0;
+    numbers.entries.assign(m_entries.size(), gone);
+    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
+        const BodyPair pair = m_entries[i].pair;
+        if (!stays(isHere(pair.a) ? pair.a : pair.b)) continue;
+        m_entries[kept] = m_entries[i];
+        m_isFlipped[kept] = m_isFlipped[i];
+        numbers.entries[i] = kept++;
+    }
+    m_entries.resize(kept);
+    m_isFlipped.resize(kept);
+    std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
+    for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
+    std::erase_if(m_links, [&](std::uint32_t link) {
+        const SpringForce& spring = bodies.springs[link];
+        return !stays(isHere(spring.from) ? spring.from : spring.to);
+    });
+
+    kept = 0;
+    numbers.islands.assign(m_groups.size(), gone);
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        if (m_groups[i].joined != i || m_groups[i].leaves) continue;
+        m_groups[kept] = m_groups[i];
+        m_groups[kept].joined = kept;
+        numbers.islands[i] = kept++;
+    }
+    m_groups.resize(kept);
+    m_joined = 0;
+    m_isMarked = false;
+
+    kept = 1;
+    numbers.bodies.assign(m_bodies.size(), gone);
+    numbers.bodies[immobile] = immobile;
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        const BodyIndex body = m_list[i - 1];
+        const std::uint32_t island = numbers.islands[m_island[i]];
+        m_local[body] = island == gone ? immobile : kept;
+        if (island == gone) continue;
+        m_list[kept - 1] = body;
+        m_bodies[kept] = m_bodies[i];
+        m_places[kept] = m_places[i];
+        m_orientations[kept] = m_orientations[i];
+        m_island[kept] = island;
+        numbers.bodies[i] = kept++;
+    }
+    m_list.resize(kept - 1);
+    m_bodies.resize(kept);
+    m_moved.resize(kept);
+    m_places.resize(kept);
+    m_orientations.resize(kept);
+    m_island.resize(kept);
+    m_free.resize(kept);
+    m_struck.resize(kept);
+    m_balls.keep(numbers.entries, numbers.bodies, immobile);
 }
 
 void SteppedMotion::clear() {

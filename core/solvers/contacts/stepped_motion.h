@@ -11,7 +11,6 @@
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/velocity_solve.h"
-#include "core/solvers/pair_sort.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,7 +30,10 @@
 //     begin      nobody
 //     add        islands, and the pairs that may touch until the end: for a frame, pairs are searched once
 //     advance    substep after substep: a few looks at where the contacts are, steps from look to look
-//     end        forces become part of the manifolds again
+//     leave      some islands go, and their forces become part of the manifolds again; the others stay as
+//     they
+//                are, to the bit
+//     end        all go
 //
 // Pairs that do not meet as they move (open manifolds, idle balls) are no rows, but watched: where impulses
 // have changed the velocity of one so that the pair would close its gap within the step, its contact is
@@ -77,16 +79,26 @@ class SteppedMotion {
     bool isEmpty() const { return m_list.empty(); }
     /// Mobile bodies, in the order they were added.
     std::span<const BodyIndex> bodies() const { return m_list; }
-    std::uint32_t islandOf(BodyIndex body) const { return m_island[m_local[body]]; }
-    std::size_t islands() const { return m_islands - m_joined; }
+    std::uint32_t islandOf(BodyIndex body) const { return rootOf(m_island[m_local[body]]); }
+    std::size_t islands() const { return m_groups.size() - m_joined; }
 
     /// Bodies of an island, with the springs that hold them.
     void addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                    std::span<const std::uint32_t> springs);
     /// What is one island from now on.
     void joinIslands(std::uint32_t one, std::uint32_t other);
+    std::size_t bodiesOf(std::uint32_t island) const { return m_groups[island].bodies; }
+    /// An island is to leave.
+    void mark(std::uint32_t island) {
+        m_groups[island].leaves = true;
+        m_isMarked = true;
+    }
+    bool isMarked(BodyIndex body) const { return m_isMarked && m_groups[islandOf(body)].leaves; }
+    bool anyMarked() const { return m_isMarked; }
     /// To be called before pairs are added to islands that were.
-    void beginPairs() { m_balls.begin(m_bodies.size()); }
+    void beginPairs() { m_balls.begin(m_bodies.size(), false); }
+    /// Likewise, before those of islands that have one each.
+    void beginSinglePairs() { m_balls.begin(m_bodies.size(), true); }
     /// A pair of bodies that are here, or of one that is and one that cannot move. Its manifold is as it was
     /// last; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
@@ -109,9 +121,7 @@ class SteppedMotion {
     /// as of the last substep.
     template<class Visit>
     void forEachCount(const Manifolds& manifolds, const Visit& visit) const {
-        const auto islandHere = [this](BodyPair pair) {
-            return m_island[m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b]];
-        };
+        const auto islandHere = [this](BodyPair pair) { return rootOf(m_island[numberOf(pair)]); };
         for (const std::uint32_t entry : m_general) {
             const PersistentManifold& manifold = manifolds[m_entries[entry].place];
             visit(islandHere(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
@@ -121,15 +131,17 @@ class SteppedMotion {
         });
     }
     /// What islandOf() returns is below this.
-    std::size_t islandNumbers() const { return m_islands; }
-    /// Whether `isCalm(body)` holds for all bodies of any island.
-    template<class IsCalm>
-    bool anyIsland(const IsCalm& isCalm) {
-        m_isCalm.assign(m_islands, 0);
-        for (std::size_t i = 1; i < m_island.size(); ++i) m_isCalm[m_island[i]] = 1;
+    std::size_t islandNumbers() const { return m_groups.size(); }
+    /// Marks the islands of which `is(body)` holds for all bodies.
+    template<class Is>
+    void markIslands(const Is& is) {
+        settle();
+        m_isChosen.assign(m_groups.size(), 0);
+        for (std::size_t i = 1; i < m_island.size(); ++i) m_isChosen[m_island[i]] = 1;
         for (std::size_t i = 1; i < m_island.size(); ++i)
-            if (!isCalm(m_list[i - 1])) m_isCalm[m_island[i]] = 0;
-        return std::find(m_isCalm.begin(), m_isCalm.end(), 1) != m_isCalm.end();
+            if (m_isChosen[m_island[i]] != 0 && !is(m_list[i - 1])) m_isChosen[m_island[i]] = 0;
+        for (std::uint32_t island = 0; island < m_groups.size(); ++island)
+            if (m_isChosen[island] != 0) mark(island);
     }
     /// visit(entry) for every pair.
     template<class Visit>
@@ -140,8 +152,15 @@ class SteppedMotion {
     bool isUnchanged(const State& state) const;
     /// Of what a copy holds.
     std::size_t bytes() const;
-    /// The pairs, ascending, with their manifolds as they are now; of balls only where there is a force.
-    /// Nobody is here then.
+    /// Memory for what stays when others leave: its new numbers, by the old ones.
+    struct NewNumbers {
+        std::vector<std::uint32_t> entries, bodies, islands;
+    };
+    /// Appends the bodies and the pairs of islands that are marked, the pairs with their manifolds as they
+    /// are now; of balls only where there is a force. These islands are no longer here then.
+    void leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
+               std::vector<BodyIndex>& bodies, std::vector<Entry>& entries);
+    /// Likewise all pairs. Nobody is here then.
     void end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries);
     /// Nobody is here.
     void clear();
@@ -154,11 +173,27 @@ class SteppedMotion {
         double gap = 0;                  ///< along the normal, when the rows were made [m]
         double radiusA = 0, radiusB = 0; ///< of what turns with the bodies [m]
     };
+    struct Group {
+        std::uint32_t joined = 0; ///< the island it is part of, its own number if it is one
+        std::size_t bodies = 0;
+        bool leaves = false;
+    };
+    std::uint32_t rootOf(std::uint32_t island) const {
+        while (m_groups[island].joined != island) island = m_groups[island].joined;
+        return island;
+    }
+    /// Of a body of the pair that can move.
+    std::uint32_t numberOf(BodyPair pair) const {
+        return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
+    }
+    void settle();
+    void keepUnmarked(const Bodies& bodies, NewNumbers& numbers);
     void addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
                  const Manifolds& manifolds);
     PersistentManifold manifoldOfBalls(const Bodies& bodies, const State& state, std::uint32_t entry,
                                        const Vec3& normal, const Vec3& impulse) const;
-    void storeBalls(const SteppedInput& input, Manifolds& manifolds);
+    template<class Goes>
+    void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
     void watch(const ManifoldInput& here, std::uint32_t entry, const Manifolds& manifolds);
@@ -192,9 +227,12 @@ class SteppedMotion {
     Scratch<std::vector<SolverBody>> m_before;    // the rebound of an impact
     Scratch<std::vector<std::uint8_t>> m_stirred; // by it
 
-    std::size_t m_islands = 0, m_joined = 0;     // numbers given, and those that stand for none any more
-    Scratch<std::vector<std::uint8_t>> m_isCalm; // by island
-    std::vector<std::uint32_t> m_links;          // springs
+    std::vector<Group> m_groups; // by what islandOf() returns, and by what has been joined to another
+    std::size_t m_joined = 0;    // of these that are part of another
+    bool m_isSettled = true;     // m_island names islands
+    bool m_isMarked = false;     // any of them
+    Scratch<std::vector<std::uint8_t>> m_isChosen; // by island
+    std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<SpringRow>> m_springs;
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
@@ -204,7 +242,6 @@ class SteppedMotion {
     Scratch<ContactRows> m_rows;
     Scratch<std::vector<Watched>> m_watched;
     Scratch<EnergyLimit> m_energy;
-    Scratch<PairSort<Entry>> m_sort;
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>
         m_halfWays; // by number: how far the velocity at the end is too far, with terms

@@ -85,7 +85,7 @@ struct BallScene {
 
     void fill(BallRows& rows) const {
         rows.clear();
-        rows.begin(bodies.size());
+        rows.begin(bodies.size(), false);
         for (std::size_t i = 0; i < pairs.size(); ++i)
             rows.add(pairs[i], static_cast<std::uint32_t>(i), immobile(), bodies);
     }

@@ -49,6 +49,17 @@ class Entered {
             carried.begin(), carried.end(),
             [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
     }
+    /// The bodies of marked islands, ascending.
+    std::vector<BodyIndex> leaveMarked() {
+        std::vector<BodyIndex> left;
+        carried.clear();
+        path.leaveMarked(input(), manifolds, left, carried);
+        std::sort(left.begin(), left.end());
+        std::sort(
+            carried.begin(), carried.end(),
+            [](const Manifolds::Entry& one, const Manifolds::Entry& other) { return one.pair < other.pair; });
+        return left;
+    }
     /// Whether the pairs serve for another substep, perhaps after some were found anew.
     bool renew() { return renew(path, input(), manifolds); }
     bool renew(BasePath& which, const SteppedInput& with, Manifolds& itsManifolds) {

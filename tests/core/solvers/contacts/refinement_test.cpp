@@ -109,11 +109,16 @@ std::vector<std::pair<std::uint32_t, double>> choicesOf(const Refinement& refine
     return result;
 }
 
+/// So many substeps on the base path.
+void wait(Refinement& refinement, const Island& island, int substeps) {
+    for (int n = 0; n < substeps; ++n)
+        for (const BodyIndex body : island.bodies) refinement.waited(body);
+}
+
 /// A substep in which what is stepped takes the base path.
 void passSubstep(const Crowd& crowd, const RefinementBudget& budget, Refinement& refinement) {
     refinement.choose(crowd.input(), budget);
-    for (const std::uint32_t island : refinement.stepped())
-        refinement.waited(crowd.islands[island].bodies, 1);
+    for (const std::uint32_t island : refinement.stepped()) wait(refinement, crowd.islands[island], 1);
 }
 
 } // namespace
@@ -256,13 +261,13 @@ class RefinementTest : public QObject {
         for (int frame = 0; frame < 3; ++frame) {
             refinement.choose(crowd.input(0, 4), {});
             QVERIFY(refinement.refined().empty() && !refinement.isTriedSoon(0));
-            QCOMPARE(refinement.patience(), 15 - 4 * frame);
-            refinement.waited(crowd.islands[0].bodies, 4);
+            QCOMPARE(static_cast<int>(refinement.patienceOf(0)), 15 - 4 * frame);
+            wait(refinement, crowd.islands[0], 4);
         }
         for (int part = 0; part < 3; ++part) {
             refinement.choose(crowd.input(part, 4), {});
             QVERIFY(refinement.refined().empty() && refinement.isTriedSoon(0));
-            refinement.waited(crowd.islands[0].bodies, 1);
+            wait(refinement, crowd.islands[0], 1);
         }
         refinement.choose(crowd.input(3, 4), {});
         QCOMPARE(refinement.refined().size(), 1U);
