@@ -31,7 +31,6 @@ inline constexpr std::array knownFailures{
     KnownFailure{"thin_bodies", StudyColumn::Accurate, "energy rises by 6.7e-5 between two frames"},
     KnownFailure{"grooves", StudyColumn::Exact, "one of 24 loses its state"},
     KnownFailure{"heaps", StudyColumn::Default, "cylinders go on moving at 1 cm/s"},
-    KnownFailure{"heaps", StudyColumn::Accurate, "five heaps of twelve do not come to rest in 15 s"},
     KnownFailure{"corners", StudyColumn::Default,
                  "an impulse of the impact before is taken for a force: energy rises by .9 %"},
 };
