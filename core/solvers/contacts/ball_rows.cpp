@@ -376,9 +376,11 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     const Vec3 tangent(t.x[0], t.y[0], t.z[0]);
     set(group.normal, pair.normal);
     set(group.tangent, tangent);
-    group.row.normal[lane] = pair.normal.dot(pair.impulse);
-    group.row.along1[lane] = tangent.dot(pair.impulse);
-    group.row.along2[lane] = pair.normal.cross(tangent).dot(pair.impulse);
+    const double pressing = pair.normal.dot(pair.impulse);
+    const Vec3 impulse = pressing > 0 ? pair.impulse : Vec3(Vec3::Zero()); // or they are on other sides now
+    group.row.normal[lane] = std::max(pressing, 0.0);
+    group.row.along1[lane] = tangent.dot(impulse);
+    group.row.along2[lane] = pair.normal.cross(tangent).dot(impulse);
     set(fixed.place, pair.fixed);
     fixed.wall[lane] = pair.wall ? 1 : 0;
     fixed.source[lane] = source;

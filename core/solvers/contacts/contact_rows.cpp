@@ -65,9 +65,11 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
             row.coupling1 = response.n1;
             row.coupling2 = response.n2;
             const Wide3 impulse{row.normal, row.along1, row.along2};
-            row.normal = dot(n, impulse);
-            row.along1 = dot(t1, impulse);
-            row.along2 = dot(t2, impulse);
+            const Wide normal = dot(n, impulse);
+            const auto presses = normal > zero; // or the bodies are on other sides of each other now
+            row.normal = presses ? normal : zero;
+            row.along1 = presses ? dot(t1, impulse) : zero;
+            row.along2 = presses ? dot(t2, impulse) : zero;
         }
     }
 }

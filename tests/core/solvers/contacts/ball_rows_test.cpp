@@ -406,6 +406,24 @@ class BallRowsTest : public QObject {
     }
 
     // One ball in one lane of four; the others stand for what cannot move.
+    // Two balls that have gone through each other: the force that held them would pull now.
+    void anImpulseThatPullsIsForgotten() {
+        BallScene scene = emptyScene();
+        const std::uint32_t a = scene.addBall(0.1, 1, {0, 0, 0}, Vec3::Zero());
+        const std::uint32_t b = scene.addBall(0.1, 1, {0, 0.1, 0}, Vec3::Zero());
+        for (const double impulse : {0.5, -0.5}) {
+            scene.pairs.clear();
+            BallPair& pair = scene.addPair(a, b);
+            pair.normal = Vec3::UnitY();
+            pair.impulse = {0.1, impulse, 0};
+            pair.friction = 1;
+            BallRows rows;
+            scene.fill(rows);
+            const Vec3 held = seenIn(rows, 1).impulses[0];
+            QVERIFY((held - (impulse > 0 ? pair.impulse : Vec3(Vec3::Zero()))).norm() < rounding);
+        }
+    }
+
     void whatCannotMoveIsNotChangedByALane() {
         Random random(test::seed, 5);
         for (int trial = 0; trial < 500; ++trial) {
