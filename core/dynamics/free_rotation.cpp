@@ -114,8 +114,7 @@ bool rotateExactly(const Vec3& inertia, const Vec3& momentum, double h, Quat& or
 /// Three different moments: `stages` through all of h, in parts that turn by no more than partAngle each.
 void compose(const Vec3& inertia, const Vec3& momentum, double h, std::span<const double> stages,
              Quat& orientation) {
-    const double angle = std::abs(h) * momentum.norm() / inertia.minCoeff();
-    const double parts = std::clamp(std::ceil(angle / partAngle), 1.0, mostParts);
+    const double parts = partsOfFreeRotation(inertia, momentum, h, orientation);
     Turned turned{orientation};
     for (double part = 0; part < parts; ++part)
         rotateAsymmetric(inertia, momentum, h / parts, stages, turned);
@@ -124,6 +123,27 @@ void compose(const Vec3& inertia, const Vec3& momentum, double h, std::span<cons
 }
 
 } // namespace
+
+// With cs and cl the sizes of ck about the smallest and the largest moment the pieces turn by cs Ls and cl Ll
+// a second, and change each other's rates at √(cs cl) |L|. Of Ls the most that it comes to is taken, at which
+// Lm is 0:
+//
+//     max Ls² = Ls² + Lm² cl/(cs + cl)
+//
+// so that the number of parts is the same at both ends of a step, and runs go backwards the way they came.
+double partsOfFreeRotation(const Vec3& inertia, const Vec3& angularMomentum, double h,
+                           const Quat& orientation) {
+    Eigen::Index smallest = 0, largest = 0;
+    const double least = inertia.minCoeff(&smallest), most = inertia.maxCoeff(&largest);
+    const Eigen::Index middle = middleOf(inertia);
+    const double cs = 1 / least - 1 / inertia[middle], cl = 1 / inertia[middle] - 1 / most;
+    const Vec3 inBody = orientation.conjugate() * angularMomentum;
+    const double whole = angularMomentum.norm();
+    const double mixed = cs + cl > 0 ? cl / (cs + cl) : 0;
+    const double fastest = cs * std::hypot(inBody[smallest], std::sqrt(mixed) * inBody[middle]);
+    const double rate = std::min(fastest + (std::sqrt(cs * cl) + cl) * whole, whole / least);
+    return std::clamp(std::ceil(std::abs(h) * rate / partAngle), 1.0, mostParts);
+}
 
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
     if (angularMomentum == Vec3::Zero()) return; // nothing to turn, and no rounding either

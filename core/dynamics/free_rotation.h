@@ -36,6 +36,12 @@ namespace carom {
 /// 1/20 rad.
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
 
+/// Into how many parts it cuts the call where the three moments differ. Not how fast the body turns counts,
+/// which a rotation about L takes along, but how fast its axes wander about L: a plank of 100:1 tumbles as a
+/// stick does.
+double partsOfFreeRotation(const Vec3& inertia, const Vec3& angularMomentum, double h,
+                           const Quat& orientation);
+
 /// The same by one cheap composition, uncut: the pieces one after the other (order 1, "Lie–Trotter") or
 /// symmetrically (order 2, "Strang", the same backwards in time). Exact for two equal moments.
 void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, int order, Quat& orientation);
