@@ -2,7 +2,9 @@
 #include "core/simulation/event_story.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,6 +25,9 @@ constexpr double gapShare = 0.1;
 constexpr double slack = 0.05;
 /// Changes of a momentum below this part of it are rounding; that of some thousand operations is 1e-13.
 constexpr double unnoticed = 1e-9;
+/// Changes of the energy below this part of what was added up are rounding: that of some thousand operations
+/// is 1e-13, and each of the two sums has it.
+constexpr double energyUnnoticed = 1e-12;
 
 struct Neighbour {
     BodyIndex body = noBody;
@@ -85,14 +90,26 @@ class Search {
     double m_radius;
 };
 
+/// What kinetic and potential energy lost; 0 where that is rounding. Heights of either sign may cancel in the
+/// sum, their rounding does not.
+double energyLost(const Pipeline& pipeline, const Snapshot& before, const Snapshot& after) {
+    const Bodies& bodies = pipeline.bodies();
+    double lost = 0, added = 0; // [J]
+    for (const auto& [one, sign] : {std::pair(&before, 1.0), std::pair(&after, -1.0)}) {
+        lost += sign * (one->statistics.kinetic + one->statistics.potential);
+        added += one->statistics.kinetic + std::abs(one->statistics.potential);
+        for (const BodyIndex i : bodies.mobileBodies)
+            added +=
+                std::abs(bodies.mass[i] * pipeline.scene().gravity.acceleration.dot(one->pose[i].position));
+    }
+    return std::abs(lost) > energyUnnoticed * added ? lost : 0;
+}
+
 } // namespace
 
 EventStory storyOf(const Pipeline& pipeline, const Snapshot& before, const Snapshot& after) {
     const Bodies& bodies = pipeline.bodies();
-    const auto energyOf = [](const Snapshot& one) {
-        return one.statistics.kinetic + one.statistics.potential;
-    };
-    EventStory story{.frame = after.frame, .energyLost = energyOf(before) - energyOf(after)};
+    EventStory story{.frame = after.frame, .energyLost = energyLost(pipeline, before, after)};
     const Vec3 fallen = (after.time - before.time) * pipeline.scene().gravity.acceleration;
     std::vector<Vec3> given(bodies.count(), Vec3::Zero());
     for (const BodyIndex i : bodies.mobileBodies) {

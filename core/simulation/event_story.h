@@ -25,7 +25,7 @@ struct EventStory {
     std::int64_t frame = 0;
     BodyIndex a = noBody, b = noBody;
     double impulse = 0;     ///< on a [N s]
-    double energyLost = 0;  ///< of the whole scene in this frame [J]
+    double energyLost = 0;  ///< of the whole scene in this frame [J]; 0 where it is no more than rounding
     Vec3 at = Vec3::Zero(); ///< between the two [m]
 };
 

@@ -3895,10 +3895,6 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
         <translation>Bild %1: nichts stieß darin zusammen</translation>
     </message>
     <message>
-        <source>impulse %1 N s, %2 J lost</source>
-        <translation>Kraftstoß %1 N s, %2 J verloren</translation>
-    </message>
-    <message>
         <source>Frame %1: %2 changed its motion most, %3</source>
         <translation>Bild %1: am meisten änderte sich die Bewegung von %2, %3</translation>
     </message>
@@ -3909,6 +3905,22 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
     <message>
         <source>The run %1; shorter steps or more substeps may hold it</source>
         <translation>Der Lauf: %1; kürzere Schritte oder mehr Teilschritte können das verhindern</translation>
+    </message>
+    <message>
+        <source>no energy lost</source>
+        <translation>keine Energie verloren</translation>
+    </message>
+    <message>
+        <source>%1 J lost</source>
+        <translation>%1 J verloren</translation>
+    </message>
+    <message>
+        <source>%1 J gained</source>
+        <translation>%1 J gewonnen</translation>
+    </message>
+    <message>
+        <source>impulse %1 N s, %2</source>
+        <translation>Kraftstoß %1 N s, %2</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,8 @@
 #include <QKeyEvent>
 #include <QShortcut>
 
+#include <cmath>
+
 namespace carom {
 
 RunCommands::RunCommands(MainWindow& window, Simulation& simulation, FrameLog& log, LivePreview& preview)
@@ -214,6 +216,12 @@ void RunCommands::connectBreakpoints() {
         });
 }
 
+QString RunCommands::energyWords(double lost) {
+    if (lost == 0) return tr("no energy lost");
+    const QString figure = QString::number(std::abs(lost), 'g', 3);
+    return lost > 0 ? tr("%1 J lost").arg(figure) : tr("%1 J gained").arg(figure);
+}
+
 /// "Why did this happen?": of a mark that was clicked, the frame on screen, or a breakpoint that held.
 void RunCommands::connectStories() {
     const auto explain = [this](std::int64_t frame) { m_simulation.explain(frame); };
@@ -229,9 +237,9 @@ void RunCommands::connectStories() {
             m_window.transport().showNotice(tr("Frame %1: nothing met in it").arg(story.frame));
             return;
         }
-        const QString figures = tr("impulse %1 N s, %2 J lost")
+        const QString figures = tr("impulse %1 N s, %2")
                                     .arg(QString::number(story.impulse, 'g', 4))
-                                    .arg(QString::number(story.energyLost, 'g', 3));
+                                    .arg(energyWords(story.energyLost));
         const QString a = bodyTitle(scene, story.a);
         const QString sentence =
             story.b == noBody

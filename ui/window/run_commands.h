@@ -27,6 +27,8 @@ class RunCommands : public QObject {
     RunCommands(MainWindow& window, Simulation& simulation, FrameLog& log, LivePreview& preview);
 
     void setTheme(const Theme& theme);
+    /// What became of so much energy [J]: "0.25 J lost"; less than none is gained.
+    static QString energyWords(double lost);
 
   Q_SIGNALS:
     void reported(const QString& sentence);

@@ -5,6 +5,7 @@
 #include "ui/docks/breakpoints_dock.h"
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
+#include "ui/window/run_commands.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -84,9 +85,15 @@ class BreakpointsTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(notice->text().contains(QStringLiteral(" met ")), longestWait);
         static const QRegularExpression story(QStringLiteral(
             "^Frame (\\d+), [0-9.]+ s: contact of left and any body\\. Frame \\1: left met wall 0, impulse "
-            "[0-9.]+ N s, -?[0-9.e-]+ J lost$"));
+            "[0-9.]+ N s, ([0-9.e-]+ J (lost|gained)|no energy lost)$"));
         QVERIFY2(story.match(notice->text()).hasMatch(), qPrintable(notice->text()));
         QCOMPARE(ide.viewport.selectedBody(), BodyIndex{1});
+    }
+
+    void anImpactSaysWhetherEnergyWasLost() {
+        QCOMPARE(RunCommands::energyWords(0), QStringLiteral("no energy lost"));
+        QCOMPARE(RunCommands::energyWords(0.25), QStringLiteral("0.25 J lost"));
+        QCOMPARE(RunCommands::energyWords(-0.5572388), QStringLiteral("0.557 J gained"));
     }
 
     void aBreakpointThatIsSwitchedOffOrRemovedDoesNotStop() {
