@@ -61,7 +61,7 @@ DeclarationRow simulationDeclaration() {
             [](D& into, const V& value) { simulation(into).substeps = static_cast<int>(value.number); }),
         simulationWord("method", methodWords(),
                        "How collisions are treated; `auto` takes the exact `events` where nothing but smooth "
-                       "spheres moves and no impact loses energy, otherwise `contacts`.",
+                       "spheres moves, otherwise `contacts`.",
                        [](D& into, const V& value) { simulation(into).method = std::string(value.word); }),
         simulationWord(
             "integrator", integratorWords(), "How motion between collisions is computed.",

@@ -11,23 +11,11 @@
 namespace carom {
 namespace {
 
-// Without gravity nothing is drawn back to what it has bounced off, so what cannot move may take energy. A
-// pair has the smaller coefficient of its two.
-std::optional<Sentence> loss(const Scene& scene) {
-    if (!anyCanMeet(scene)) return std::nullopt;
-    const bool falls = scene.gravity.acceleration != Vec3::Zero();
-    const auto lossy = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
-        return body.mobile() ? body.elastic != 1 : falls && body.elastic < 1;
-    });
-    if (lossy == scene.bodies.end()) return std::nullopt;
-    return Sentence{"impacts on %1 lose energy", {scene.nameOf(indexOf(scene, *lossy))}};
-}
-
 std::optional<Sentence> objectionToExact(const Scene& scene, const SolverRow& method, bool simultaneous) {
     if (firstMobile(scene) == nullptr) return Sentence{"no body can move"};
     if (simultaneous) return Sentence{"impacts at one moment are to act as one"};
     if (const std::optional<SolverObjection> objection = objectionTo(method, scene)) return objection->reason;
-    return loss(scene);
+    return std::nullopt;
 }
 
 } // namespace

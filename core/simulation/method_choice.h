@@ -11,8 +11,9 @@
 // What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
 // there are or where they are.
 //
-//     an exact method      treats the scene, and no impact loses energy: there are no series of ever shorter
-//                          bounces
+//     an exact method      treats the scene; where impacts lose energy and balls crowd, it leaves frames to
+//     the
+//                          general one (core/solvers/events.cpp)
 //     the general method   everything else
 
 namespace carom {

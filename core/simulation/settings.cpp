@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 namespace {
@@ -105,7 +106,9 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     if (wanted.step) settings.step = *wanted.step;
     settleMethod(scene, options, wanted, settings, warnings);
     const SolverRow& method = *settings.method;
-    const PresetValues& values = method.presets[static_cast<std::size_t>(preset - presets().data())];
+    // What is too crowded for an exact method the general one moves.
+    const SolverRow& stepping = method.isExact ? generalSolver() : method;
+    const PresetValues& values = stepping.presets[static_cast<std::size_t>(preset - presets().data())];
     const IntegratorRow* integrator = findIntegrator(method.integrator);
     settings.integrator = rowFor(wanted.integrator, integrators(), integrator,
                                  {scene, "integrator", options.integrator.has_value()}, warnings);
@@ -119,18 +122,18 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
         settings.integrator = integrator;
     }
     settings.substeps = std::max(1, wanted.substeps.value_or(values.substeps));
-    if (method.isExact) settings.substeps = 1;
+    if (method.isExact) settings.crowdedSubsteps = std::exchange(settings.substeps, 1);
     settings.threads = std::max(1, wanted.threads.value_or(1));
     settings.duration = wanted.duration;
     settings.boxes = wanted.boxes == "cube" ? BoxKind::Cube : BoxKind::Tight;
     settings.simultaneousImpacts = wanted.impacts == "simultaneous";
-    if (method.iterates()) {
+    if (stepping.iterates()) {
         settings.effort = values.effort;
         settings.reserve = values.reserve;
-        settings.iterations = std::max(1, wanted.iterations.value_or(method.iterations));
+        settings.iterations = std::max(1, wanted.iterations.value_or(stepping.iterations));
         settings.tolerance = wanted.tolerance.value_or(values.tolerance);
-        return settings;
     }
+    if (method.iterates()) return settings;
 
     const std::string name(method.name);
     if (wanted.impacts == "simultaneous")

@@ -32,10 +32,11 @@ struct RunSettings {
     const BroadphaseRow* broadphase = nullptr;
     Sentence broadphaseReason; ///< why `auto` chose it; empty where it was asked for
     BoxKind boxes = BoxKind::Tight;
-    int iterations = 0;   ///< 0: the method does not iterate
-    double tolerance = 0; ///< 0: the method does not iterate
-    double effort = 1;    ///< times the work that the method may spend on refinement
-    double reserve = 1;   ///< times what it may save of that for frames that need more
+    int iterations = 0;      ///< 0: the method does not iterate
+    double tolerance = 0;    ///< 0: the method does not iterate
+    double effort = 1;       ///< times the work that the method may spend on refinement
+    double reserve = 1;      ///< times what it may save of that for frames that need more
+    int crowdedSubsteps = 1; ///< of a frame that an exact method leaves to the general one
     bool simultaneousImpacts = false;
     int threads = 1;
     std::optional<double> duration; ///< [s]
@@ -44,7 +45,14 @@ struct RunSettings {
     double substep() const { return step / substeps; } ///< [s]
     /// `resting`: whether anything in the scene can come to rest.
     SolverSettings solver(bool resting) const {
-        return {tolerance, iterations, simultaneousImpacts, resting, effort, reserve};
+        return {.tolerance = tolerance,
+                .iterations = iterations,
+                .simultaneous = simultaneousImpacts,
+                .resting = resting,
+                .effort = effort,
+                .reserve = reserve,
+                .substeps = crowdedSubsteps,
+                .bounded = !methodReason.empty()};
     }
 };
 

@@ -152,6 +152,7 @@ void EventGas::beginSlice() {
         m_queue.insert(m_agendas, i);
     }
     const std::size_t passed = m_passing.size();
+    m_lookedAt += passed + m_stamps.size() / ballsPerBorder;
     if (ballsPerBorder * (passed + queued) < m_stamps.size())
         m_slice = std::min(2 * m_slice, m_clockTurn);
     else if (mostQueuedOf * queued > passed)

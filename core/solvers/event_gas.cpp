@@ -27,11 +27,12 @@ constexpr double touching = 1e-9;
 
 } // namespace
 
-Loss EventGas::advanceTo(double time) {
+Loss EventGas::advanceTo(double time, std::uint64_t mostEvents) {
     if (!m_isComputable || !(time - m_secondsPast - m_now <= farthest * m_typicalTime)) return fastest();
     const std::uint64_t window = 1000 + 10 * m_stamps.size();
     std::uint64_t windowEnd = m_handled + window;
     double windowStart = -never;
+    const std::uint64_t from = m_handled + m_lookedAt;
     keepDaysFitting();
     for (;;) {
         const double target = std::min(time - m_secondsPast, m_clockTurn);
@@ -40,6 +41,7 @@ Loss EventGas::advanceTo(double time) {
             const double happens = m_agendas[i].earliest();
             if (!std::isfinite(m_stamps[i].velocity.squaredNorm())) return {m_bodies[i], "velocity"};
             handle(i);
+            if (m_handled + m_lookedAt - from > mostEvents) return {m_bodies[i], "time between events"};
             if (m_handled < windowEnd) continue;
             if (happens - windowStart < stalled * m_typicalTime) return {m_bodies[i], "time between events"};
             windowStart = happens;
@@ -50,6 +52,7 @@ Loss EventGas::advanceTo(double time) {
         m_now = limit;
         if (m_sliceEnd < target) {
             beginSlice();
+            if (m_handled + m_lookedAt - from > mostEvents) return fastest();
         } else if (target < m_clockTurn) {
             return {};
         } else {

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -72,10 +73,10 @@ class EventGas {
     EventGas(const Bodies& bodies, const State& state, const Vec3& gravity);
 
     /// Lives through everything up to `time` [s] after the start; times must not decrease. Breaks off with
-    /// the ball concerned if time ceases to pass between the events (inelastic collapse), if the fastest
-    /// would fly 1e12 radii: there would be no end to the borders that it passes; or if squares of velocities
-    /// or of gravity are no numbers.
-    Loss advanceTo(double time);
+    /// the ball concerned if time ceases to pass between the events (inelastic collapse), or there are more
+    /// than `mostEvents` of them, or of what costs as much; if the fastest would fly 1e12 radii: there would
+    /// be no end to the borders that it passes; or if squares of velocities or of gravity are no numbers.
+    Loss advanceTo(double time, std::uint64_t mostEvents = std::numeric_limits<std::uint64_t>::max());
 
     /// How long it goes by one clock [s]; setting it back rounds times anew.
     double clockTurn() const { return m_clockTurn; }
@@ -227,11 +228,14 @@ class EventGas {
     EventCounts m_counts;
     ImpulseTally m_tally;
     Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
-    double m_slice = 1;                   ///< of time, see above [s]
-    bool m_isComputable = true;           ///< false: velocities or gravity are too large for any event
-    double m_sliceEnd = 0;                ///< borders up to then are passed, or in the queue
-    std::size_t m_queuedBorders = 0;      ///< in this slice
-    std::uint64_t m_handled = 0;          ///< events of the queue
+    double m_slice = 1;              ///< of time, see above [s]
+    bool m_isComputable = true;      ///< false: velocities or gravity are too large for any event
+    double m_sliceEnd = 0;           ///< borders up to then are passed, or in the queue
+    std::size_t m_queuedBorders = 0; ///< in this slice
+    std::uint64_t m_handled = 0;     ///< events of the queue
+    /// What costs as much as an event: balls that passed a border, balls of clusters, and pairs with
+    /// accelerations of their own.
+    std::uint64_t m_lookedAt = 0;
     std::uint64_t m_handledAtTurn = 0;    ///< when the clock was last set back
     double m_daysPerSecond = 1;           ///< of the queue
     std::uint64_t m_handledAtFilling = 0; ///< when the queue was last filled,
@@ -245,9 +249,11 @@ class EventGas {
     const Agenda& agenda = m_agendas[i];
     const Stamp &a = m_stamps[i], &b = m_stamps[j];
     const bool alike = m_allFree || accelerationOf(i) == accelerationOf(j);
+    if (!alike) ++m_lookedAt;
     const double time = m_allFree && m_weightless ? pairTime(a, b)
-                        : alike                   ? pairTime(a, b, accelerationOf(i))
-                                                  : pairTime(a, accelerationOf(i), b, accelerationOf(j));
+                        : alike
+                            ? pairTime(a, b, accelerationOf(i))
+                            : pairTime(a, accelerationOf(i), b, accelerationOf(j), agenda.pairTime + m_tie);
     if (!(time <= agenda.pairTime + m_tie) || time == never) return;
     if (alike && agenda.last == j && m_agendas[j].last == i) return;
     noteMeeting(i, j, time);

@@ -63,6 +63,7 @@ void EventGas::gatherMoment(std::uint32_t i, std::uint32_t j, double time) {
             if (touch.closing > 0 && !justMet) m_touches.push_back(touch);
         });
     }
+    m_lookedAt += m_cluster.size();
 }
 
 void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {

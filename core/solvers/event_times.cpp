@@ -76,12 +76,15 @@ Roots positiveRoots(std::span<const double> q, double bound) {
 
 } // namespace
 
-double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB) {
+double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB,
+                double until) {
+    constexpr double rounding = 1 + 1e-12;
     const double later = std::max(a.time, b.time);
     const Vec3 D = positionAt(b, accelerationOfB, later) - positionAt(a, accelerationOfA, later);
     const Vec3 U = velocityAt(b, accelerationOfB, later) - velocityAt(a, accelerationOfA, later);
     const Vec3 A = accelerationOfB - accelerationOfA;
-    const double R = a.radius + b.radius;
+    const double R = a.radius + b.radius, left = until - later;
+    if (D.norm() - R > rounding * left * (U.norm() + 0.5 * left * A.norm())) return never;
     // Balls that overlap by rounding touch: one that hops lower than that would never come out, so its path
     // would never fall through 0, and it would sink into the other.
     const double above = std::max(0.0, D.squaredNorm() - R * R);

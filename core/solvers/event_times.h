@@ -121,8 +121,11 @@ inline double pairTime(const Stamp& a, const Stamp& b, const Vec3& g) { return p
 inline double pairTime(const Stamp& a, const Stamp& b) { return pairTimeUnder<false>(a, b, Vec3::Zero()); }
 
 /// The same for two balls with accelerations of their own (one rests on a wall or is fixed): |D + U t + A
-/// t²/2| = R is a quartic, whose first falling root is isolated between the extrema of its derivatives.
-double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB);
+/// t²/2| = R is a quartic, whose first falling root is isolated between the extrema of its derivatives. Times
+/// after `until` [s] are of no interest: the answer may be `never` in their place. Most pairs cannot come
+/// together until then, |D| − R > |U| t + |A| t²/2, which is found out at a twentieth of the cost.
+double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB,
+                double until = never);
 
 /// The least t > 0 at which q0 + q1 t + ... + q4 t⁴ falls through 0; 0 if it is not positive at 0 and falling
 /// there; never, if there is none. q4 > 0, or the polynomial ends in a positive lower term.

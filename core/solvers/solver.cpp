@@ -12,6 +12,24 @@ namespace carom {
 #include "core/scene/methods.def"
 #undef CAROM_METHOD
 
+void SolverReport::add(const SolverReport& next) {
+    integrate += next.integrate;
+    broadphase += next.broadphase;
+    narrowphase += next.narrowphase;
+    respond += next.respond;
+    searched = searched || next.searched;
+    contacts += next.contacts;
+    events += next.events;
+    resting = next.resting;
+    axesTried += next.axesTried;
+    axesSpared += next.axesSpared;
+    maxPenetration = std::max(maxPenetration, next.maxPenetration);
+    residual = std::max(residual, next.residual);
+    coneViolation = std::max(coneViolation, next.coneViolation);
+    work.add(next.work);
+    loss = next.loss;
+}
+
 std::span<const SolverRow> solvers() {
     static const std::array rows = {
 #define CAROM_METHOD(word, row) row,

@@ -47,6 +47,9 @@ struct SolverReport {
     double coneViolation = 0; ///< of the worst contact force, relative to its size
     WorkCounters work;
     Loss loss; ///< the substep was broken off where a body is named
+
+    /// What the next part of the same stretch of time cost and met.
+    void add(const SolverReport& next);
 };
 
 /// What a solver works on in one substep.
@@ -86,6 +89,9 @@ struct SolverSettings {
     bool resting = true;       ///< what rests is left alone; false where nothing can come to rest
     double effort = 1;         ///< times the budget of refinement
     double reserve = 1;        ///< times what refinement may save
+    // Of an exact method, about frames that it leaves to the general one:
+    int substeps = 1;     ///< of such a frame
+    bool bounded = false; ///< those that would take too long are among them
 };
 
 /// What a method carries from one substep to the next besides the state.

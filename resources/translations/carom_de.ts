@@ -2093,10 +2093,6 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <translation>keine Feder hat ein Ende, das sich bewegen kann</translation>
     </message>
     <message>
-        <source>impacts on %1 lose energy</source>
-        <translation>Stöße auf %1 verlieren Energie</translation>
-    </message>
-    <message>
         <source>impacts at one moment are to act as one</source>
         <translation>Stöße im selben Augenblick sollen als einer wirken</translation>
     </message>
@@ -2173,8 +2169,8 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <translation>Federn biegen die Bahn eines Körpers zwischen Ereignissen</translation>
     </message>
     <message>
-        <source>what moves are smooth spheres, and no impact loses energy</source>
-        <translation>was sich bewegt, sind glatte Kugeln, und kein Stoß verliert Energie</translation>
+        <source>what moves are smooth spheres</source>
+        <translation>was sich bewegt, sind glatte Kugeln</translation>
     </message>
     <message>
         <source>the state was lost after %1 s</source>

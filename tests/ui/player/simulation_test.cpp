@@ -278,7 +278,8 @@ class SimulationTest : public QObject {
     }
 
     void cellsComeWithTheSnapshotsOnlyWhenAskedForAndAlreadyAtFrameZero() {
-        const std::shared_ptr<const Pipeline> pipeline = compiled(jostling());
+        const std::shared_ptr<const Pipeline> pipeline =
+            compiled(jostling() + "simulation { method contacts }");
         Simulation simulation;
         Witness witness(simulation);
         std::vector<std::size_t> counts;

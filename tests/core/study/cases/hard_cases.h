@@ -29,7 +29,6 @@ inline constexpr std::array knownFailures{
     KnownFailure{"cylinder_on_slope", StudyColumn::Accurate, "as by default"},
     KnownFailure{"thin_bodies", StudyColumn::Default, "a stick of 1:100 sinks in by 1.6 times its thickness"},
     KnownFailure{"thin_bodies", StudyColumn::Accurate, "energy rises by 6.7e-5 between two frames"},
-    KnownFailure{"grooves", StudyColumn::Exact, "one of 24 loses its state"},
     KnownFailure{"heaps", StudyColumn::Default, "at rest cuboids overlap by 1.2 % of their size"},
 };
 
