@@ -459,7 +459,6 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
     const SteppedInput stepping = stepped(input);
     m_rest.begin(input.bodies, BasePath::divisionFor(count, passesOf(m_settings)), input.substep);
     m_rest.addIsland(stepping, island.bodies, island.links);
-    m_rest.beginPairs();
     for (const std::uint32_t index : island.pairs)
         m_rest.addPair(stepping,
                        {m_found.set().pairs[index].bodies(), m_found.placeOf(index),

@@ -77,12 +77,17 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
     stirLanes(group, lanes, stirred);
 }
 
-/// Impacts of pairs that touch and close, with Newton's law. The fastest closing speed of those that bounce
-/// [m/s].
+/// Impacts of pairs that touch and close, with Newton's law, if one of their bodies was struck in the pass
+/// before or in this one. The fastest closing speed of those that bounce [m/s].
 CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                         const Wide& resting, const Stirred& stirred) {
+                         const Wide& resting, int pass, const Stirred& stirred) {
     const Wide zero{}, one = wideOf(1);
-    if (group.idle || !anyLane(stirredLanes(group, stirred))) return zero;
+    if (group.idle) return zero;
+    Wide stirredIn{};
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        stirredIn[lane] = std::max(stirred.bodies[group.a[lane]], stirred.bodies[group.b[lane]]);
+    const auto isStirred = stirredIn >= wideOf(pass);
+    if (!anyLane(isStirred ? one : zero)) return zero;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -90,7 +95,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     const Wide3 u = relativeVelocity(group, n, a, b);
     const Wide closing = -dot(n, u);
     const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
-    const auto meets = touches & (closing > zero) & (group.row.massNormal > zero);
+    const auto meets = isStirred & touches & (closing > zero) & (group.row.massNormal > zero);
     const auto bounces = meets & (closing > resting) & (group.restitution > zero);
     if (!anyLane(meets ? one : zero)) return zero;
     const Wide normal =
@@ -102,7 +107,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
     const Wide fastest = meets & (closing > resting) ? closing : zero;
-    stirLanes(group, fastest, stirred);
+    stirLanes(group, fastest, stirred, static_cast<std::uint8_t>(pass + 1));
     return bounces ? closing : zero;
 }
 
@@ -115,7 +120,7 @@ CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, doubl
     const Wide zero{}, one = wideOf(1);
     const Wide parting = dot(load(group.normal), b.velocity - a.velocity);
     BallRow& row = group.row;
-    const auto leaves = (parting > wideOf(resting)) & (row.normal > zero);
+    const auto leaves = (parting > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
     if (!anyLane(leaves ? one : zero)) return;
     const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
     row.normal = part * row.normal;
@@ -160,12 +165,13 @@ CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double
 
 // True if any bounced.
 CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
-                            double resting, bool back, const Stirred& stirred) {
+                            double resting, int pass, const Stirred& stirred) {
+    const bool back = pass % 2 == 0;
     Wide fastest{};
     const std::size_t count = groups.size();
     for (std::size_t i = 0; i < count; ++i)
-        fastest = larger(fastest,
-                         strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), stirred));
+        fastest = larger(
+            fastest, strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), pass, stirred));
     return anyLane(fastest);
 }
 
@@ -229,9 +235,11 @@ struct BallRows::Refresh {
     Vec3 gravity;
 };
 
-// Always inlined into the wide versions below.
-[[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i, bool struck) {
+// Of all lanes, or of those that are `struck`. Always inlined into the wide versions below.
+[[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i,
+                                                          const Wide* struck) {
     BallGroup& group = with.groups[i];
+    BallRow& row = group.row;
     const Fixed& fixed = with.fixed[i];
     Motion a, b;
     gatherVelocity(with.bodies, group.a, a);
@@ -260,7 +268,7 @@ struct BallRows::Refresh {
     const double fall = with.gravity.norm() * with.duration * with.duration;
     const Wide smallest = isWall ? group.radiusB : smaller(group.radiusA, group.radiusB);
     const Wide slack = slackPart * smallest + wideOf(fall);
-    const auto used = group.row.massNormal > zero;
+    const auto used = fixed.massNormal > zero;
     const auto meets = used & ((gap <= slack) | (least <= slack));
 
     const auto ahead = (gap > openBeyond * radii) & (thenCentres > zero);
@@ -275,34 +283,41 @@ struct BallRows::Refresh {
         now = now - dot(n, gatherShift(with.moved, group.b) - gatherShift(with.moved, group.a));
 
     const Wide3 oldT = load(group.tangent);
-    const Wide3 friction = group.row.along1 * oldT + group.row.along2 * cross(old, oldT);
-    group.row.normal = meets ? group.row.normal : zero;
-    group.row.along1 = meets ? dot(t, friction) : zero;
-    group.row.along2 = meets ? dot(t2, friction) : zero;
-    store(group.normal, n);
-    store(group.tangent, t);
-    group.gap = used ? now : zero;
-    group.idle = !struck && !anyLane(meets ? one : zero);
+    const Wide3 friction = row.along1 * oldT + row.along2 * cross(old, oldT);
+    const Wide lanes = struck != nullptr ? *struck : one;
+    const auto changes = lanes > zero, acts = struck != nullptr ? changes : meets;
+    row.normal = changes ? (meets ? row.normal : zero) : row.normal;
+    row.along1 = changes ? (meets ? dot(t, friction) : zero) : row.along1;
+    row.along2 = changes ? (meets ? dot(t2, friction) : zero) : row.along2;
+    row.massNormal = changes ? (acts ? fixed.massNormal : zero) : row.massNormal;
+    row.massTangent = changes ? (acts ? fixed.massTangent : zero) : row.massTangent;
+    store(group.normal, choose(changes, n, old));
+    store(group.tangent, choose(changes, t, oldT));
+    group.gap = changes ? (used ? now : zero) : group.gap;
+    const auto solved = row.massNormal > zero;
+    group.idle = !anyLane(solved ? one : zero);
+    group.watched = anyLane(used & (row.massNormal == zero) ? one : zero);
 }
 
 CAROM_WIDE void BallRows::refreshAll(const Refresh& with) {
-    for (std::size_t i = 0; i < with.count; ++i) refreshGroup(with, i, false);
+    for (std::size_t i = 0; i < with.count; ++i) refreshGroup(with, i, nullptr);
 }
 
 CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
     bool any = false;
     for (std::size_t i = 0; i < with.count; ++i) {
         const BallGroup& group = with.groups[i];
-        if (!group.idle) continue;
+        if (!group.watched) continue;
         Motion a, b;
         gatherVelocity(with.bodies, group.a, a);
         gatherVelocity(with.bodies, group.b, b);
         const Wide3 moved = gatherShift(with.moved, group.b) - gatherShift(with.moved, group.a);
         const Wide3 n = load(group.normal);
         const Wide then = group.gap + dot(n, moved + wideOf(with.duration) * (b.velocity - a.velocity));
-        const auto closes = (then < Wide{}) & (group.row.massNormal > Wide{});
-        if (!anyLane(closes ? wideOf(1) : Wide{})) continue;
-        refreshGroup(with, i, true);
+        const auto isWatched = (with.fixed[i].massNormal > Wide{}) & (group.row.massNormal == Wide{});
+        const Wide closes = isWatched & (then < Wide{}) ? wideOf(1) : Wide{};
+        if (!anyLane(closes)) continue;
+        refreshGroup(with, i, &closes);
         any = true;
     }
     return any;
@@ -311,8 +326,8 @@ CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
 void BallRows::clear() {
     m_groups.clear();
     m_fixed.clear();
-    m_holes.clear();
-    m_active = 0;
+    m_packer.clear();
+    m_active = m_watched = 0;
 }
 
 BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
@@ -324,33 +339,14 @@ BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
     return group;
 }
 
-// A pair that joins an island may be of a body that is in the group already.
-bool BallRows::isFree(Lane lane, const BallPair& pair, std::uint32_t immobile) const {
-    const BallGroup& group = m_groups[lane.group];
-    const auto isThere = [&](std::uint32_t body) {
-        return body != immobile && (std::count(group.a.begin(), group.a.end(), body) > 0 ||
-                                    std::count(group.b.begin(), group.b.end(), body) > 0);
-    };
-    return !isThere(pair.a) && !isThere(pair.b);
-}
-
-BallRows::Lane BallRows::laneFor(const BallPair& pair, std::uint32_t immobile) {
-    if (m_isSingle && !m_holes.empty() && isFree(m_holes.back(), pair, immobile)) {
-        const Lane lane = m_holes.back();
-        m_holes.pop_back();
-        return lane;
-    }
-    const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile, m_groups.size());
-    if (place.isNew) {
-        m_groups.push_back(emptyGroup(immobile));
-        m_fixed.emplace_back().isSingle = m_isSingle;
-    }
-    return {place.group, place.lane};
-}
-
 void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
                    std::span<const SolverBody> bodies) {
-    const Lane place = laneFor(pair, immobile);
+    m_packer.makeRoom(bodies.size());
+    const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile);
+    if (place.isNew) {
+        m_groups.push_back(emptyGroup(immobile));
+        m_fixed.emplace_back();
+    }
     BallGroup& group = m_groups[place.group];
     Fixed& fixed = m_fixed[place.group];
     const std::size_t lane = place.lane;
@@ -368,9 +364,10 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     group.hard[lane] = pair.a == immobile ? 1 : 0;
     group.bounces = group.bounces || pair.restitution > 0;
     const double masses = a.inverseMass + b.inverseMass;
-    group.row.massNormal[lane] = 1 / masses;
-    group.row.massTangent[lane] = 1 / (masses + a.roundInverse * pair.radiusA * pair.radiusA +
-                                       b.roundInverse * pair.radiusB * pair.radiusB);
+    fixed.massNormal[lane] = group.row.massNormal[lane] = 1 / masses;
+    fixed.massTangent[lane] = group.row.massTangent[lane] =
+        1 / (masses + a.roundInverse * pair.radiusA * pair.radiusA +
+             b.roundInverse * pair.radiusB * pair.radiusB);
     const Wide3 n{wideOf(pair.normal.x()), wideOf(pair.normal.y()), wideOf(pair.normal.z())};
     const Wide3 t = tangentOf(n);
     const Vec3 tangent(t.x[0], t.y[0], t.z[0]);
@@ -388,29 +385,28 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
 
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
                     std::uint32_t immobile) {
-    m_holes.clear();
-    m_active = 0;
+    m_packer.restart();
     const BallGroup empty = emptyGroup(immobile);
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
         BallGroup& group = m_groups[i];
         Fixed& fixed = m_fixed[i];
-        std::size_t left = 0;
+        unsigned used = 0;
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if (fixed.source[lane] == noPair) continue;
             fixed.source[lane] = sources[fixed.source[lane]];
             if (fixed.source[lane] == noPair) {
                 copyLane(empty, group, lane);
                 for (Wide& place : fixed.place) place[lane] = 0;
-                fixed.wall[lane] = 0;
+                fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = 0;
                 continue;
             }
             group.a[lane] = bodies[group.a[lane]];
             group.b[lane] = bodies[group.b[lane]];
-            ++left;
+            used |= 1U << lane;
         }
-        if (left == 0) continue;
-        if (!group.idle) ++m_active;
+        if (used == 0) continue;
+        m_packer.keep(group.a, group.b, used);
         if (kept != i) {
             m_groups[kept] = group;
             m_fixed[kept] = fixed;
@@ -419,33 +415,34 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     }
     m_groups.resize(kept);
     m_fixed.resize(kept);
-    for (std::uint32_t i = kept; i-- > 0;)
-        for (std::uint32_t lane = wideLanes; lane-- > 0 && m_fixed[i].isSingle;)
-            if (m_fixed[i].source[lane] == noPair) m_holes.push_back({i, lane});
+    countGroups();
+}
+
+void BallRows::countGroups() {
+    m_active = m_watched = 0;
+    for (const BallGroup& group : m_groups) {
+        m_active += group.idle ? 0 : 1;
+        m_watched += group.watched ? 1 : 0;
+    }
 }
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                        const Vec3& gravity) {
     refreshAll({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(), places.data(), nullptr,
                 duration, gravity});
-    m_active = 0;
+    countGroups();
     Wide deepest{};
-    for (const BallGroup& group : m_groups) {
-        if (group.idle) continue;
-        ++m_active;
-        deepest = larger(deepest, -group.gap);
-    }
+    for (const BallGroup& group : m_groups)
+        deepest = group.row.massNormal > Wide{} ? larger(deepest, -group.gap) : deepest;
     m_deepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
 }
 
 bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
                           std::span<const Displacement> moved, double duration, const Vec3& gravity) {
-    if (m_active == m_groups.size()) return false;
+    if (m_watched == 0) return false;
     const bool any = findStruckIn({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(),
                                    places.data(), moved.data(), duration, gravity});
-    if (any)
-        m_active = static_cast<std::size_t>(std::count_if(
-            m_groups.begin(), m_groups.end(), [](const BallGroup& group) { return !group.idle; }));
+    if (any) countGroups();
     return any;
 }
 
@@ -481,12 +478,12 @@ int BallRows::stir(const Stirred& stirred) const {
 int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                       const StepSettings& settings, int passes, const Stirred& stirred) {
     passBack(m_groups, bodies.data(), settings.resting, stirred);
-    int pass = 0;
-    while (pass < passes &&
-           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass % 2 != 0, stirred))
+    int pass = 1;
+    while (pass <= passes &&
+           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass, stirred))
         ++pass;
     for (BallGroup& group : m_groups) forgetImpact(group, bodies.data(), settings.resting);
-    return std::min(pass + 1, passes);
+    return std::min(pass, passes);
 }
 
 } // namespace carom

@@ -20,9 +20,10 @@
 //     wall, ball    d = xB − a point of the wall  gap = n · d − rB       n is the wall's
 //
 // refresh() looks whether the two can meet within the substep as they move. Where they do, n is that of the
-// moment of their meeting, and where they pass each other by, of their nearest approach. A group of which no
-// pair can meet is idle: passes leave it out, until findStruck() sees that impulses make a pair close its
-// gap.
+// moment of their meeting, and where they pass each other by, of their nearest approach. A pair that cannot
+// meet has no masses, so passes do nothing to it, until findStruck() sees that impulses make it close its
+// gap; a group of such pairs is idle, and left out. What a pair does so never depends on who shares its
+// group.
 //
 // Of balls the normal impulse turns nothing, and friction does not change uₙ.
 
@@ -36,7 +37,7 @@ struct alignas(32) BodyPlace {
 
 /// Four contact points side by side, as in contact_rows.h.
 struct alignas(32) BallRow {
-    Wide massNormal{}, massTangent{};  ///< [kg]; 0 in a lane that is not used
+    Wide massNormal{}, massTangent{};  ///< [kg]; 0 in a lane whose pair cannot meet, or that is not used
     Wide normal{}, along1{}, along2{}; ///< impulses [N s]
     Wide approach{};                   ///< [m/s]
     Wide carried{};                    ///< normal impulse when the step began [N s]
@@ -51,7 +52,9 @@ struct alignas(32) BallGroup {
     Wide hard{}; ///< as in contact_rows.h
     Wide gap{};  ///< when the bodies had not moved yet [m]
     BallRow row;
-    bool bounces = false, idle = false;
+    bool bounces = false;
+    bool idle = false;    ///< no pair can meet
+    bool watched = false; ///< some pair cannot
 };
 
 /// A pair as it is given. A's centre, or a point of the wall, is `fixed` if A cannot move.
@@ -71,17 +74,12 @@ class BallRows {
     static constexpr std::uint32_t noPair = 0xffffffff;
 
     void clear();
-    /// To be called before pairs are added, with the number of bodies there are now. Pairs that are `single`
-    /// are of islands without others: it does not matter which of them share a group.
-    void begin(std::size_t bodies, bool single) {
-        m_packer.begin(bodies);
-        m_isSingle = single;
-    }
-    /// `source` is given back by forEach.
+    /// Of those that share a body, pairs are solved in the order in which they were added, or backwards,
+    /// whoever else is there (lane_packer.h). `source` is given back by forEach.
     void add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
              std::span<const SolverBody> bodies);
     /// Pairs stay whose source gets a number other than noPair, in the groups and lanes they are in, with the
-    /// new numbers of source and bodies.
+    /// new numbers of source and bodies. Others may take the lanes of those that go.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
     /// Of what is not empty.
@@ -91,11 +89,11 @@ class BallRows {
     /// Brings all rows up to date; the bodies have not moved since.
     void refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                  const Vec3& gravity);
-    /// Idle groups in which a pair would close its gap within `duration` become active. True if there are
-    /// any.
+    /// Pairs that could not meet and would now close their gap within `duration` are solved from now on. True
+    /// if there are any.
     bool findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
                     std::span<const Displacement> moved, double duration, const Vec3& gravity);
-    std::size_t bytes() const { return heldBytes(m_groups, m_fixed); }
+    std::size_t bytes() const { return heldBytes(m_groups, m_fixed, m_packer); }
     double deepest() const { return m_deepest; } ///< overlap at the last refresh [m]
 
     // As in velocity_solve.h, of what is active.
@@ -113,6 +111,15 @@ class BallRows {
     int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                 const StepSettings& settings, int passes, const Stirred& stirred);
 
+    /// Impulses are part(a, b) of what they were.
+    template<class Part>
+    void scale(const Part& part) {
+        for (BallGroup& group : m_groups)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (group.row.massNormal[lane] > 0)
+                    for (Wide BallRow::*impulse : {&BallRow::normal, &BallRow::along1, &BallRow::along2})
+                        (group.row.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
+    }
     /// visit(source, normal, impulse on B [N s]) for every pair.
     template<class Visit>
     void forEach(const Visit& visit) const {
@@ -131,30 +138,24 @@ class BallRows {
     /// What only a refresh needs.
     struct alignas(32) Fixed {
         std::array<Wide, 3> place{};
-        Wide wall{}; ///< 1 for a wall, otherwise 0
+        Wide wall{};                      ///< 1 for a wall, otherwise 0
+        Wide massNormal{}, massTangent{}; ///< [kg]; 0 in a lane that is not used
         std::array<std::uint32_t, wideLanes> source{noPair, noPair, noPair, noPair};
-        bool isSingle = false; ///< all pairs are, or were when they were added
-    };
-    struct Lane {
-        std::uint32_t group = 0, lane = 0;
     };
     static BallGroup emptyGroup(std::uint32_t immobile);
-    bool isFree(Lane lane, const BallPair& pair, std::uint32_t immobile) const;
-    Lane laneFor(const BallPair& pair, std::uint32_t immobile);
     struct Refresh;
     static Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
         return {from[0][lane], from[1][lane], from[2][lane]};
     }
     static void refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
-    static void refreshGroup(const Refresh& with, std::size_t group, bool struck);
+    static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
+    void countGroups();
 
     std::vector<BallGroup> m_groups;
-    std::vector<Fixed> m_fixed;   // by group
-    Scratch<LanePacker> m_packer; // of the pairs that are added together
-    bool m_isSingle = false;      // what is added now
-    std::vector<Lane> m_holes;    // of groups of single pairs, the first last
-    std::size_t m_active = 0;     // groups
+    std::vector<Fixed> m_fixed; // by group
+    LanePacker m_packer;
+    std::size_t m_active = 0, m_watched = 0; // groups
     double m_deepest = 0;
 };
 

@@ -219,7 +219,6 @@ void BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbou
             entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
             m_present.push_back(entry.pair);
         });
-        block.beginPairs();
     }
     std::sort(m_present.begin(), m_present.end());
     m_entering.clear();
@@ -350,24 +349,12 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                         substep);
         block.addIsland(input, island.bodies, island.links);
     }
-    for (SteppedMotion& block : m_blocks)
-        if (!block.isEmpty()) block.beginSinglePairs();
     // What touches side by side: the others are idle together.
-    const auto takeUpAll = [&](std::size_t i, bool near) {
-        for (const std::uint32_t index : m_islands[i].pairs)
-            if (m_isNear[index] == near)
-                takeUp(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
-    };
-    // Islands of one pair share groups. The order in which the pairs of others are swept must not depend on
-    // who else is there.
     for (const bool near : {true, false})
         for (std::size_t i = 0; i < m_islands.count(); ++i)
-            if (m_islands[i].pairs.size() == 1) takeUpAll(i, near);
-    for (std::size_t i = 0; i < m_islands.count(); ++i) {
-        if (m_islands[i].pairs.size() <= 1) continue;
-        m_blocks[m_numbers[i] - 1u].beginPairs();
-        for (const bool near : {true, false}) takeUpAll(i, near);
-    }
+            for (const std::uint32_t index : m_islands[i].pairs)
+                if (m_isNear[index] == near)
+                    takeUp(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
         for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
 }

@@ -100,7 +100,7 @@ template<class Group>
 CAROM_INLINE Wide stirredLanes(const Group& group, const Stirred& stirred) {
     Wide lanes{};
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        lanes[lane] = stirred.bodies[group.a[lane]] | stirred.bodies[group.b[lane]];
+        lanes[lane] = (stirred.bodies[group.a[lane]] | stirred.bodies[group.b[lane]]) != 0 ? 1 : 0;
     return lanes;
 }
 
@@ -114,12 +114,13 @@ CAROM_INLINE Wide3 changeIn(const Wide& lanes, const Row& before, const Wide3& c
     return {is ? change.x : Wide{}, is ? change.y : Wide{}, is ? change.z : Wide{}};
 }
 
-/// Stirs the bodies of the lanes that are above 0.
+/// Stirs the bodies of the lanes that are above 0, in a pass of this number.
 template<class Group>
-CAROM_INLINE void stirLanes(const Group& group, const Wide& lanes, const Stirred& stirred) {
+CAROM_INLINE void stirLanes(const Group& group, const Wide& lanes, const Stirred& stirred,
+                            std::uint8_t pass = 1) {
     if (!anyLane(larger(lanes, Wide{}))) return;
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        if (lanes[lane] > 0) stirred.bodies[group.a[lane]] = stirred.bodies[group.b[lane]] = 1;
+        if (lanes[lane] > 0) stirred.bodies[group.a[lane]] = stirred.bodies[group.b[lane]] = pass;
     stirred.bodies[stirred.immobile] = 0;
 }
 

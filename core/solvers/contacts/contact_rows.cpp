@@ -86,7 +86,8 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
         m_groups.reserve(fewGroups);
         m_points.reserve(2 * fewGroups);
     }
-    for (LanePacker& packer : m_packers) packer.begin(bodies);
+    m_packer.clear();
+    m_packer.makeRoom(bodies);
 }
 
 RowGroup& ContactRows::addGroup(std::uint32_t points) {
@@ -106,8 +107,8 @@ RowGroup& ContactRows::addGroup(std::uint32_t points) {
 void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
     const std::uint32_t count = static_cast<std::uint32_t>(pair.points.size());
     if (count == 0) return;
-    const std::size_t size = count == 1 ? 0 : count == 2 ? 1 : 2;
-    const LanePacker::Place place = m_packers[size].place(pair.a, pair.b, m_immobile, m_groups.size());
+    const std::size_t size = count == 1 ? 0 : count == 2 ? 1 : 2; // 1, 2 and 4 points
+    const LanePacker::Place place = m_packer.place(pair.a, pair.b, m_immobile, size);
     RowGroup& group = place.isNew ? addGroup(std::uint32_t{1} << size) : m_groups[place.group];
     const std::size_t lane = place.lane;
 
@@ -148,7 +149,7 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
 }
 
 void ContactRows::end(std::span<const SolverBody> bodies) {
-    for (LanePacker& packer : m_packers) packer.closeAll();
+    m_packer.closeAll();
     prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
     m_prepared = m_groups.size();
 }

@@ -96,6 +96,18 @@ class ContactRows {
         }
     }
 
+    /// Impulses are part(a, b) of what they were.
+    template<class Part>
+    void scale(const Part& part) {
+        for (const RowGroup& group : m_groups)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+                if (group.source[lane] == noPair) continue;
+                for (RowPoint& point : std::span(m_points).subspan(group.firstPoint, group.points))
+                    for (Wide RowPoint::*impulse : {&RowPoint::normal, &RowPoint::along1, &RowPoint::along2})
+                        (point.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
+            }
+    }
+
     std::span<RowGroup> groups() { return m_groups; }
     std::span<RowPoint> points() { return m_points; }
     std::span<RollingRow> rolling() { return m_rolling; }
@@ -105,13 +117,11 @@ class ContactRows {
     Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
 
   private:
-    static constexpr std::size_t sizes = 3; // 1, 2 and 4 points
-
     RowGroup& addGroup(std::uint32_t points);
 
     std::uint32_t m_immobile = 0;
-    std::size_t m_prepared = 0;              // groups whose pairs are all there
-    std::array<LanePacker, sizes> m_packers; // by the number of points
+    std::size_t m_prepared = 0; // groups whose pairs are all there
+    LanePacker m_packer;        // its kinds are the sizes
     std::vector<RowGroup> m_groups;
     std::vector<RowPoint> m_points;
     std::vector<RollingRow> m_rolling;

@@ -32,24 +32,25 @@ void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const s
         if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].limit += halfProduct(bodies[i], bodies[i]);
 }
 
-void EnergyLimit::keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
+bool EnergyLimit::keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
                        std::span<SolverBody> bodies) {
+    for (Sums& sums : m_sums) sums = {.limit = sums.limit};
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].after += halfProduct(bodies[i], bodies[i]);
+    const auto isBeyond = [](const Sums& sums) { return sums.after > sums.limit; };
+    if (std::none_of(m_sums.begin(), m_sums.end(), isBeyond)) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].inverseMass == 0) continue;
+        if (bodies[i].inverseMass == 0 || !isBeyond(m_sums[islandOf[i]])) continue;
         Sums& sums = m_sums[islandOf[i]];
         sums.before += halfProduct(before[i], before[i]);
         sums.between += halfProduct(before[i], bodies[i]);
-        sums.after += halfProduct(bodies[i], bodies[i]);
     }
-    bool any = false;
     for (Sums& sums : m_sums) {
-        if (sums.after <= sums.limit) continue;
-        any = true; // T(s) = T(0) + b s + c s²
+        if (!isBeyond(sums)) continue; // T(s) = T(0) + b s + c s²
         const double b = 2 * (sums.between - sums.before), c = sums.after - sums.before - b;
         const double root = std::sqrt(std::max(0.0, b * b - 4 * c * (sums.before - sums.limit)));
         sums.part = c > 0 ? std::clamp((root - b) / (2 * c), 0.0, 1.0) : 0.0;
     }
-    if (!any) return;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const double part = bodies[i].inverseMass > 0 ? m_sums[islandOf[i]].part : 1;
         if (part == 1) continue;
@@ -58,6 +59,7 @@ void EnergyLimit::keep(std::span<const SolverBody> before, std::span<const std::
             bodies[i].spin[k] = std::lerp(before[i].spin[k], bodies[i].spin[k], part);
         }
     }
+    return true;
 }
 
 } // namespace carom

@@ -14,6 +14,10 @@
 //     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit
 //
 // Contacts do not close by that: they parted at s = 0 and at s = 1.
+//
+// The same holds for impulses that are carried over from the step before, p: forces give no energy, since
+// pᵀu ≤ 0 for the velocities u that they lead to, so T(v + M⁻¹Jᵀp) ≤ T(v); where it is larger, p is not that
+// of forces, and s p is what is carried on.
 
 namespace carom {
 
@@ -27,9 +31,12 @@ class EnergyLimit {
                   std::size_t islands);
     /// Raises the limit of an island by what springs do to it [J].
     void allow(std::uint32_t island, double work) { m_sums[island].limit += work; }
-    /// Takes bodies back towards `before`, by as little as keeps every island within its limit.
-    void keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
+    /// Takes bodies back towards `before`, by as little as keeps every island within its limit. True if any
+    /// had to go back.
+    bool keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
               std::span<SolverBody> bodies);
+    /// How much of its change of velocity the last call left an island: s.
+    double partOf(std::uint32_t island) const { return m_sums[island].part; }
 
   private:
     struct Sums {

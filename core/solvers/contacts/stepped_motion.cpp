@@ -71,6 +71,7 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
                               std::span<const std::uint32_t> springs) {
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
+    m_mayCarryImpact = true;
     for (const BodyIndex body : list) {
         m_local[body] = static_cast<std::uint32_t>(m_bodies.size());
         m_list.push_back(body);
@@ -306,9 +307,12 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     }
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
-    if (bounces) m_energy.remember(m_bodies, m_island, m_groups.size());
+    const bool carriesImpact = std::exchange(m_mayCarryImpact, bounces);
+    if (bounces || carriesImpact) m_energy.remember(m_bodies, m_island, m_groups.size());
+    if (carriesImpact) m_before = m_bodies;
     m_balls.warmStart(m_bodies);
     warmStart(m_rows, m_bodies);
+    if (carriesImpact && m_energy.keep(m_before, m_island, m_bodies)) weakenImpulses();
     for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
     sweep(settings, first, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
@@ -361,6 +365,15 @@ void SteppedMotion::bookTerms(const SteppedInput& input) {
     LedgerEntry& contact = (*input.ledger)[LedgerAccount::Contact];
     contact.energy -= given.energy;
     contact.momentum -= given.momentum;
+}
+
+// As much as velocities have been taken back.
+void SteppedMotion::weakenImpulses() {
+    const auto partOf = [this](std::uint32_t a, std::uint32_t b) {
+        return m_energy.partOf(m_island[a != immobile ? a : b]);
+    };
+    m_balls.scale(partOf);
+    m_rows.scale(partOf);
 }
 
 void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {

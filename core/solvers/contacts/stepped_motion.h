@@ -95,10 +95,6 @@ class SteppedMotion {
     }
     bool isMarked(BodyIndex body) const { return m_isMarked && m_groups[islandOf(body)].leaves; }
     bool anyMarked() const { return m_isMarked; }
-    /// To be called before pairs are added to islands that were.
-    void beginPairs() { m_balls.begin(m_bodies.size(), false); }
-    /// Likewise, before those of islands that have one each.
-    void beginSinglePairs() { m_balls.begin(m_bodies.size(), true); }
     /// A pair of bodies that are here, or of one that is and one that cannot move. Its manifold is as it was
     /// last; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
@@ -203,6 +199,7 @@ class SteppedMotion {
     void sweep(const StepSettings& settings, bool first, SteppedReport& report);
     void step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
               SteppedReport& report);
+    void weakenImpulses();
     void rebound(const StepSettings& settings, SteppedReport& report);
     void applyTerms(const SteppedInput& input, double duration);
     void bookTerms(const SteppedInput& input);
@@ -242,6 +239,7 @@ class SteppedMotion {
     Scratch<ContactRows> m_rows;
     Scratch<std::vector<Watched>> m_watched;
     Scratch<EnergyLimit> m_energy;
+    bool m_mayCarryImpact = true;  // impulses of the last step are not all of forces
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>
         m_halfWays; // by number: how far the velocity at the end is too far, with terms

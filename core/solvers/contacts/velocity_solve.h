@@ -12,7 +12,9 @@
 //
 //     v += g h
 //     approach     remembers how fast contacts without an impulse close
-//     warmStart    applies the impulses of the step before
+//     warmStart    applies the impulses of the step before; after an impact as much of them as gives no
+//     kinetic energy:
+//                  true forces give none, what an impact has left in them would throw bodies about
 //     solve        with feedback: contacts that overlap are made to part, open ones may close as far as they
 //                  are
 //     x += h v     by the caller, who adds to the displacements
@@ -71,7 +73,8 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
 /// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back);
-/// The bodies that a rebound reaches, by body 1; what cannot move is none of them.
+/// The bodies that a rebound reaches, by body: 1, or 1 more than the pass in which an impact of balls changed
+/// it last. What cannot move is none of them: 0.
 struct Stirred {
     std::span<std::uint8_t> bodies;
     std::uint32_t immobile = 0;

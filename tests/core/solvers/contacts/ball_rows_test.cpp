@@ -57,12 +57,13 @@ class BallRowsTest : public QObject {
                         for (std::size_t i = 0; i + 1 < moved.size(); ++i)
                             add(moved[i].shift, test::uniformIn(random, 0.01));
                 }
-                woken += balls.findStruck(scene.bodies, moved) ? 1 : 0;
+                const bool areStruck = balls.findStruck(scene.bodies, moved);
+                woken += areStruck ? 1 : 0;
                 if (balls.isDoubtful()) break;
-                const std::size_t before = rows.activeGroups();
-                rows.findStruck(scene.bodies, scene.places, moved, scene.duration, scene.gravity);
+                QCOMPARE(rows.findStruck(scene.bodies, scene.places, moved, scene.duration, scene.gravity),
+                         areStruck);
                 QCOMPARE(rows.activeGroups(), balls.activeGroups());
-                if (rows.activeGroups() != before) {
+                if (areStruck) {
                     std::vector<SolverBody> bodies = expected.bodies;
                     expected = balls.active(bodies);
                     QVERIFY(agrees());
@@ -85,6 +86,50 @@ class BallRowsTest : public QObject {
         qInfo("largest difference %.2g, impacts %d, woken %d, idle groups %d, left out %d of 600", worst,
               impacts, woken, idle, doubtful);
         QVERIFY(impacts > 200 && woken > 50 && idle > 500 && doubtful < 60);
+    }
+
+    // Two crowds that do not meet, with their pairs one after the other's, move as each does alone.
+    void whoSharesAGroupChangesNoBit() {
+        Random random(test::seed, 5);
+        int impacts = 0, woken = 0;
+        for (int trial = 0; trial < 400; ++trial) {
+            BallScene alone = randomBalls(random, 2 + random.below(20)), other = randomBalls(random, 30);
+            const std::uint32_t mobile = alone.immobile();
+            BallScene both = other;
+            both.duration = alone.duration;
+            both.bodies.insert(both.bodies.begin(), alone.bodies.begin(), alone.bodies.end() - 1);
+            both.places.insert(both.places.begin(), alone.places.begin(), alone.places.end() - 1);
+            both.pairs.clear();
+            for (std::size_t i = 0; i < std::max(alone.pairs.size(), other.pairs.size()); ++i) {
+                if (i < alone.pairs.size()) {
+                    BallPair& pair = both.pairs.emplace_back(alone.pairs[i]);
+                    if (pair.a == mobile) pair.a = both.immobile();
+                }
+                if (i < other.pairs.size()) {
+                    BallPair& pair = both.pairs.emplace_back(other.pairs[i]);
+                    pair.a += mobile;
+                    pair.b += mobile;
+                }
+            }
+            BallRows few, many;
+            alone.fill(few);
+            both.fill(many);
+            const StepSettings settings = randomSettings(random, alone.duration);
+            for (int frame = 0; frame < 4; ++frame) {
+                alone.refresh(few);
+                both.refresh(many);
+                impacts += step(few, alone, settings, 4);
+                step(many, both, settings, 4);
+                const std::vector<Displacement> still = alone.still(), all = both.still();
+                woken += few.findStruck(alone.bodies, alone.places, still, alone.duration, alone.gravity);
+                many.findStruck(both.bodies, both.places, all, both.duration, both.gravity);
+                few.relax(alone.bodies, still, settings, true);
+                many.relax(both.bodies, all, settings, true);
+                for (std::uint32_t i = 0; i < mobile; ++i) QVERIFY(sameBits(alone.bodies[i], both.bodies[i]));
+            }
+        }
+        qInfo("impacts %d, woken %d", impacts, woken);
+        QVERIFY(impacts > 200 && woken >= 5);
     }
 
     void theRowsOfAnyShapeMoveBallsTheSame() {

@@ -85,7 +85,6 @@ struct BallScene {
 
     void fill(BallRows& rows) const {
         rows.clear();
-        rows.begin(bodies.size(), false);
         for (std::size_t i = 0; i < pairs.size(); ++i)
             rows.add(pairs[i], static_cast<std::uint32_t>(i), immobile(), bodies);
     }
@@ -158,7 +157,7 @@ class ObviousBalls {
         test::ObviousGroups packer(scene.immobile());
         for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
             const BallPair& pair = scene.pairs[i];
-            const test::ObviousGroups::Place place = packer.place(pair.a, pair.b, m_groups.size());
+            const test::ObviousGroups::Place place = packer.place(pair.a, pair.b);
             if (place.isNew) m_groups.emplace_back();
             const SolverBody &a = scene.bodies[pair.a], &b = scene.bodies[pair.b];
             const double masses = a.inverseMass + b.inverseMass;
@@ -177,30 +176,28 @@ class ObviousBalls {
                                .normalImpulse = pair.normal.dot(pair.impulse)};
             turn(point, pair.normal, pair.impulse);
             m_groups[place.group].points.push_back(point);
+            m_groups[place.group].isActive.push_back(false);
         }
     }
 
     void refresh() {
-        for (Group& group : m_groups) {
-            group.isActive = false;
-            for (ObviousPoint& point : group.points) group.isActive |= refresh(point, {});
-        }
+        for (Group& group : m_groups)
+            for (std::size_t k = 0; k < group.points.size(); ++k)
+                group.isActive[k] = refresh(group.points[k], {});
     }
     bool findStruck(std::span<const SolverBody> bodies, std::span<const Displacement> moved) {
         bool any = false;
-        for (Group& group : m_groups) {
-            if (group.isActive) continue;
-            const bool closes =
-                std::any_of(group.points.begin(), group.points.end(), [&](const ObviousPoint& point) {
-                    const Vec3 shift = vectorOf(moved[point.b].shift) - vectorOf(moved[point.a].shift);
-                    const Vec3 velocity =
-                        vectorOf(bodies[point.b].velocity) - vectorOf(bodies[point.a].velocity);
-                    return point.gap + point.normal.dot(shift + m_scene.duration * velocity) < 0;
-                });
-            if (!closes) continue;
-            group.isActive = any = true;
-            for (ObviousPoint& point : group.points) refresh(point, moved);
-        }
+        for (Group& group : m_groups)
+            for (std::size_t k = 0; k < group.points.size(); ++k) {
+                ObviousPoint& point = group.points[k];
+                const Vec3 shift = vectorOf(moved[point.b].shift) - vectorOf(moved[point.a].shift);
+                const Vec3 velocity = vectorOf(bodies[point.b].velocity) - vectorOf(bodies[point.a].velocity);
+                if (group.isActive[k] ||
+                    !(point.gap + point.normal.dot(shift + m_scene.duration * velocity) < 0))
+                    continue;
+                group.isActive[k] = any = true;
+                refresh(point, moved);
+            }
         return any;
     }
 
@@ -208,19 +205,26 @@ class ObviousBalls {
     ObviousContacts active(std::span<const SolverBody> bodies) const {
         ObviousContacts result;
         result.bodies.assign(bodies.begin(), bodies.end());
-        for (const Group& group : m_groups)
-            if (group.isActive) result.groups.push_back(group.points);
+        for (const Group& group : m_groups) {
+            std::vector<ObviousPoint>& active = result.groups.emplace_back();
+            for (std::size_t k = 0; k < group.points.size(); ++k)
+                if (group.isActive[k]) active.push_back(group.points[k]);
+        }
         return result;
     }
     void store(const ObviousContacts& contacts) {
-        auto from = contacts.groups.begin();
-        for (Group& group : m_groups)
-            if (group.isActive) group.points = *from++;
+        for (std::size_t i = 0; i < m_groups.size(); ++i) {
+            auto from = contacts.groups[i].begin();
+            for (std::size_t k = 0; k < m_groups[i].points.size(); ++k)
+                if (m_groups[i].isActive[k]) m_groups[i].points[k] = *from++;
+        }
     }
 
     std::size_t activeGroups() const {
         return static_cast<std::size_t>(
-            std::count_if(m_groups.begin(), m_groups.end(), [](const Group& g) { return g.isActive; }));
+            std::count_if(m_groups.begin(), m_groups.end(), [](const Group& group) {
+                return std::find(group.isActive.begin(), group.isActive.end(), true) != group.isActive.end();
+            }));
     }
     std::size_t groups() const { return m_groups.size(); }
     /// By pair.
@@ -242,7 +246,7 @@ class ObviousBalls {
   private:
     struct Group {
         std::vector<ObviousPoint> points;
-        bool isActive = false;
+        std::vector<bool> isActive;
     };
 
     // Friction is what is left of the old one in the new plane.

@@ -66,12 +66,11 @@ std::vector<RowScene> manyScenes() {
 /// Where pairs go: those with one point, with two, and with more have groups of their own.
 std::vector<std::array<std::uint32_t, wideLanes>> obviousPlacementOf(const RowScene& scene) {
     std::vector<std::array<std::uint32_t, wideLanes>> result;
-    std::array<ObviousGroups, 3> bySize{ObviousGroups(scene.immobile()), ObviousGroups(scene.immobile()),
-                                        ObviousGroups(scene.immobile())};
+    ObviousGroups groups(scene.immobile());
     for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
         const OwnedPair& pair = scene.pairs[i];
         const std::size_t size = std::min<std::size_t>(pair.points.size(), 3) - 1;
-        const ObviousGroups::Place place = bySize[size].place(pair.laws.a, pair.laws.b, result.size());
+        const ObviousGroups::Place place = groups.place(pair.laws.a, pair.laws.b, size);
         if (place.isNew) result.emplace_back().fill(ContactRows::noPair);
         result[place.group][place.lane] = static_cast<std::uint32_t>(i);
     }
@@ -187,7 +186,7 @@ class ContactRowsTest : public QObject {
         }
     }
 
-    void pairsGoWhereASearchThroughAllOpenGroupsPutsThem() {
+    void pairsGoWhereASearchThroughAllGroupsPutsThem() {
         std::size_t crowded = 0;
         for (const RowScene& scene : manyScenes()) {
             const auto expected = obviousPlacementOf(scene);

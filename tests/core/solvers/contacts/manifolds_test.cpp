@@ -441,7 +441,6 @@ class ManifoldsTest : public QObject {
             const SteppedInput input{.bodies = two.bodies, .gravity = Vec3::Zero(), .state = two.state};
             motion.begin(two.bodies, {.looks = 1, .steps = 4, .passes = 2}, duration);
             motion.addIsland(input, list, {});
-            motion.beginPairs();
             motion.addPair(input, {two.manifold.pair, place, 1.0}, manifolds);
             const SteppedReport report = motion.advance(input, manifolds);
             QVERIFY(!report.loss);

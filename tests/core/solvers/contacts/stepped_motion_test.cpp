@@ -37,7 +37,6 @@ class BasePath {
         const SteppedInput input{.bodies = bodies, .gravity = Vec3::Zero(), .state = state};
         m_motion.begin(bodies, {.looks = 1, .steps = 4, .passes = 2}, test::substep);
         m_motion.addIsland(input, bodies.mobileBodies, {});
-        m_motion.beginPairs();
         for (const std::uint32_t place : m_places) {
             updateManifold({bodies, state, Vec3::Zero(), test::substep}, 1.0, m_manifolds[place]);
             m_motion.addPair(input, {m_manifolds[place].pair, place, 1.0}, m_manifolds);
