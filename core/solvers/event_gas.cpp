@@ -41,7 +41,8 @@ Loss EventGas::advanceTo(double time, std::uint64_t mostEvents) {
             const double happens = m_agendas[i].earliest();
             if (!std::isfinite(m_stamps[i].velocity.squaredNorm())) return {m_bodies[i], "velocity"};
             handle(i);
-            if (m_handled + m_lookedAt - from > mostEvents) return {m_bodies[i], "time between events"};
+            if (m_isWedged || m_handled + m_lookedAt - from > mostEvents)
+                return {m_bodies[i], "time between events"};
             if (m_handled < windowEnd) continue;
             if (happens - windowStart < stalled * m_typicalTime) return {m_bodies[i], "time between events"};
             windowStart = happens;
@@ -197,9 +198,10 @@ void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
     const double change = (rests ? 0 : after) - wall.normal.dot(stamp.velocity);
     stamp.velocity += change * wall.normal;
     note(wall, stamp, change / material.inverseMass);
-    if (rests)
+    if (rests) {
         restOn(i, index);
-    else if (!isFree(i))
+        findWedged(i);
+    } else if (!isFree(i))
         settle(i, Rest(m_rests[m_agendas[i].rest]));
     m_agendas[i].last = Agenda::wallMark | index;
     plan(i, time);
@@ -336,6 +338,17 @@ void EventGas::settle(std::uint32_t i, const Rest& before) {
         if (change != 0) m_agendas[i].last = Agenda::wallMark | index; // and it may go back at who struck it
         if (rests) restOn(i, index);
     }
+    findWedged(i);
+}
+
+/// Walls on which a ball rests are not looked at any more. What one of them does to it may push it into
+/// another: that has no end where they face each other.
+void EventGas::findWedged(std::uint32_t i) {
+    if (isFree(i)) return;
+    constexpr double rounding = 1e-9; // of its speed: a thousandth of a radius after a million radii
+    const Vec3& velocity = m_stamps[i].velocity;
+    for (const std::uint16_t index : m_rests[m_agendas[i].rest].on())
+        m_isWedged = m_isWedged || m_walls[index].normal.dot(velocity) < -rounding * velocity.norm();
 }
 
 /// Of a ball that flew free.

@@ -74,7 +74,8 @@ class EventGas {
 
     /// Lives through everything up to `time` [s] after the start; times must not decrease. Breaks off with
     /// the ball concerned if time ceases to pass between the events (inelastic collapse), or there are more
-    /// than `mostEvents` of them, or of what costs as much; if the fastest would fly 1e12 radii: there would
+    /// than `mostEvents` of them, or of what costs as much; if a ball
+    /// that rests on walls would be pushed into one of them; if the fastest would fly 1e12 radii: there would
     /// be no end to the borders that it passes; or if squares of velocities or of gravity are no numbers.
     Loss advanceTo(double time, std::uint64_t mostEvents = std::numeric_limits<std::uint64_t>::max());
 
@@ -189,6 +190,7 @@ class EventGas {
     }
     void settle(std::uint32_t i, const Rest& before);
     void restOn(std::uint32_t i, std::uint16_t wall);
+    void findWedged(std::uint32_t i);
     Rest& newRest(std::uint32_t i);
     bool isStill(std::uint32_t i) const {
         return !isFree(i) && accelerationOf(i).isZero(0) && m_stamps[i].velocity.isZero(0);
@@ -229,6 +231,7 @@ class EventGas {
     ImpulseTally m_tally;
     Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
     double m_slice = 1;              ///< of time, see above [s]
+    bool m_isWedged = false;         ///< a ball would be pushed into a wall on which it rests
     bool m_isComputable = true;      ///< false: velocities or gravity are too large for any event
     double m_sliceEnd = 0;           ///< borders up to then are passed, or in the queue
     std::size_t m_queuedBorders = 0; ///< in this slice

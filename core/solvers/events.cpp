@@ -27,7 +27,7 @@
 //
 // An attempt in vain changes nothing: what rests is not disturbed by it. Where no impact loses energy nothing
 // can crowd, and there is no bound. Who asks for this method by name gets it however long it takes, but for
-// frames in which time ceases to pass between the events.
+// frames in which time ceases to pass between the events, or a ball in a groove would be pushed into a wall.
 
 namespace carom {
 namespace {

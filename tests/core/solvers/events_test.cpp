@@ -339,6 +339,33 @@ class EventsTest : public QObject {
         }
     }
 
+    // Where one wall stops it a ball is pushed into the other, on which it rests already. Three balls in a
+    // groove that slopes went through its walls by up to six radii.
+    void ballsInAGrooveStayOutOfItsWalls() {
+        for (const bool byName : {false, true})
+            for (const double e : {0.0, 0.3})
+                for (const double steepness : {0.4, 1.0, 2.5}) {
+                    Scene scene = sceneOf({}, down);
+                    for (const double side : {1.0, -1.0})
+                        scene.bodies.push_back(elastic(wall(Vec3(side, steepness, 0.2).normalized(), 0), e));
+                    for (int i = 0; i < 3; ++i)
+                        scene.bodies.push_back(
+                            elastic(sphere(0.1, 1, Vec3(0.06 * (i - 1), 1 + 0.25 * i, 0.02 * i)), e));
+                    World world = worldOf(scene, byName ? exact() : SimulationSettings());
+                    for (int frame = 0; frame < 90; ++frame) {
+                        world.step();
+                        QVERIFY(world.health().finite);
+                        for (std::size_t ball = 2; ball < 5; ++ball)
+                            for (std::size_t k = 0; k < 2; ++k) {
+                                const double gap = distanceTo(std::get<Wall>(scene.bodies[k].shape),
+                                                              world.state().pose[ball].position) -
+                                                   0.1;
+                                QVERIFY2(gap > -0.01 * 0.1, qPrintable(QString::number(gap)));
+                            }
+                    }
+                }
+    }
+
     // Impacts of balls that lie on each other have no end. Frames with too many are left to the general
     // method, so there is a bound to what a frame handles, and everything comes to rest.
     void aFrameHandlesSoManyEventsAtMostAndAHeapComesToRest() {
