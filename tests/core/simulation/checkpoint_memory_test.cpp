@@ -9,10 +9,12 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
-#include <malloc.h>
+#include <cstring>
 #include <memory>
 #include <new>
 
@@ -22,33 +24,49 @@
 
 namespace {
 
-/// malloc's own figures beside each piece [bytes].
-constexpr std::size_t heading = sizeof(std::size_t);
-
 std::atomic<std::size_t> held = 0; // [bytes]
 
-void* counted(void* memory) {
-    if (memory == nullptr) throw std::bad_alloc();
-    held += malloc_usable_size(memory) + heading;
-    return memory;
+/// What malloc takes for a piece of this size: its own figure beside it, in units of 16 bytes, two at least.
+/// What a piece really gets may be more, by what was free before, and would depend on the heap's past.
+std::size_t chunkOf(std::size_t size) {
+    return std::max<std::size_t>(32, (size + sizeof(std::size_t) + 15) / 16 * 16);
 }
 
-void release(void* memory) {
-    if (memory != nullptr) held -= malloc_usable_size(memory) + heading;
-    std::free(memory);
+/// The size is kept before the piece.
+void* counted(void* memory, std::size_t before, std::size_t size) {
+    if (memory == nullptr) throw std::bad_alloc();
+    held += chunkOf(size);
+    char* piece = static_cast<char*>(memory) + before;
+    std::memcpy(piece - sizeof size, &size, sizeof size);
+    return piece;
 }
+
+void release(void* memory, std::size_t before) {
+    if (memory == nullptr) return;
+    char* piece = static_cast<char*>(memory);
+    std::size_t size = 0;
+    std::memcpy(&size, piece - sizeof size, sizeof size);
+    held -= chunkOf(size);
+    std::free(piece - before);
+}
+
+constexpr std::size_t usual = alignof(std::max_align_t);
 
 } // namespace
 
-void* operator new(std::size_t size) { return counted(std::malloc(size)); }
+void* operator new(std::size_t size) { return counted(std::malloc(usual + size), usual, size); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
     const std::size_t unit = static_cast<std::size_t>(alignment);
-    return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+    return counted(std::aligned_alloc(unit, unit + (size + unit - 1) / unit * unit), unit, size);
 }
-void operator delete(void* memory) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory) noexcept { release(memory, usual); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory, usual); }
+void operator delete(void* memory, std::align_val_t alignment) noexcept {
+    release(memory, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory, std::size_t, std::align_val_t alignment) noexcept {
+    release(memory, static_cast<std::size_t>(alignment));
+}
 
 using namespace carom;
 
@@ -73,7 +91,7 @@ class CheckpointMemoryTest : public QObject {
     void aCheckpointHoldsWhatItSays() {
         QFETCH(QString, text);
         QFETCH(QString, method);
-        // What malloc rounds up differs from piece to piece, and small checkpoints have many.
+        // What is rounded up differs from piece to piece, and small checkpoints have many.
         constexpr double rounding = 0.05;
         SimulationSettings options;
         options.method = method.toStdString();
