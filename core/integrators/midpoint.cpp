@@ -8,12 +8,11 @@
 // The implicit midpoint rule (E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006,
 // II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
 // keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
-// method has to bring: `contacts` does so with the contacts of an island (solvers/island_springs.cpp), and
-// where nothing meets by five parts of a substep, which together are of order four (dynamics/spring_steps.h).
-// Bodies
-// that move freely need no equations: the parabola is exact, and so is free rotation. Where a force depends
-// on a body's own motion its equations are those of dynamics/forced_steps.h, which move on from the midpoint
-// to the end of the step where the step is long.
+// method has to bring: `contacts` does so with the contacts of an island
+// (solvers/contacts/island_springs.cpp), and where nothing meets by five parts of a substep, which together
+// are of order four (dynamics/spring_steps.h). Bodies that move freely need no equations: the parabola is
+// exact, and so is free rotation. Where a force depends on a body's own motion its equations are those of
+// dynamics/forced_steps.h, which move on from the midpoint to the end of the step where the step is long.
 
 namespace carom {
 namespace {

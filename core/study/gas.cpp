@@ -5,7 +5,7 @@
 
 #include "core/dynamics/energy.h"
 #include "core/simulation/method_choice.h"
-#include "core/solvers/event_gas.h"
+#include "core/solvers/events/event_gas.h"
 
 #include "core/math/distributions.h"
 

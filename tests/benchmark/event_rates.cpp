@@ -6,7 +6,7 @@
 #include "app/options.h"
 #include "core/dynamics/energy.h"
 #include "core/scene/scene.h"
-#include "core/solvers/event_gas.h"
+#include "core/solvers/events/event_gas.h"
 
 #include "core/base/clock.h"
 #include "core/base/figures.h"

@@ -3,7 +3,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/worlds.h"
 
-#include "core/solvers/bounce_train.h"
+#include "core/solvers/contacts/bounce_train.h"
 #include "core/study/cases/scene_text.h"
 
 #include <QTest>

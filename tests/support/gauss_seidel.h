@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/solvers/contact_problem.h"
+#include "core/solvers/contacts/contact_problem.h"
 
 #include <algorithm>
 #include <vector>

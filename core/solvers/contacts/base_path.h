@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/solvers/contacts/islands.h"
+#include "core/solvers/contacts/neighbours.h"
 #include "core/solvers/contacts/stepped_motion.h"
-#include "core/solvers/islands.h"
-#include "core/solvers/neighbours.h"
 
 #include <algorithm>
 #include <array>

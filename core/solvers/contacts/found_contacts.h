@@ -3,7 +3,7 @@
 
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/work_counters.h"
-#include "core/solvers/candidates.h"
+#include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/manifolds.h"
 #include "core/shapes/manifold.h"
 #include "core/solvers/contacts/refinement.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/solvers/contacts/manifolds.h"
-#include "core/solvers/neighbours.h"
+#include "core/solvers/contacts/neighbours.h"
 
 #include <cstdint>
 #include <span>

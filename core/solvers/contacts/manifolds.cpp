@@ -7,7 +7,7 @@
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
 #include "core/narrowphase/separating_axis.h"
-#include "core/solvers/neighbours.h"
+#include "core/solvers/contacts/neighbours.h"
 
 #include <algorithm>
 #include <cmath>

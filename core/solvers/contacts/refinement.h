@@ -4,7 +4,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
-#include "core/solvers/islands.h"
+#include "core/solvers/contacts/islands.h"
 
 #include <cstdint>
 #include <span>

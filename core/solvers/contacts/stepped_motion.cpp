@@ -6,7 +6,7 @@
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
-#include "core/solvers/contact_settings.h"
+#include "core/solvers/contacts/contact_settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/narrowphase/narrowphase.h"
-#include "core/solvers/candidates.h"
+#include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/found_contacts.h"
 
 #include <QTest>

@@ -5,7 +5,7 @@
 
 #include "core/broadphase/broadphase.h"
 #include "core/math/random.h"
-#include "core/solvers/candidates.h"
+#include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/found_contacts.h"
 #include "core/solvers/contacts/impulse_reach.h"
 #include "core/solvers/contacts/refinement.h"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/ledger.h"
+#include "core/solvers/contacts/contact_problem.h"
+
+#include <span>
+
+// What the impulses of a contact problem did, for the ledger: p · (u + u')/2 in each direction, with the mean
+// of the bodies' velocities before and after. Momentum is given only by immobile bodies; between two mobile
+// ones it passes on.
+
+namespace carom {
+
+/// Books `part` of the impulses of all rows: the normal ones to `normal`, the others to friction and rolling
+/// resistance. `mean` holds the mean velocity of every body of the problem.
+void bookRows(const ContactProblem& problem, std::span<const Vec6> mean, double part, LedgerAccount normal,
+              Ledger& ledger);
+
+/// Books one normal impulse [N s] of a row whose points moved with `meanSpeed` [m/s] along the normal.
+void bookNormal(const ContactRow& row, double impulse, double meanSpeed, LedgerAccount normal,
+                Ledger& ledger);
+
+/// Books the springs of the problem: their work on kinetic energy.
+void bookSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledger& ledger);
+
+/// Books kinetic energy and momentum of all bodies, times `sign`, to `account`.
+void bookMotion(const ContactProblem& problem, double sign, LedgerAccount account, Ledger& ledger);
+
+} // namespace carom

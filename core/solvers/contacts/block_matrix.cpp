@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/block_matrix.h"
+
+#include "core/base/assert.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace carom {
+namespace {
+
+/// An update of a diagonal block is told from one of a lower block by this bit.
+constexpr std::size_t onDiagonal = std::size_t{1} << 63;
+
+void insertSorted(std::vector<int>& sorted, int value) {
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
+    if (at == sorted.end() || *at != value) sorted.insert(at, value);
+}
+
+void eraseSorted(std::vector<int>& sorted, int value) {
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
+    if (at != sorted.end() && *at == value) sorted.erase(at);
+}
+
+} // namespace
+
+bool BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges, std::size_t mostUpdates) {
+    const std::size_t count = static_cast<std::size_t>(blocks);
+    if (m_place.size() == count && std::equal(edges.begin(), edges.end(), m_edges.begin(), m_edges.end()))
+        return m_updates.size() <= mostUpdates;
+    m_edges.assign(edges.begin(), edges.end());
+    m_place.assign(count, 0);
+    m_block.assign(count, 0);
+    m_columns.assign(count, {});
+    m_diagonal.resize(count);
+    m_scratch.resize(count);
+    if (eliminate(edges, mostUpdates)) return true;
+    m_place.clear(); // nothing is prepared
+    m_edges.clear();
+    return false;
+}
+
+void BlockMatrix::makeRoom(std::size_t blocks) {
+    constexpr std::size_t couplings = 16; // of a block, with what fills in
+    m_edges.reserve(couplings * blocks);
+    m_place.reserve(blocks);
+    m_block.reserve(blocks);
+    m_columns.reserve(blocks);
+    m_rows.reserve(couplings * blocks);
+    m_updates.reserve(couplings * couplings / 2 * blocks);
+    m_edgePlace.reserve(couplings * blocks);
+    m_neighbours.resize(std::max(m_neighbours.size(), blocks));
+    m_structure.resize(std::max(m_structure.size(), blocks));
+    for (std::vector<int>& list : m_neighbours) list.reserve(2 * couplings);
+    for (std::vector<int>& list : m_structure) list.reserve(2 * couplings);
+    m_done.reserve(blocks);
+    m_heap.reserve(couplings * blocks);
+    m_diagonal.reserve(blocks);
+    m_lower.reserve(couplings * blocks);
+    m_upper.reserve(couplings * blocks);
+    m_scratch.reserve(blocks);
+}
+
+// Eliminates symbolically: the neighbours of an eliminated block become neighbours of each other.
+bool BlockMatrix::eliminate(std::span<const BlockEdge> edges, std::size_t mostUpdates) {
+    const std::size_t count = m_place.size();
+    if (m_neighbours.size() < count) {
+        m_neighbours.resize(count);
+        m_structure.resize(count);
+    }
+    for (std::size_t block = 0; block < count; ++block) m_neighbours[block].clear();
+    for (const BlockEdge& edge : edges) {
+        ASSERT(edge.first != edge.second);
+        insertSorted(m_neighbours[static_cast<std::size_t>(edge.first)], edge.second);
+        insertSorted(m_neighbours[static_cast<std::size_t>(edge.second)], edge.first);
+    }
+    m_done.assign(count, 0);
+    m_heap.clear();
+    const auto wait = [&](std::size_t block) {
+        m_heap.emplace_back(m_neighbours[block].size(), static_cast<int>(block));
+        std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+    };
+    for (std::size_t block = 0; block < count; ++block) wait(block);
+    std::size_t updates = 0;
+    for (std::size_t position = 0; position < count; ++position) {
+        std::size_t best = count;
+        while (best == count) { // an entry whose degree has changed since is passed over
+            const auto [degree, block] = m_heap.front();
+            std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+            m_heap.pop_back();
+            const std::size_t index = static_cast<std::size_t>(block);
+            if (m_done[index] == 0 && m_neighbours[index].size() == degree) best = index;
+        }
+        m_done[best] = 1;
+        updates += m_neighbours[best].size() * (m_neighbours[best].size() + 1) / 2;
+        if (updates > mostUpdates) return false;
+        m_place[best] = static_cast<int>(position);
+        m_block[position] = static_cast<int>(best);
+        std::swap(m_structure[position], m_neighbours[best]);
+        for (const int i : m_structure[position]) {
+            std::vector<int>& list = m_neighbours[static_cast<std::size_t>(i)];
+            eraseSorted(list, static_cast<int>(best));
+            for (const int k : m_structure[position])
+                if (k != i) insertSorted(list, k);
+            wait(static_cast<std::size_t>(i));
+        }
+    }
+
+    m_rows.clear();
+    for (std::size_t position = 0; position < count; ++position) {
+        Column& column = m_columns[position];
+        column.first = m_rows.size();
+        column.count = m_structure[position].size();
+        for (const int block : m_structure[position])
+            m_rows.push_back(m_place[static_cast<std::size_t>(block)]);
+        std::sort(m_rows.begin() + static_cast<std::ptrdiff_t>(column.first), m_rows.end());
+    }
+    m_lower.resize(m_rows.size());
+    m_upper.resize(m_rows.size());
+
+    m_updates.clear();
+    for (Column& column : m_columns) {
+        column.firstUpdate = m_updates.size();
+        for (std::size_t i = 0; i < column.count; ++i)
+            for (std::size_t k = 0; k <= i; ++k) {
+                const int row = m_rows[column.first + i], inColumn = m_rows[column.first + k];
+                m_updates.push_back(i == k ? onDiagonal | static_cast<std::size_t>(row)
+                                           : lowerIndex(row, inColumn));
+            }
+    }
+    m_edgePlace.clear();
+    for (const BlockEdge& edge : edges) {
+        const int first = m_place[static_cast<std::size_t>(edge.first)];
+        const int second = m_place[static_cast<std::size_t>(edge.second)];
+        m_edgePlace.push_back({lowerIndex(std::max(first, second), std::min(first, second)), first < second});
+    }
+    return true;
+}
+
+std::size_t BlockMatrix::lowerIndex(int row, int column) const {
+    const Column& where = m_columns[static_cast<std::size_t>(column)];
+    const auto begin = m_rows.begin() + static_cast<std::ptrdiff_t>(where.first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(where.count);
+    const auto at = std::lower_bound(begin, end, row);
+    ASSERT(at != end && *at == row);
+    return static_cast<std::size_t>(at - m_rows.begin());
+}
+
+void BlockMatrix::setZero() {
+    for (Mat6& block : m_diagonal) block.setZero();
+    for (Mat6& block : m_lower) block.setZero();
+    for (Mat6& block : m_upper) block.setZero();
+}
+
+void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value) {
+    const EdgePlace& where = m_edgePlace[edge];
+    if (where.transposed)
+        m_lower[where.lower] += value.transpose();
+    else
+        m_lower[where.lower] += value;
+}
+
+void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value, const Mat6& mirror) {
+    const EdgePlace& where = m_edgePlace[edge];
+    m_lower[where.lower] += where.transposed ? mirror : value;
+    m_upper[where.lower] += where.transposed ? value : mirror;
+}
+
+bool BlockMatrix::factor() {
+    m_general = false;
+    const Mat6 identity = Mat6::Identity();
+    for (std::size_t j = 0; j < m_columns.size(); ++j) {
+        const Eigen::LLT<Mat6> root(m_diagonal[j]);
+        if (root.info() != Eigen::Success) return false;
+        m_diagonal[j].noalias() = root.matrixL().solve(identity);
+        const Column& column = m_columns[j];
+        std::size_t update = column.firstUpdate;
+        for (std::size_t i = 0; i < column.count; ++i) {
+            Mat6& block = m_lower[column.first + i];
+            const Mat6 scaled = block * m_diagonal[j].transpose();
+            block = scaled;
+            for (std::size_t k = 0; k <= i; ++k, ++update) {
+                const std::size_t target = m_updates[update];
+                Mat6& changed =
+                    (target & onDiagonal) != 0 ? m_diagonal[target & ~onDiagonal] : m_lower[target];
+                changed.noalias() -= block * m_lower[column.first + k].transpose();
+            }
+        }
+    }
+    return true;
+}
+
+bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
+    m_general = true;
+    const auto divideRotation = [](Mat6& block, double length) {
+        block.bottomRows<3>() /= length;
+        block.rightCols<3>() /= length;
+    };
+    for (std::size_t j = 0; j < m_columns.size(); ++j) {
+        const double length = lengths[static_cast<std::size_t>(m_block[j])];
+        divideRotation(m_diagonal[j], length);
+        const Eigen::PartialPivLU<Mat6> pivot(m_diagonal[j]);
+        m_diagonal[j] = pivot.inverse();
+        divideRotation(m_diagonal[j], length);
+        if (!m_diagonal[j].allFinite()) return false;
+        const Column& column = m_columns[j];
+        std::size_t update = column.firstUpdate;
+        for (std::size_t i = column.first; i < column.first + column.count; ++i) {
+            const Mat6 scaled = m_lower[i] * m_diagonal[j];
+            m_lower[i] = scaled;
+            for (std::size_t k = column.first; k <= i; ++k, ++update) {
+                const std::size_t target = m_updates[update];
+                if ((target & onDiagonal) != 0) {
+                    m_diagonal[target & ~onDiagonal].noalias() -= m_lower[i] * m_upper[k];
+                } else {
+                    m_lower[target].noalias() -= m_lower[i] * m_upper[k];
+                    m_upper[target].noalias() -= m_lower[k] * m_upper[i];
+                }
+            }
+        }
+    }
+    return true;
+}
+
+void BlockMatrix::solve(std::vector<Vec6>& x) const {
+    for (std::size_t j = 0; j < m_columns.size(); ++j) m_scratch[j] = x[static_cast<std::size_t>(m_block[j])];
+    if (m_general)
+        solveGeneral(m_scratch);
+    else
+        solveSymmetric(m_scratch);
+    for (std::size_t j = 0; j < m_columns.size(); ++j) x[static_cast<std::size_t>(m_block[j])] = m_scratch[j];
+}
+
+void BlockMatrix::solveSymmetric(std::vector<Vec6>& y) const {
+    for (std::size_t j = 0; j < m_columns.size(); ++j) {
+        const Vec6 solved = m_diagonal[j] * y[j];
+        y[j] = solved;
+        const Column& column = m_columns[j];
+        for (std::size_t i = column.first; i < column.first + column.count; ++i)
+            y[static_cast<std::size_t>(m_rows[i])].noalias() -= m_lower[i] * solved;
+    }
+    for (std::size_t j = m_columns.size(); j-- > 0;) {
+        const Column& column = m_columns[j];
+        Vec6 sum = y[j];
+        for (std::size_t i = column.first; i < column.first + column.count; ++i)
+            sum.noalias() -= m_lower[i].transpose() * y[static_cast<std::size_t>(m_rows[i])];
+        y[j].noalias() = m_diagonal[j].transpose() * sum;
+    }
+}
+
+void BlockMatrix::solveGeneral(std::vector<Vec6>& y) const {
+    for (std::size_t j = 0; j < m_columns.size(); ++j) {
+        const Column& column = m_columns[j];
+        for (std::size_t i = column.first; i < column.first + column.count; ++i)
+            y[static_cast<std::size_t>(m_rows[i])].noalias() -= m_lower[i] * y[j];
+    }
+    for (std::size_t j = m_columns.size(); j-- > 0;) {
+        const Column& column = m_columns[j];
+        Vec6 sum = y[j];
+        for (std::size_t i = column.first; i < column.first + column.count; ++i)
+            sum.noalias() -= m_upper[i] * y[static_cast<std::size_t>(m_rows[i])];
+        y[j].noalias() = m_diagonal[j] * sum;
+    }
+}
+
+} // namespace carom

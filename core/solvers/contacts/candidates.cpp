@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/candidates.h"
+
+#include "core/base/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carom {
+namespace {
+
+double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
+    return reach + Neighbours::leastMargin * bodies.boundingRadius[body];
+}
+
+} // namespace
+
+Candidates::Candidates(const Bodies& bodies)
+    : m_isMember(bodies.count(), 0), m_reach(bodies.count(), 0.0), m_ball(bodies.count()) {
+    for (BodyIndex i = 0; i < bodies.count(); ++i) {
+        const bool wall = isWall(bodies.shape[i]);
+        m_ball[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
+    }
+}
+
+// boundingGap, of a member and what it is near, without looking at what shapes they have.
+double Candidates::gapOf(const Bodies& bodies, const State& state, BodyPair pair) const {
+    const Ball &a = m_ball[pair.a], &b = m_ball[pair.b];
+    const double radii = a.radius + b.radius;
+    return std::isfinite(radii) ? (b.centre - a.centre).norm() - radii : boundingGap(bodies, state, pair);
+}
+
+bool Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+                      std::span<const std::uint8_t> placed, Neighbours& neighbours) {
+    std::fill(m_isMember.begin(), m_isMember.end(), std::uint8_t{0});
+    bool covered = true;
+    double farthest = 0;
+    for (const BodyIndex i : bodies.bounded) m_ball[i].centre = state.pose[i].position;
+    for (const BodyIndex i : members) {
+        m_isMember[i] = 1;
+        m_reach[i] = neighbours.reach(i);
+        farthest = std::max(farthest, m_reach[i]);
+        covered = neighbours.covers(i, roomFor(bodies, i, m_reach[i])) && covered;
+    }
+    if (!covered) return false;
+    m_upward.clear();
+    m_downward.clear();
+    makeRoomFor(neighbours.pairs().size(), m_upward);
+    makeRoomFor(neighbours.pairs().size(), m_downward);
+    for (const BodyIndex i : members) {
+        if (placed[i] != 0) continue;
+        for (const BodyIndex k : neighbours.around(i)) {
+            const bool mobile = bodies.mobile[k] != 0;
+            if (mobile && ((k < i && placed[k] == 0) || m_isMember[k] == 0)) continue;
+            const BodyPair pair{std::min(i, k), std::max(i, k)};
+            const Near near{pair, gapOf(bodies, state, pair)};
+            if (near.gap > 2 * farthest && near.gap > leastMarginOf(pair)) continue;
+            (i < k ? m_upward : m_downward).push_back(near);
+            if (mobile) covered = shareReach(bodies, state, near, neighbours) && covered;
+        }
+    }
+    return covered;
+}
+
+bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near& near,
+                            Neighbours& neighbours) {
+    const auto [a, b] = near.pair;
+    const double reachA = neighbours.reach(a), reachB = neighbours.reach(b);
+    if (!(near.gap <= reachA + reachB)) return true;
+    const BodyIndex slower = reachA < reachB ? a : b;
+    const BodyIndex faster = slower == a ? b : a;
+    const double reach =
+        Neighbours::reachAfter(bodies, slower, std::min(reachA, reachB), faster, std::max(reachA, reachB));
+    if (!(m_reach[slower] < reach)) return true;
+    if (!areBoxesWithin(bodies, state, near.pair, reachA + reachB)) return true;
+    m_reach[slower] = reach;
+    return neighbours.covers(slower, roomFor(bodies, slower, reach));
+}
+
+// Members and their others ascend: so do all but the few pairs with something immobile or placed of smaller
+// index.
+std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state) {
+    const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
+        chosen.clear();
+        makeRoomFor(from.size(), chosen);
+        for (const Near& near : from)
+            if (const double margin = marginOf(near.pair);
+                near.gap <= margin && areBoxesWithin(bodies, state, near.pair, margin))
+                chosen.push_back(near.pair);
+    };
+    choose(m_upward, m_up);
+    choose(m_downward, m_down);
+    mergeAscending(m_up, m_down, m_pairs);
+    return m_pairs;
+}
+
+double Candidates::leastMarginOf(BodyPair pair) const {
+    return Neighbours::leastMargin * std::min(m_ball[pair.a].radius, m_ball[pair.b].radius);
+}
+
+double Candidates::marginOf(BodyPair pair) const {
+    return std::max(leastMarginOf(pair), m_reach[pair.a] + m_reach[pair.b]);
+}
+
+} // namespace carom

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/state.h"
+#include "core/solvers/contacts/neighbours.h"
+
+#include <span>
+#include <vector>
+
+// Which pairs of the bodies that move in islands (the members) are worth a look in a substep: those that may
+// touch within it, and those so near that their forces are remembered through small hops. Pairs with what
+// cannot move are among them, pairs with mobile bodies that are no members are not.
+
+namespace carom {
+
+class Candidates {
+  public:
+    explicit Candidates(const Bodies& bodies);
+
+    /// Takes note of how far the members come in the substep that the neighbours followed last, and of the
+    /// pairs among them, without those of two that are `placed` (by body, not 0: its pairs with others that
+    /// are placed and with what cannot move are known). False if that takes somebody beyond what was
+    /// searched: the neighbours must search, and be asked again.
+    bool look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+              std::span<const std::uint8_t> placed, Neighbours& neighbours);
+
+    /// How far a member's surface may come [m]: a body about to be hit may leave as fast as what hits it
+    /// comes, so neighbours share their reach.
+    double reach(BodyIndex member) const { return m_reach[member]; }
+    /// Pairs that may touch, ascending.
+    std::span<const BodyPair> find(const Bodies& bodies, const State& state);
+    /// Up to which separation points of a pair are kept [m].
+    double marginOf(BodyPair pair) const;
+
+  private:
+    struct Near {
+        BodyPair pair;
+        double gap = 0; // of the balls about them [m]
+    };
+    /// The ball about a body; of walls the radius is infinite.
+    struct Ball {
+        Vec3 centre = Vec3::Zero(); // [m]
+        double radius = 0;          // [m]
+    };
+    double leastMarginOf(BodyPair pair) const;
+    double gapOf(const Bodies& bodies, const State& state, BodyPair pair) const;
+    bool shareReach(const Bodies& bodies, const State& state, const Near& near, Neighbours& neighbours);
+
+    std::vector<std::uint8_t> m_isMember; // by body
+    std::vector<double> m_reach;          // by body [m]
+    std::vector<Ball> m_ball;             // by body
+    std::vector<Near> m_upward;           // from a member to a larger index, ascending
+    std::vector<Near> m_downward;         // from a member to something immobile or placed of smaller index
+    std::vector<BodyPair> m_up, m_down, m_pairs;
+};
+
+} // namespace carom

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/audit.h"
+#include "core/solvers/contacts/island_motion.h"
+
+// What an island's motion did, for the ledger; called only where somebody keeps one. Everything is booked
+// from velocities at the island's present poses, or where contacts turn, at those of the part's end: the
+// impulses of a part of the substep lead from m_start to the velocities of m_problem. Turning comes behind,
+// and what it changes in the energy of bodies with unequal moments is booked apart, as the difference.
+
+namespace carom {
+
+void IslandMotion::bookForces(const MotionInput& input, double duration) {
+    Ledger& ledger = *input.ledger;
+    m_mean.resize(m_problem.bodies.size());
+    LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        const ContactBody& body = m_problem.bodies[i];
+        m_mean[i] = 0.5 * (m_start[i].velocity + body.velocity);
+        if (!m_pushes.empty()) { // turning first, then the torques at the end
+            const Vec3& momentum = m_start[i].angularMomentum;
+            m_mean[i].tail<3>() = 0.5 * (body.freeVelocity + body.velocity).tail<3>();
+            ledger[LedgerAccount::Rotation].energy +=
+                0.5 * momentum.dot((body.freeVelocity - m_start[i].velocity).tail<3>());
+        }
+        const Vec3 impulse = (body.mass * duration) * input.gravity;
+        gravity.energy += impulse.dot(m_mean[i].head<3>());
+        gravity.momentum += impulse;
+    }
+    swapPushes();
+    bookRows(m_problem, m_mean, 1, LedgerAccount::Contact, ledger);
+    swapPushes();
+    bookSprings(m_problem, m_mean, ledger);
+    if (!m_forced.isEmpty()) bookTerms(input);
+}
+
+// Rows and what their impulses act along.
+void IslandMotion::swapPushes() {
+    for (std::size_t i = 0; i < m_pushes.size(); ++i) {
+        ContactRow& row = m_problem.rows[i];
+        std::swap(row.jacobianA, m_pushes[i].a);
+        std::swap(row.jacobianB, m_pushes[i].b);
+        std::swap(row.frame, m_pushes[i].frame);
+    }
+}
+
+void IslandMotion::bookTurning(const MotionInput& input, const Island& island) {
+    double before = 0;
+    for (const ContactBody& body : m_problem.bodies) {
+        const Vec3 spin = body.velocity.tail<3>();
+        before += 0.5 * spin.dot(body.inertia * spin);
+    }
+    (*input.ledger)[LedgerAccount::Rotation].energy +=
+        spinEnergy(input.bodies, island.bodies, input.state) - before;
+}
+
+// Positions are corrected without velocities: only height and the attitude of what turns can matter.
+void IslandMotion::bookParting(const MotionInput& input, const Island& island, double spinBefore) {
+    Ledger& ledger = *input.ledger;
+    for (std::size_t i = 0; i < island.bodies.size(); ++i)
+        ledger.lifted -=
+            input.bodies.mass[island.bodies[i]] * input.gravity.dot(m_parting.bodies[i].velocity.head<3>());
+    ledger[LedgerAccount::Parting].energy +=
+        spinEnergy(input.bodies, island.bodies, input.state) - spinBefore;
+}
+
+// The closed form of a lone ball: along the normal gravity did its part on the way from gap to gap and the
+// wall the rest; across it friction and gravity acted over the whole substep.
+void IslandMotion::bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise) {
+    Ledger& ledger = *input.ledger;
+    const ContactBody& body = m_problem.bodies.front();
+    const Vec3 gravity = (body.mass * input.substep) * input.gravity;
+    const Vec3 mean = 0.5 * (before + body.velocity).head<3>();
+    const double alongNormal = body.mass * input.gravity.dot(normal) * rise;
+    const Vec3 across = mean - normal.dot(mean) * normal;
+    LedgerEntry& fall = ledger[LedgerAccount::Gravity];
+    fall.energy += alongNormal + gravity.dot(across);
+    fall.momentum += gravity;
+
+    const double u0 = normal.dot(before.head<3>()), u1 = normal.dot(body.velocity.head<3>());
+    LedgerEntry& impacts = ledger[LedgerAccount::Restitution];
+    impacts.energy += 0.5 * body.mass * (u1 * u1 - u0 * u0) - alongNormal;
+    impacts.momentum += (body.mass * (u1 - u0) - normal.dot(gravity)) * normal;
+    m_mean.assign(1, 0.5 * (before + body.velocity));
+    bookRows(m_problem, m_mean, 1, LedgerAccount::Restitution, ledger);
+}
+
+} // namespace carom

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/free_rotation.h"
+#include "core/narrowphase/time_of_impact.h"
+#include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/island_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// When does something happen within a part of the substep that ends the smooth motion: two bodies meet, or a
+// corner of bodies that touch already comes down, or a slide or a roll stops? Bodies that no contact force
+// holds together may come from anywhere, turn fast or pass through thin things, so the time they meet is
+// searched for along their whole paths (narrowphase/time_of_impact.h), which misses nothing. The contacts of
+// bodies that are held together are followed one by one.
+
+namespace carom {
+namespace {
+
+/// A time of impact is found to a gap of this part of touchingGap.
+constexpr double reached = 1e-3;
+/// What has come down earlier than after this part of the time touched already, and rolled on. Where that
+/// takes it deeper than this part of its size the time was too long: half of it will do, or less.
+constexpr double rolledOn = 0.01, deepRoll = 1e-4;
+constexpr int mostLooks = 4;
+/// Comparisons of shapes that locating one impact takes, about.
+constexpr int locating = 6;
+/// Newton's steps for it.
+constexpr int mostSteps = 20;
+
+/// The first t in (0, duration] at which gap + u0 t + (u1 − u0) t²/(2 duration) vanishes; infinite if none.
+double closingTime(double gap, double u0, double u1, double duration) {
+    const double a = 0.5 * (u1 - u0) / duration;
+    const double discriminant = u0 * u0 - 4 * a * gap;
+    if (discriminant < 0) return std::numeric_limits<double>::infinity();
+    const double q =
+        std::sqrt(discriminant) - u0; // −2 gap/(u0 − sqrt): the root that comes first while closing
+    if (q <= 0) return std::numeric_limits<double>::infinity();
+    return 2 * gap / q;
+}
+
+} // namespace
+
+// When the first contact that is open closes hard, or `duration` if none does.
+double IslandMotion::firstImpact(const MotionInput& input, double duration) {
+    markHeld();
+    double first = duration;
+    for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
+        const ContactPair& pair = m_contacts.pairs[p];
+        double gap = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
+            if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
+        if (!(gap <= first * fastestApproach(input, pair))) continue;
+        m_work += locating * collideWork(input.bodies, pair);
+        if (remaining(input) <= 0) return first; // what has been found so far
+        first = m_held[p] != 0 ? std::min(first, nextCorner(input, pair, first, duration))
+                               : std::min(first, nextMeeting(input, pair, first, duration));
+    }
+    return first;
+}
+
+// Pairs that a contact force acts in, or that touch and neither close nor part.
+void IslandMotion::markHeld() {
+    m_held.assign(m_contacts.pairs.size(), 0);
+    m_pushed.assign(m_problem.bodies.size(), m_problem.springs.empty() ? 0 : 1);
+    for (const ForcedSteps::Step& step : m_forced.steps()) m_pushed[step.owner] = 1;
+    const double gentle = std::max(m_scale, 10 * m_tolerance);
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        const ContactRow& row = m_problem.rows[i];
+        const bool pushes = row.impulse != Vec3::Zero();
+        const bool touches = row.bound == 0;
+        if (pushes || (touches && std::abs(relativeVelocity(m_problem, row).x()) <= gentle))
+            m_held[m_pairOf[m_rowPoint[i]]] = 1;
+        if (!pushes) continue;
+        if (row.a != immobile) m_pushed[at(row.a)] = 1;
+        if (row.b != immobile) m_pushed[at(row.b)] = 1;
+    }
+}
+
+// No point of A comes nearer to B by more than this times the time [m/s].
+double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair& pair) const {
+    Vec3 before = Vec3::Zero(), after = Vec3::Zero();
+    double turning = 0;
+    const auto add = [&](BodyIndex i, double sign) {
+        const int local = localOf(i);
+        if (local == immobile) return;
+        const Start& start = m_start[at(local)];
+        const ContactBody& end = m_problem.bodies[at(local)];
+        before += sign * start.velocity.head<3>();
+        after += sign * end.velocity.head<3>();
+        if (std::holds_alternative<Sphere>(input.bodies.shape[i])) return;
+        const double momentum = std::max(start.angularMomentum.norm(), endMomentum(at(local)).norm());
+        turning += momentum / input.bodies.inertia[i].minCoeff() * input.bodies.boundingRadius[i];
+    };
+    add(pair.a, -1);
+    add(pair.b, 1);
+    return std::max(before.norm(), after.norm()) + turning;
+}
+
+// When two bodies that nothing holds together meet, at `first` or before; infinite if they do not.
+double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
+                                 double duration) {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const MovingShape a = movingShape(input, pair.a, duration);
+    const MovingShape b = movingShape(input, pair.b, duration);
+    int comparisons = 0;
+    const std::optional<Impact> impact = carom::timeOfImpact(a, b, first, &comparisons);
+    m_work += std::max(0, comparisons - locating) * collideWork(input.bodies, pair);
+    if (!impact) return never;
+    // The flight is not quite the path where a body's spin precesses.
+    double t = impact->time;
+    for (int step = 0; step < mostSteps; ++step) {
+        const Pose poseA = poseAt(input, pair.a, t, duration), poseB = poseAt(input, pair.b, t, duration);
+        const Proximity near =
+            proximityOf({&input.bodies.shape[pair.a], &poseA}, {&input.bodies.shape[pair.b], &poseB});
+        const Vec3 velocityA = velocityAt(pair.a, near.onA - poseA.position, t, duration);
+        const Vec3 velocityB = velocityAt(pair.b, near.onB - poseB.position, t, duration);
+        const double closing = near.normal.dot(velocityA - velocityB);
+        // A gentle meeting of bodies that were open to a force all along has been dealt with by it.
+        const bool waits =
+            std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
+                        [](std::uint8_t wait) { return wait != 0; });
+        if (!waits && closing <= gentleClosing(pair)) return never;
+        if (!(closing > 0) || std::abs(near.distance) <= reached * touchingWithin(pair)) break;
+        t = std::clamp(t + near.distance / closing, 0.0, duration);
+    }
+    return t;
+}
+
+// When the first of the waiting points of a pair that touches elsewhere comes down.
+double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pair, double first,
+                                double duration) const {
+    for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) {
+        if (m_waits[i] == 0) continue;
+        const ContactRow row = rowOf(input.bodies, pair, m_contacts.points[i]);
+        const double u1 = relativeVelocity(m_problem, row).x();
+        double u0 = 0;
+        if (row.a != immobile) u0 += row.jacobianA.row(0).dot(m_start[at(row.a)].velocity);
+        if (row.b != immobile) u0 += row.jacobianB.row(0).dot(m_start[at(row.b)].velocity);
+        const double estimate = closingTime(m_contacts.points[i].separation, u0, u1, duration);
+        if (!(estimate < 1.01 * first)) continue;
+        first = std::min(
+            first, cornerTime(input, pair, m_contacts.points[i], std::min(estimate, duration), duration));
+    }
+    for (int look = 0; look < mostLooks; ++look) {
+        const double landing = landingTime(input, pair, first, duration);
+        if (!(landing < first)) break;
+        first = landing;
+    }
+    return first;
+}
+
+// When something of a pair that touches elsewhere comes down hard that was no point of it at the start: of a
+// disk that falls flat some place of the rim, seldom one of those it was found by. Infinite if nothing has by
+// `time`; a part of it where a contact rolled on too far.
+double IslandMotion::landingTime(const MotionInput& input, const ContactPair& pair, double time,
+                                 double duration) const {
+    const Pose poseA = poseAt(input, pair.a, time, duration), poseB = poseAt(input, pair.b, time, duration);
+    double first = std::numeric_limits<double>::infinity();
+    if (!poseA.position.allFinite() || !poseB.position.allFinite()) return first; // the step is lost
+    Manifold manifold;
+    if (!collide({&input.bodies.shape[pair.a], &poseA}, {&input.bodies.shape[pair.b], &poseB}, 0, manifold))
+        return first;
+    const BodyIndex anchorBody = isWall(input.bodies.shape[pair.b]) ? pair.a : pair.b;
+    const Pose& anchorPose = anchorBody == pair.a ? poseA : poseB;
+    const std::span<const ContactConstraint> points = m_contacts.pointsOf(pair);
+    const bool overlapped = std::any_of(points.begin(), points.end(), [&](const ContactConstraint& point) {
+        return point.separation < -0.5 * deepRoll * pair.size;
+    });
+    for (const ContactPoint& deep : manifold) {
+        if (!(deep.separation < -touchingWithin(pair))) continue;
+        const Vec3 velocityA = velocityAt(pair.a, deep.onA - poseA.position, time, duration);
+        const Vec3 velocityB = velocityAt(pair.b, deep.onB - poseB.position, time, duration);
+        const double closing = manifold.normal.dot(velocityA - velocityB);
+        double landing = 0;
+        if (closing > gentleClosing(pair)) {
+            ContactConstraint point;
+            point.anchor = anchorPose.toBody(0.5 * (deep.onA + deep.onB));
+            landing = cornerTime(input, pair, point, time, duration);
+        }
+        if (landing >= rolledOn * time)
+            first = std::min(first, landing);
+        else if (!overlapped && deep.separation < -deepRoll * pair.size)
+            first = std::min(first, 0.5 * time);
+    }
+    return first;
+}
+
+// Newton's iteration for the time at which one point closes, found again by its place on the body.
+double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pair,
+                                const ContactConstraint& point, double t, double duration) const {
+    const BodyIndex anchorBody = isWall(input.bodies.shape[pair.b]) ? pair.a : pair.b;
+    for (int step = 0; step < mostSteps; ++step) {
+        const Pose poseA = poseAt(input, pair.a, t, duration), poseB = poseAt(input, pair.b, t, duration);
+        Manifold manifold;
+        if (!collide({&input.bodies.shape[pair.a], &poseA}, {&input.bodies.shape[pair.b], &poseB},
+                     pair.margin, manifold))
+            return t;
+        const Vec3 place = (anchorBody == pair.a ? poseA : poseB).toWorld(point.anchor);
+        const ContactPoint* nearest = std::min_element(
+            manifold.begin(), manifold.end(), [&](const ContactPoint& one, const ContactPoint& other) {
+                return (one.onA + one.onB - 2 * place).squaredNorm() <
+                       (other.onA + other.onB - 2 * place).squaredNorm();
+            });
+        if (std::abs(nearest->separation) <= reached * touchingWithin(pair)) return t;
+        const Vec3 velocityA = velocityAt(pair.a, nearest->onA - poseA.position, t, duration);
+        const Vec3 velocityB = velocityAt(pair.b, nearest->onB - poseB.position, t, duration);
+        const double closing = manifold.normal.dot(velocityA - velocityB);
+        if (!(closing > 0)) return t;
+        t = std::clamp(t + nearest->separation / closing, 0.0, duration);
+    }
+    return t;
+}
+
+// A body's path as a flight: a parabola, and the mean spin.
+MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, double duration) const {
+    MovingShape moving{.start = {&input.bodies.shape[i], &input.state.pose[i]}};
+    const int local = localOf(i);
+    if (local == immobile) return moving;
+    const Start& start = m_start[at(local)];
+    const ContactBody& end = m_problem.bodies[at(local)];
+    moving.velocity = start.velocity.head<3>();
+    // Without rounding where nothing pushes: two balls in the same field have a closed form.
+    moving.acceleration =
+        m_pushed[at(local)] == 0 ? input.gravity : Vec3((end.velocity - start.velocity).head<3>() / duration);
+    moving.angularVelocity = 0.5 * (start.velocity + end.velocity).tail<3>();
+    return moving;
+}
+
+Pose IslandMotion::poseAt(const MotionInput& input, BodyIndex i, double t, double duration) const {
+    const int local = localOf(i);
+    Pose pose = input.state.pose[i];
+    if (local == immobile) return pose;
+    const Start& start = m_start[at(local)];
+    const Vec3 v0 = start.velocity.head<3>(), v1 = m_problem.bodies[at(local)].velocity.head<3>();
+    pose.position += t * (v0 + (0.5 * t / duration) * (v1 - v0));
+    const Vec3 momentum =
+        start.angularMomentum + (0.5 * t / duration) * (endMomentum(at(local)) - start.angularMomentum);
+    rotateFreely(input.bodies.inertia[i], momentum, t, pose.orientation);
+    return pose;
+}
+
+// Of the point of the body that is `arm` from its centre at time t.
+Vec3 IslandMotion::velocityAt(BodyIndex i, const Vec3& arm, double t, double duration) const {
+    const int local = localOf(i);
+    if (local == immobile) return Vec3::Zero();
+    const Vec6 v0 = m_start[at(local)].velocity, v1 = m_problem.bodies[at(local)].velocity;
+    const Vec6 v = v0 + (t / duration) * (v1 - v0);
+    return v.head<3>() + v.tail<3>().cross(arm);
+}
+
+// A slide or a roll that friction brakes, as a row of the problem shows it.
+struct IslandMotion::Braked {
+    std::uint32_t point = 0; // of m_contacts
+    bool rolling = false;
+    double before = 0;             // its speed at the start of the part [m/s] or [rad/s]
+    Vec2 direction = Vec2::Zero(); // of that speed
+    double part = 0;               // of the friction there may be, what stopped it
+};
+
+// When the first sliding contact comes to stick, or a rolling one to a stop, or `duration`. The speed falls
+// linearly under constant forces: the force that stopped it, as a part of what the law allows, tells about
+// when; a solve shortly before gives the slope.
+double IslandMotion::firstStop(const MotionInput& input, double duration) {
+    Braked braked;
+    if (!findStop(braked)) return duration;
+    const double stop = findStopTime(input, braked, duration);
+    if (stop < (1 - shortestPart) * duration) return stop;
+    smooth(input, duration, true); // back from the trials
+    return duration;
+}
+
+double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked, double duration) {
+    constexpr double stopped = 1e-9; // of the speed before
+    constexpr int mostTrials = 10;
+    double low = 0, speedLow = braked.before, high = duration;
+    double guess = 0.9 * std::min(1.0, braked.part) * duration;
+    for (int trial = 0; trial < mostTrials && !m_unsolved; ++trial) {
+        smooth(input, guess, true);
+        const double speed = speedOf(braked);
+        if (speed > stopped * braked.before) {
+            const double slope = (speed - speedLow) / (guess - low);
+            low = guess;
+            speedLow = speed;
+            guess = slope < 0 ? std::min(high, low - speedLow / slope) : high;
+            if (guess >= high) return high;
+        } else if (low > 0) {
+            return guess; // on the line through two sliding states: the stop itself
+        } else {
+            high = guess;
+            guess *= 0.5;
+        }
+    }
+    return high;
+}
+
+// The one that took the smallest part of the friction it might have had.
+bool IslandMotion::findStop(Braked& first) const {
+    bool found = false;
+    const auto look = [&](const Braked& braked, double after, double fastest) {
+        if (braked.before <= 1e3 * fastest || after > 10 * fastest) return;
+        if (found && braked.part >= first.part) return;
+        first = braked;
+        found = true;
+    };
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        const ContactRow& row = m_problem.rows[i];
+        const double normal = row.impulse.x();
+        // Where a body turns about a corner that sticks, the corner's speed over a part is that of turning.
+        if (!(normal > 0) || m_stuck[i] != 0) continue;
+        // Before: of the contact as it was then.
+        ContactRow start = row;
+        if (!m_pushes.empty()) placeRow(m_rowPoint[i], start);
+        Vec3 slip = Vec3::Zero();
+        Vec2 roll = Vec2::Zero();
+        const auto add = [&](int body, const Mat36& jacobian, double sign) {
+            if (body == immobile) return;
+            slip += jacobian * m_start[at(body)].velocity;
+            roll += sign * (start.frame.bottomRows<2>() * m_start[at(body)].velocity.tail<3>());
+        };
+        add(row.a, start.jacobianA, -1);
+        add(row.b, start.jacobianB, 1);
+        if (row.friction > 0) {
+            const double speed = slip.tail<2>().norm();
+            look({.point = m_rowPoint[i],
+                  .before = speed,
+                  .direction = slip.tail<2>() / (speed > 0 ? speed : 1),
+                  .part = row.impulse.tail<2>().norm() / (row.friction * normal)},
+                 relativeVelocity(m_problem, row).tail<2>().norm(), m_tolerance);
+        }
+        if (row.rolling > 0) {
+            const double speed = roll.norm();
+            look({.point = m_rowPoint[i],
+                  .rolling = true,
+                  .before = speed,
+                  .direction = roll / (speed > 0 ? speed : 1),
+                  .part = row.rollingImpulse.norm() / (row.rolling * normal)},
+                 rollingVelocity(m_problem, row).norm(),
+                 m_tolerance / std::max(row.armA.norm(), row.armB.norm()));
+        }
+    }
+    return found;
+}
+
+double IslandMotion::speedOf(const Braked& braked) const {
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        if (m_rowPoint[i] != braked.point) continue;
+        const ContactRow& row = m_problem.rows[i];
+        return braked.rolling ? braked.direction.dot(rollingVelocity(m_problem, row))
+                              : braked.direction.dot(relativeVelocity(m_problem, row).tail<2>());
+    }
+    return 0;
+}
+
+} // namespace carom

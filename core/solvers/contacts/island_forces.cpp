@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/island_motion.h"
+
+#include <algorithm>
+
+// The smooth part of an island's motion: velocities at the end of a part of the substep under gravity and the
+// forces of the contacts that hold.
+
+namespace carom {
+namespace {
+
+/// Forces are remembered from parts of at least this part of the substep.
+constexpr double shortestMemory = 0.1;
+/// A residual up to so many times the tolerance is near enough to go on with: the next substep begins there.
+constexpr double nearlySolved = 1000;
+/// A friction force nearer to the edge of its cone than this part of it is at the edge: the contact slides.
+constexpr double coneEdge = 1e-6;
+/// How often force terms are taken where the velocities found last lead. Each round gains about six digits
+/// where a term changes a velocity by a thousandth in a part of the substep.
+constexpr int mostRounds = 8;
+
+} // namespace
+
+// Velocities after `duration` under gravity and the forces of contacts that touch.
+void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
+    m_unsolved = false;
+    beginPart(input, duration);
+    chooseRows(input, duration, locating);
+    solveForces(input, duration);
+    if (locating && !m_unsolved && contactsTurn(input, duration)) turnContacts(input, duration);
+    if (!m_forced.isEmpty()) endTerms(input);
+    // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
+    // later.
+    report.residual = std::max(report.residual, m_unsolved ? 0 : m_residual);
+    if (duration < shortestMemory * input.substep) return;
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
+        point.force = m_problem.rows[i].impulse / duration;
+        point.rollingTorque = m_problem.rows[i].rollingImpulse / duration;
+    }
+}
+
+// Bodies as they are at the start of a part.
+void IslandMotion::beginPart(const MotionInput& input, double duration) {
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        ContactBody& body = m_problem.bodies[i];
+        const BodyIndex member = m_members[i];
+        if (!m_pushes.empty())
+            setInertia(input.bodies.inertia[member], input.state.pose[member].orientation, body);
+        body.velocity = m_start[i].velocity;
+        body.freeVelocity = m_start[i].velocity;
+        body.freeVelocity.head<3>() += duration * input.gravity;
+    }
+    m_pushes.clear();
+    if (!input.bodies.forces.empty()) beginTerms(input, duration);
+}
+
+// Velocities at the end of the part: by the springs and contacts about where force terms are taken, and these
+// where they lead.
+void IslandMotion::solveForces(const MotionInput& input, double duration) {
+    for (int round = 0; round < mostRounds; ++round) {
+        if (m_springs.empty())
+            solve(input);
+        else
+            solveSprings(input, duration);
+        if (m_forced.isEmpty() || m_unsolved || !followTerms(input)) return;
+    }
+}
+
+// Angular momentum of a body at the end of the part; where no impulse turns it the one of the start, to the
+// bit.
+Vec3 IslandMotion::endMomentum(std::size_t i) const {
+    const ContactBody& body = m_problem.bodies[i];
+    return m_start[i].angularMomentum + body.inertia * (body.velocity - body.freeVelocity).tail<3>();
+}
+
+// Closing speeds up to this are a matter for the contact force: the bound uₙ + gap/T >= 0 stops them at the
+// surface [m/s].
+double IslandMotion::gentleClosing(const ContactPair& pair) const {
+    return (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
+}
+
+// What parts faster than gravity alone can bring back within a substep is free until it has come back: a
+// force that held it while it moves away would do work on it [m/s].
+double IslandMotion::gentleOpening(const ContactPair& pair) const {
+    return std::max(gentleClosing(pair), 10 * m_tolerance);
+}
+
+// Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
+// left to firstImpact while locating.
+void IslandMotion::chooseRows(const MotionInput& input, double duration, bool locating) {
+    m_problem.rows.clear();
+    m_rowPoint.clear();
+    m_stuck.clear();
+    m_waits.assign(m_contacts.points.size(), 0);
+    for (std::uint32_t i = 0; i < m_contacts.points.size(); ++i) {
+        ContactConstraint& point = m_contacts.points[i];
+        const ContactPair& pair = m_contacts.pairs[m_pairOf[i]];
+        const double open = point.separation - touchingWithin(pair);
+        ContactRow row = rowOf(input.bodies, pair, point);
+        row.bound = std::max(0.0, open) / duration;
+        if (open > 0 && locating) {
+            const double closing = -relativeVelocity(m_problem, row).x();
+            if (closing > gentleClosing(pair) || m_scale == 0) {
+                point.force.setZero();
+                point.rollingTorque.setZero();
+                m_waits[i] = 1;
+                continue;
+            }
+        }
+        const double opening = relativeVelocity(m_problem, row).x();
+        if (open <= 0 && locating && opening > gentleOpening(pair)) {
+            point.force.setZero();
+            point.rollingTorque.setZero();
+            m_waits[i] = 1;
+            continue;
+        }
+        // Springs turn velocities round within a part, and a normal force that uses the gap up works at the
+        // mean of the speeds at both ends. It gives no energy if u₁ >= −u₀, too.
+        if (!m_springs.empty()) row.bound = std::max(row.bound, opening - m_tolerance);
+        row.impulse = duration * point.force;
+        row.rollingImpulse = duration * point.rollingTorque;
+        m_problem.rows.push_back(row);
+        m_rowPoint.push_back(i);
+        const double most = (1 - coneEdge) * point.force.x();
+        m_stuck.push_back(point.force.tail<2>().norm() < row.friction * most &&
+                          (row.rolling == 0 || point.rollingTorque.norm() < row.rolling * most));
+    }
+}
+
+// A second attempt without remembered impulses, if that leads further than the first.
+NewtonReport IslandMotion::solveCold(const MotionInput& input, const NewtonReport& warm) {
+    std::swap(m_warmRows, m_problem.rows);
+    m_problem.rows = m_warmRows;
+    for (ContactRow& row : m_problem.rows) {
+        row.impulse.setZero();
+        row.rollingImpulse.setZero();
+    }
+    const NewtonReport cold = m_newton.solve(m_problem, m_tolerance, remaining(input));
+    report.work.factorisations += static_cast<std::uint64_t>(cold.factorisations);
+    m_work += cold.work;
+    if (cold.solved || cold.residual < warm.residual) return cold;
+    std::swap(m_warmRows, m_problem.rows);
+    velocitiesFromImpulses(m_problem);
+    return warm;
+}
+
+void IslandMotion::solve(const MotionInput& input) {
+    if (m_problem.rows.empty() && m_problem.springs.empty()) {
+        velocitiesFromImpulses(m_problem);
+        return;
+    }
+    NewtonReport solved = m_newton.solve(m_problem, m_tolerance, remaining(input));
+    report.work.factorisations += static_cast<std::uint64_t>(solved.factorisations);
+    m_work += solved.work;
+    const auto isGood = [&] { return solved.solved || solved.residual <= nearlySolved * m_tolerance; };
+    const bool accurate = input.settings.tolerance < accurateTolerance;
+    if (!solved.solved && (accurate || !isGood()) && remaining(input) > 0) solved = solveCold(input, solved);
+    m_unsolved = m_unsolved || !isGood();
+    m_residual = solved.residual;
+}
+
+} // namespace carom

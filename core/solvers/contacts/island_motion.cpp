@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/island_motion.h"
+
+#include "core/dynamics/contact_memory.h"
+#include "core/dynamics/energy.h"
+#include "core/dynamics/free_rotation.h"
+#include "core/math/rotation.h"
+#include "core/solvers/contacts/audit.h"
+#include "core/solvers/contacts/calm.h"
+#include "core/solvers/contacts/contact_settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+bool areStill(const State& state, std::span<const BodyIndex> bodies) {
+    return std::all_of(bodies.begin(), bodies.end(), [&](BodyIndex i) {
+        return state.velocity[i] == Vec3::Zero() && state.angularVelocity[i] == Vec3::Zero();
+    });
+}
+
+/// A time on a spring's way is found again so often at most, and until it changes by less than this part.
+constexpr int mostRelocations = 8;
+constexpr double relocationEnd = 1e-12;
+
+} // namespace
+
+bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
+    load(input, island, found);
+    const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
+    if (!bounce(input, island) && !swing(input, island)) move(input, island);
+    report.work.operations += m_work;
+    return wereStill && !m_parted && m_left == 0 && areStill(input.state, island.bodies);
+}
+
+void IslandMotion::move(const MotionInput& input, const Island& island) {
+    const bool accurate = input.settings.tolerance < accurateTolerance;
+    const int points = static_cast<int>(m_contacts.points.size());
+    const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
+    int events = 0;
+    for (double left = input.substep; left > 0;) {
+        const bool locating = events < most;
+        m_rattles = 2 * events > most;
+        m_left = left;
+        // What is not finished has not happened: bodies that are parted again and again, and sink again on
+        // the base path in between, would never come to rest.
+        const Ledger booked = input.ledger != nullptr ? *input.ledger : Ledger{};
+        m_unparted.clear();
+        for (const BodyIndex i : island.bodies)
+            m_unparted.push_back({input.state.pose[i], input.state.velocity[i]});
+        const auto giveUp = [&] {
+            for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+                input.state.pose[island.bodies[k]] = m_unparted[k].pose;
+                input.state.velocity[island.bodies[k]] = m_unparted[k].velocity;
+            }
+            if (input.ledger != nullptr) *input.ledger = booked;
+        };
+        part(input, island);
+        loadBodies(input, island);
+        impacts(input, left, locating);
+        if (remaining(input) <= 0) return giveUp();
+        double duration = left;
+        smooth(input, duration, locating);
+        if (locating && !m_unsolved && remaining(input) > 0) {
+            double event = firstImpact(input, duration);
+            if (event >= duration && accurate) event = firstStop(input, duration);
+            if (event < (1 - shortestPart) * duration) {
+                duration = std::max(event, shortestPart * input.substep);
+                smooth(input, duration, locating);
+                ++events;
+                if (!m_springs.empty()) duration = relocated(input, duration);
+            }
+        }
+        if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
+            m_tolerance *= finerTolerance;
+            smooth(input, duration, locating);
+        }
+        if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
+        if ((report.loss = findLoss(island))) break;
+        if (input.ledger != nullptr) bookForces(input, duration);
+        if (duration == left) settle(input, island);
+        commit(input, island, duration);
+        left = duration < left ? left - duration : 0;
+        m_left = left;
+        if (left > 0 || accurate || events > 0) recollide(input);
+    }
+    // No overlap is shown in an accurate run, nor where impacts turned a body whose rim came down unseen.
+    // Parting is linear in the displacement: what turns far overlaps a little again. Deep overlaps are left
+    // to the substeps to come, or bodies would part faster than they may.
+    for (int round = 0; (accurate || events > 0) && !report.loss && round < mostPartings; ++round) {
+        if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostParting) break;
+        part(input, island);
+    }
+}
+
+// The way of a body on a spring depends on how long it is followed at once, so the time at which it meets
+// something is found again on the shorter way, until it is that of its end.
+double IslandMotion::relocated(const MotionInput& input, double duration) {
+    const double shortest = shortestPart * input.substep;
+    for (int round = 0; round < mostRelocations && !m_unsolved && remaining(input) > 0; ++round) {
+        const double event = firstImpact(input, duration);
+        if (duration == shortest || !(event < (1 - relocationEnd) * duration)) break;
+        duration = std::max(event, shortest);
+        smooth(input, duration, true);
+    }
+    return duration;
+}
+
+// So that islands of the usual size allocate nothing, whatever they begin to do.
+void IslandMotion::makeRoom() {
+    constexpr std::size_t points = pointsRefined, bodies = points / 2;
+    if (m_presses.capacity() >= points) return;
+    for (ContactSet* set : {&m_contacts, &m_before}) {
+        set->pairs.reserve(points);
+        set->points.reserve(points);
+    }
+    for (ContactProblem* problem : {&m_problem, &m_parting}) {
+        problem->bodies.reserve(bodies);
+        problem->rows.reserve(points);
+    }
+    for (std::vector<Vec6>* velocities : {&m_lastVelocity, &m_free}) velocities->reserve(bodies);
+    for (std::vector<Pose>* poses : {&m_middlePose, &m_endPose}) poses->reserve(bodies);
+    for (std::vector<Place>* places : {&m_inMiddle, &m_atEnd}) places->reserve(points);
+    for (std::vector<std::uint32_t>* indices : {&m_rowPoint, &m_pairOf}) indices->reserve(points);
+    for (std::vector<std::uint8_t>* flags : {&m_presses, &m_stuck, &m_waits, &m_held, &m_pushed})
+        flags->reserve(points);
+    m_start.reserve(bodies);
+    m_pushes.reserve(points);
+    m_impactRows.reserve(points);
+    m_warmRows.reserve(points);
+    m_followed.pairs.reserve(1);
+    m_followed.points.reserve(Manifold::capacity);
+    m_newton.makeRoom(bodies, points);
+    m_impacts.makeRoom(bodies, points);
+}
+
+void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
+    m_members = island.bodies;
+    m_local.resize(input.bodies.count(), immobile);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) m_local[island.bodies[i]] = static_cast<int>(i);
+    m_contacts.clear();
+    for (const std::uint32_t pair : island.pairs)
+        m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
+    m_springs.assign(island.links.begin(), island.links.end());
+    makeRoom();
+    m_scale = input.gravity.norm() * input.substep;
+    m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
+    m_work = m_left = 0;
+    m_unsolved = m_parted = false;
+    m_overlap = 0;
+    for (const ContactPair& pair : m_contacts.pairs)
+        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
+            report.maxPenetration = std::max(report.maxPenetration, -point.separation);
+}
+
+double IslandMotion::collideWork(const Bodies& bodies, const ContactPair& pair) const {
+    const auto simple = [&](BodyIndex i) {
+        return std::holds_alternative<Sphere>(bodies.shape[i]) || isWall(bodies.shape[i]);
+    };
+    return simple(pair.a) || simple(pair.b) ? work::collideRound : work::collide;
+}
+
+void IslandMotion::recollide(const MotionInput& input) {
+    std::swap(m_before, m_contacts);
+    m_contacts.clear();
+    for (const ContactPair& pair : m_before.pairs) {
+        const std::size_t count = m_contacts.pairs.size();
+        m_work += collideWork(input.bodies, pair);
+        ++report.work.pairsCollided;
+        collideInto(input.bodies, input.state, pair, m_before.pointsOf(pair), m_contacts);
+        // A pair that has no points now keeps its place: it may have some later in the substep.
+        if (m_contacts.pairs.size() == count) m_contacts.append(pair, {});
+    }
+}
+
+void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body) {
+    const Vec3 inverse = principal.cwiseInverse();
+    if (isIsotropic(principal)) {
+        body.inertia = principal.asDiagonal();
+        body.inverseInertia = inverse.asDiagonal();
+        return;
+    }
+    const Mat3 turn = orientation.toRotationMatrix();
+    body.inertia = turn * principal.asDiagonal() * turn.transpose();
+    body.inverseInertia = turn * inverse.asDiagonal() * turn.transpose();
+}
+
+void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
+    m_problem.clear();
+    m_start.clear();
+    double fastest = 0;
+    for (const BodyIndex i : island.bodies) {
+        ContactBody& body = m_problem.bodies.emplace_back();
+        body.velocity << input.state.velocity[i], input.state.angularVelocity[i];
+        body.mass = input.bodies.mass[i];
+        setInertia(input.bodies.inertia[i], input.state.pose[i].orientation, body);
+        body.gyration = std::sqrt(input.bodies.inertia[i].maxCoeff() / body.mass);
+        fastest = std::max(fastest, fastestPart(body));
+    }
+    const double scale = m_scale > 0 ? m_scale : fastest;
+    m_tolerance = std::max(input.settings.tolerance * scale, speedRounding * fastest);
+    m_pairOf.clear();
+    for (std::uint32_t pair = 0; pair < m_contacts.pairs.size(); ++pair)
+        m_pairOf.insert(m_pairOf.end(), m_contacts.pairs[pair].count, pair);
+}
+
+ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
+                               const ContactConstraint& point) const {
+    ContactRow row;
+    row.a = localOf(pair.a);
+    row.b = localOf(pair.b);
+    row.ballA = bodies.turnedByImpacts[pair.a] == 0;
+    row.ballB = bodies.turnedByImpacts[pair.b] == 0;
+    row.frame = point.frame;
+    row.armA = point.armA;
+    row.armB = point.armB;
+    row.friction = pair.friction;
+    row.rolling = pair.rolling;
+    prepareRow(m_problem, row);
+    return row;
+}
+
+// The deepest overlap that is to be parted, relative to the smaller body; 0 if there is none.
+double IslandMotion::relativeOverlap() const {
+    double deepest = 0;
+    for (const ContactPair& pair : m_contacts.pairs)
+        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
+            if (point.separation < -touchingWithin(pair))
+                deepest = std::max(deepest, -point.separation / pair.size);
+    return deepest;
+}
+
+// Parts bodies that overlap by the least displacement, in the sense of kinetic energy, that opens the gaps:
+// the contact problem with lengths for velocities.
+void IslandMotion::part(const MotionInput& input, const Island& island) {
+    const double overlap = relativeOverlap();
+    m_overlap = std::max(m_overlap, overlap);
+    if (overlap == 0) return;
+    m_parted = true;
+    loadBodies(input, island);
+    m_parting.clear();
+    m_parting.bodies = m_problem.bodies;
+    for (ContactBody& body : m_parting.bodies) body.freeVelocity.setZero();
+    double narrowest = std::numeric_limits<double>::infinity(); // [m]
+    for (const ContactPair& pair : m_contacts.pairs) {
+        narrowest = std::min(narrowest, touchingWithin(pair));
+        for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
+            ContactRow row = rowOf(input.bodies, pair, point);
+            row.friction = row.rolling = 0;
+            row.bound = std::max(point.separation, -mostParting * pair.size);
+            m_parting.rows.push_back(row);
+        }
+    }
+    const double spinBefore =
+        input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
+    const double tolerance = 1e-3 * narrowest;
+    const double stored = storedInSprings(input);
+    const NewtonReport parting = m_newton.solve(m_parting, tolerance, std::max(0.0, remaining(input)));
+    m_work += parting.work;
+    report.work.factorisations += static_cast<std::uint64_t>(parting.factorisations);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        Pose& pose = input.state.pose[island.bodies[i]];
+        const Vec6& displacement = m_parting.bodies[i].velocity;
+        pose.position += displacement.head<3>();
+        if (displacement.tail<3>() != Vec3::Zero())
+            pose.orientation = (fromRotationVector(displacement.tail<3>()) * pose.orientation).normalized();
+    }
+    if (input.ledger != nullptr) bookParting(input, island, spinBefore);
+    takeEnergy(input, island, storedInSprings(input) - stored);
+    recollide(input);
+}
+
+// [J]
+double IslandMotion::storedInSprings(const MotionInput& input) const {
+    double energy = 0;
+    for (const std::uint32_t spring : m_springs)
+        energy += springEnergy(input.bodies.springs[spring], input.state);
+    return energy;
+}
+
+// What parting has added to springs is taken from the motion, as far as there is any: of bodies that touch or
+// hang on what is fixed all of it, of others that about their centre of mass.
+void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, double energy) {
+    if (!(energy > 0)) return;
+    const auto isFixed = [&](BodyIndex i) { return i == noBody || input.bodies.mobile[i] == 0; };
+    bool held = std::any_of(m_contacts.pairs.begin(), m_contacts.pairs.end(), [&](const ContactPair& pair) {
+        return pair.count > 0 && (isFixed(pair.a) || isFixed(pair.b));
+    });
+    for (const std::uint32_t index : m_springs) {
+        const SpringForce& spring = input.bodies.springs[index];
+        held = held || isFixed(spring.from) || isFixed(spring.to);
+    }
+    Vec3 momentum = Vec3::Zero();
+    double mass = 0, kinetic = 0;
+    for (const BodyIndex i : island.bodies) {
+        momentum += input.bodies.mass[i] * input.state.velocity[i];
+        mass += input.bodies.mass[i];
+    }
+    const Vec3 drift = held ? Vec3(Vec3::Zero()) : Vec3(momentum / mass);
+    for (const BodyIndex i : island.bodies)
+        kinetic += 0.5 * input.bodies.mass[i] * (input.state.velocity[i] - drift).squaredNorm();
+    const double part = kinetic > energy ? std::sqrt(1 - energy / kinetic) : 0;
+    for (const BodyIndex i : island.bodies)
+        input.state.velocity[i] = drift + part * (input.state.velocity[i] - drift);
+    if (input.ledger == nullptr) return;
+    LedgerEntry& parting = (*input.ledger)[LedgerAccount::Parting];
+    parting.energy -= (1 - part * part) * kinetic;
+    parting.momentum -= (1 - part) * (momentum - mass * drift);
+}
+
+void IslandMotion::impacts(const MotionInput& input, double duration, bool locating) {
+    m_problem.rows.clear();
+    m_impactRows.clear();
+    double fastest = 0;
+    for (const ContactBody& body : m_problem.bodies) fastest = std::max(fastest, fastestPart(body));
+    const double rounding = std::max(speedRounding * fastest, 10 * input.settings.tolerance * m_scale);
+    bool any = false;
+    for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
+        const ContactPair& pair = m_contacts.pairs[p];
+        const double e = pair.restitution;
+        const double rattle = m_rattles && e > 0 && e < 1 ? rattling * fastest : 0;
+        const double threshold = std::max({leastImpactPart(e) * m_scale, rounding, rattle});
+        for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
+            ContactRow row = rowOf(input.bodies, pair, point);
+            const double closing = -relativeVelocity(m_problem, row).x();
+            const bool touching = point.separation <= touchingWithin(pair) ||
+                                  (!locating && closing * duration > point.separation);
+            m_problem.rows.push_back(row);
+            m_impactRows.push_back({e, threshold, p, touching});
+            any = any || (touching && closing > threshold);
+        }
+    }
+    m_impacts.ledger = input.ledger;
+    if (any) {
+        const ImpactReport impacts = m_impacts.solve(
+            m_problem, m_impactRows, input.settings.simultaneous || !locating, remaining(input));
+        report.work.impacts += static_cast<std::uint64_t>(impacts.impacts);
+        report.work.factorisations += static_cast<std::uint64_t>(impacts.factorisations);
+        m_work += impacts.work;
+    }
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        if (i >= m_start.size()) m_start.emplace_back();
+        const ContactBody& body = m_problem.bodies[i];
+        const bool hit = body.velocity.tail<3>() != input.state.angularVelocity[m_members[i]];
+        m_start[i] = {body.velocity, hit ? Vec3(body.inertia * body.velocity.tail<3>())
+                                         : angularMomentumOf(input.bodies, m_members[i], input.state)};
+    }
+}
+
+// Whether no body was or is faster than so many times the tolerance.
+bool IslandMotion::isWithin(double factor) const {
+    if (m_problem.rows.empty() || !m_problem.springs.empty() || m_scale == 0) return false;
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        const ContactBody& body = m_problem.bodies[i];
+        if (fastestPart(body) > factor * m_still) return false;
+        if (fastestPart(m_start[i].velocity, body.gyration) > factor * m_still) return false;
+    }
+    return true;
+}
+
+// A ball that lies still on one point and turns about its normal has nothing that slows it: a real contact
+// has an area. It stops once its rim is slow enough for a body of the base path to count as calm.
+void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) {
+    const double gravity = input.gravity.norm();
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        Vec6& velocity = m_problem.bodies[i].velocity;
+        const Vec3 spin = velocity.tail<3>();
+        const double radius = input.bodies.boundingRadius[island.bodies[i]];
+        if (spin == Vec3::Zero() || !(velocity.head<3>().norm() <= m_still) ||
+            spin.squaredNorm() * radius > calmSpeed * calmSpeed * gravity)
+            continue;
+        const int index = static_cast<int>(i);
+        const ContactRow* only = nullptr;
+        int touching = 0;
+        for (const ContactRow& row : m_problem.rows) {
+            if (row.a != index && row.b != index) continue;
+            ++touching;
+            const bool isBall = row.a == index ? row.ballA : row.ballB;
+            only = isBall && row.impulse.x() > 0 ? &row : nullptr;
+        }
+        if (touching != 1 || only == nullptr) continue;
+        const Vec3 normal = only->frame.row(0).transpose();
+        if ((spin - normal.dot(spin) * normal).norm() * radius > m_still) continue;
+        if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
+        velocity.tail<3>().setZero();
+        if (input.ledger != nullptr) bookMotion(m_problem, 1, LedgerAccount::Rest, *input.ledger);
+    }
+}
+
+// A body within the tolerance of rest is at rest: the forces balance as well as they are known.
+void IslandMotion::settle(const MotionInput& input, const Island& island) {
+    stopPivoting(input, island);
+    if (!isWithin(1)) return;
+    if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        m_problem.bodies[i].velocity.setZero();
+        m_problem.bodies[i].freeVelocity.setZero();
+        m_start[i].angularMomentum.setZero();
+    }
+}
+
+// Velocities that are no numbers are found before they make places that are none.
+Loss IslandMotion::findLoss(const Island& island) const {
+    for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
+        const Vec6& velocity = m_problem.bodies[i].velocity;
+        if (velocity.allFinite()) continue;
+        return {island.bodies[i], velocity.head<3>().allFinite() ? "angular velocity" : "velocity"};
+    }
+    return {};
+}
+
+void IslandMotion::commit(const MotionInput& input, const Island& island, double duration) {
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        const BodyIndex body = island.bodies[i];
+        const Vec6& before = m_start[i].velocity;
+        const Vec6& after = m_problem.bodies[i].velocity;
+        input.state.pose[body].position += (0.5 * duration) * (before.head<3>() + after.head<3>());
+        input.state.velocity[body] = after.head<3>();
+        input.state.angularVelocity[body] = after.tail<3>();
+        rotateBetween(input.bodies, body, m_start[i].angularMomentum, endMomentum(i), duration, input.state);
+    }
+    if (input.ledger != nullptr) bookTurning(input, island);
+}
+
+} // namespace carom

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/dynamics/bodies.h"
+#include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/forced_steps.h"
+#include "core/dynamics/spring_steps.h"
+#include "core/dynamics/state.h"
+#include "core/dynamics/work_counters.h"
+#include "core/narrowphase/time_of_impact.h"
+#include "core/solvers/contacts/contact_problem.h"
+#include "core/solvers/contacts/impacts.h"
+#include "core/solvers/contacts/islands.h"
+#include "core/solvers/contacts/newton.h"
+#include "core/solvers/contacts/spring_solver.h"
+#include "core/solvers/contacts/work_budget.h"
+#include "core/solvers/solver.h"
+
+#include <limits>
+#include <vector>
+
+// Moves the bodies of one island through a substep. The order of operations:
+//
+//     until the substep is used up
+//         part       overlaps are moved apart; velocities do not know of it
+//         impacts    contacts that touch and close at a speed change velocities at once (impacts.h)
+//         smooth     v̂ = v + T g, contact forces keep bodies apart: v₁
+//         locate     does a contact that was open close hard before T? does a sliding one stop? then T ends
+//         there commit     x += T (v₀ + v₁)/2, rotation likewise
+//
+// v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
+// friction too; both ends respect the gap, so the mean does. Contacts that turn with their bodies are taken
+// where they will be (island_turning.cpp).
+//
+// An island that springs hold together and in which nothing meets needs none of this: it moves to order four
+// (dynamics/spring_steps.h), unless its springs are too stiff for the substep.
+
+namespace carom {
+
+/// What moves an island, besides its own contacts.
+struct MotionInput {
+    const Bodies& bodies;
+    const SolverSettings& settings;
+    Vec3 gravity;       ///< [m/s²]
+    double substep = 0; ///< [s]
+    State& state;
+    Ledger* ledger = nullptr;
+    double budget = std::numeric_limits<double>::infinity(); ///< operations (work_budget.h)
+};
+
+/// What the motion of islands met in one substep.
+struct MotionReport {
+    double residual = 0;       ///< the worst of any island's contact problem [m/s]
+    double maxPenetration = 0; ///< [m]
+    WorkCounters work;
+    Loss loss; ///< where the forces of an island came to be no numbers: it has not moved
+};
+
+/// The inertia of a body as it lies in the world.
+void setInertia(const Vec3& principal, const Quat& orientation, ContactBody& body);
+
+class IslandMotion {
+  public:
+    /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep. True
+    /// if the island has not moved: nothing had a velocity before or after, and nothing overlapped.
+    bool advance(const MotionInput& input, const Island& island, const ContactSet& found);
+    /// What of the substep is left because the budget ended or the forces were not found [s]: the bodies are
+    /// where they were so long before its end.
+    double left() const { return m_left; }
+    /// What it took [operations].
+    double work() const { return m_work; }
+    /// Those at the end, with their forces: pair by pair those of the island; a pair may have lost its
+    /// points.
+    const ContactSet& contacts() const { return m_contacts; }
+
+    MotionReport report; ///< added up by advance
+
+  private:
+    struct Braked;
+    /// A velocity, and the position it leads from.
+    struct Start {
+        Vec6 velocity = Vec6::Zero();
+        Vec3 angularMomentum = Vec3::Zero();
+    };
+    /// Where a contact point is at another moment of a part.
+    struct Place {
+        bool found = false;
+        Mat3 frame = Mat3::Identity();
+        Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();
+    };
+    /// Where a spring is tied to, before and after a part [m]; and its arm about the body's centre.
+    struct SpringEnd {
+        int body = immobile; // of m_problem
+        Vec3 before = Vec3::Zero(), after = Vec3::Zero(), arm = Vec3::Zero();
+    };
+    /// What the impulse of a row acts along.
+    struct Push {
+        Mat36 a = Mat36::Zero(), b = Mat36::Zero();
+        Mat3 frame = Mat3::Identity();
+    };
+
+    double remaining(const MotionInput& input) const { return input.budget - m_work; }
+    double collideWork(const Bodies& bodies, const ContactPair& pair) const;
+    void load(const MotionInput& input, const Island& island, const ContactSet& found);
+    void move(const MotionInput& input, const Island& island);
+    bool bounce(const MotionInput& input, const Island& island);
+    bool swing(const MotionInput& input, const Island& island);
+    bool staysApart(const MotionInput& input) const;
+    void recollide(const MotionInput& input);
+    void loadBodies(const MotionInput& input, const Island& island);
+    double relativeOverlap() const;
+    void part(const MotionInput& input, const Island& island);
+    double storedInSprings(const MotionInput& input) const;
+    void takeEnergy(const MotionInput& input, const Island& island, double energy);
+    void impacts(const MotionInput& input, double duration, bool locating);
+    void smooth(const MotionInput& input, double duration, bool locating);
+    void beginPart(const MotionInput& input, double duration);
+    Vec3 endMomentum(std::size_t body) const;
+    void chooseRows(const MotionInput& input, double duration, bool locating);
+    void solve(const MotionInput& input);
+    void solveForces(const MotionInput& input, double duration);
+    void beginTerms(const MotionInput& input, double duration);
+    void applyTerms();
+    bool followTerms(const MotionInput& input);
+    void endTerms(const MotionInput& input);
+    void bookTerms(const MotionInput& input);
+    NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
+    bool contactsTurn(const MotionInput& input, double duration) const;
+    void makeRoom();
+    void turnContacts(const MotionInput& input, double duration);
+    void foreseePoses(const MotionInput& input, double duration);
+    void moveRows(const MotionInput& input);
+    void followPair(const MotionInput& input, const ContactPair& pair, const std::vector<Pose>& poses,
+                    std::vector<Place>& places);
+    void placeRow(const Place& place, ContactRow& row) const;
+    void placeRow(std::uint32_t point, ContactRow& row) const;
+    void solveTurned(const MotionInput& input);
+    Pose middlePose(const MotionInput& input, BodyIndex body, double duration) const;
+    void linkSprings(const MotionInput& input, double duration);
+    void solveSprings(const MotionInput& input, double duration);
+    bool solveSpringsAlone(const MotionInput& input, double duration);
+    SpringEnd springEnd(const MotionInput& input, BodyIndex body, const Vec3& point, double duration) const;
+    void rememberVelocities();
+    double changeOfVelocities();
+    double firstImpact(const MotionInput& input, double duration);
+    double relocated(const MotionInput& input, double duration);
+    double firstStop(const MotionInput& input, double duration);
+    double findStopTime(const MotionInput& input, const Braked& braked, double duration);
+    Loss findLoss(const Island& island) const;
+    void commit(const MotionInput& input, const Island& island, double duration);
+    bool isWithin(double factor) const;
+    void stopPivoting(const MotionInput& input, const Island& island);
+    void settle(const MotionInput& input, const Island& island);
+
+    void bookForces(const MotionInput& input, double duration);
+    void swapPushes();
+    void bookTurning(const MotionInput& input, const Island& island);
+    void bookParting(const MotionInput& input, const Island& island, double spinBefore);
+    void bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
+
+    bool findStop(Braked& first) const;
+    double speedOf(const Braked& braked) const;
+    void markHeld();
+    double gentleClosing(const ContactPair& pair) const;
+    double gentleOpening(const ContactPair& pair) const;
+    double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
+    double nextMeeting(const MotionInput& input, const ContactPair& pair, double first, double duration);
+    double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
+    double landingTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
+    double cornerTime(const MotionInput& input, const ContactPair& pair, const ContactConstraint& point,
+                      double t, double duration) const;
+    MovingShape movingShape(const MotionInput& input, BodyIndex body, double duration) const;
+    Pose poseAt(const MotionInput& input, BodyIndex body, double t, double duration) const;
+    Vec3 velocityAt(BodyIndex body, const Vec3& arm, double t, double duration) const;
+
+    ContactRow rowOf(const Bodies& bodies, const ContactPair& pair, const ContactConstraint& point) const;
+    int localOf(BodyIndex body) const { return m_local[body]; }
+
+    double m_work = 0;     // operations in this substep
+    double m_left = 0;     // of the substep [s]
+    double m_residual = 0; // of the last solve [m/s]
+    double m_overlap = 0;  // the deepest in this substep, relative to the smaller body
+    struct Unparted {
+        Pose pose;
+        Vec3 velocity;
+    };
+    std::vector<Unparted> m_unparted;     // by body of the island: as it was before overlaps were parted
+    bool m_parted = false;                // in this substep
+    bool m_unsolved = false;              // the forces of this part were not found
+    bool m_rattles = false;               // most of the events of this substep are used up
+    double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
+    double m_tolerance = 0;               // of velocities [m/s]
+    double m_still = 0;                   // what is no faster is at rest [m/s]
+    std::vector<int> m_local;             // by body of the scene: its index in m_problem, or immobile
+    std::span<const BodyIndex> m_members; // of the scene, by body of m_problem
+    ContactSet m_contacts, m_before;
+    ContactProblem m_problem, m_parting;
+    std::vector<std::uint32_t> m_springs;      // of the island, into Bodies::springs
+    std::vector<Mat3> m_springSlopes;          // by spring of the island
+    std::vector<Vec6> m_lastVelocity;          // by body of m_problem, of the round before
+    double m_fastest = 0;                      // body then [m/s]
+    std::vector<Start> m_start;                // by body of m_problem
+    ForcedSteps m_forced;                      // of the bodies that force terms act on
+    std::vector<Pose> m_middlePose, m_endPose; // by body of m_problem, foreseen
+    std::vector<Place> m_inMiddle, m_atEnd;    // by point of m_contacts, foreseen
+    std::vector<Push> m_pushes;                // by row; empty: along the rows themselves
+    std::vector<Vec6> m_free;                  // by body of m_problem, v̂
+    std::vector<std::uint8_t> m_presses;       // by point, 1: an impulse acts in it
+    ContactSet m_followed;                     // of one pair
+    std::vector<std::uint32_t> m_rowPoint;     // by row, the point of m_contacts
+    std::vector<std::uint8_t> m_stuck;         // by row, 1: it neither slid nor rolled when last solved for
+    std::vector<std::uint8_t> m_waits;         // by point, 1: open, and may close hard within the substep
+    std::vector<std::uint8_t> m_held;          // by pair, 1: a contact force acts in it
+    std::vector<std::uint8_t> m_pushed;  // by body of m_problem, 1: something besides gravity acts on it
+    std::vector<std::uint32_t> m_pairOf; // by point, the pair of m_contacts
+    std::vector<Vec6> m_mean;            // by body of m_problem, the mean velocity; for the ledger only
+    std::vector<ImpactRow> m_impactRows;
+    std::vector<ContactRow> m_warmRows; // of m_problem, after a first attempt
+    NewtonSolver m_newton;
+    SpringSolver m_springSolver;
+    SpringSteps m_springSteps;
+    SpringNetwork::Scratch m_springRoom;
+    ImpactSolver m_impacts;
+};
+
+} // namespace carom

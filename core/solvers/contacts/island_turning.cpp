@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/contact_memory.h"
+#include "core/math/rotation.h"
+#include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/island_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Contacts turn while bodies do: a disk that rolls on its rim touches elsewhere at the end of a part of the
+// substep than at its start, and a block that rocks has its arm turned. Taken as they are at the start they
+// make a method of order one. Here the velocities at the end obey the contacts as they are at the end, and
+// the impulses that lead there act as the contacts are in the middle,
+//
+//     M₁ (v₁ − v̂) = J½ᵀ p        0 ≤ pₙ  ⊥  (J₁ v₁)ₙ + b ≥ 0, and Coulomb's law for p and J₁ v₁
+//
+//     legend   v̂    = (v₀ + T g, I₁⁻¹ L₀): velocities if nothing touched; L₀ angular momentum at the start
+//              J½   Jacobian where the bodies are after half of the part, J₁ at its end
+//              M₁   with the inertia I₁ as it lies in the world at the end
+//
+// which is the same seen backwards in time where contacts hold, as the motion itself is (rotation about the
+// mean of L₀ and L₁, positions by the mean of v₀ and v₁): so the order is two, and a steady motion stays one.
+// The poses follow from v₁: fixed-point rounds. To keep the problem symmetric, as the solvers want it, a
+// round adds M₁⁻¹ (J½ − J₁)ᵀ p with the p of the round before to v̂. A round gains the angle turned as a
+// factor. Source: projected symmetric methods as in E. Hairer, C. Lubich, G. Wanner, "Geometric numerical
+// integration", 2006, V.4 and VII.5; contacts that open and close make no difference to them.
+//
+// Islands with springs keep to the start: their own rounds (island_springs.cpp) take only springs along.
+
+namespace carom {
+namespace {
+
+/// Rounds at most. A disk that rolls round by a third of a radian needs 10 for seven digits.
+constexpr int mostRounds = 30;
+/// A point further from where it was than this part of the smaller body, seen from both bodies, is another.
+constexpr double sameWithin = 0.5;
+/// What presses goes on to touch: a gap that it would have then counts as a way so many times as long.
+constexpr double gapWeight = 1000;
+/// A normal that turned by more than this cosine is another face's.
+constexpr double sameFace = 0.5;
+/// The change of a round over that of the one before, beyond which rounds lead nowhere.
+constexpr double mostGrowth = 2;
+
+/// A ball on a wall: neither normal nor arms ever turn.
+bool neverTurns(const Bodies& bodies, const ContactPair& pair) {
+    const auto is = [&]<class Kind>(std::in_place_type_t<Kind>, BodyIndex i) {
+        return std::holds_alternative<Kind>(bodies.shape[i]);
+    };
+    constexpr std::in_place_type_t<Sphere> sphere;
+    constexpr std::in_place_type_t<Wall> wall;
+    return (is(sphere, pair.a) && is(wall, pair.b)) || (is(wall, pair.a) && is(sphere, pair.b));
+}
+
+/// A point of a pair of bodies, with their poses.
+struct PairPoint {
+    const ContactConstraint& contact;
+    const Pose &poseA, &poseB;
+};
+
+/// How far a point is from another of the same pair: seen from the body that sees less of it [m²]. What
+/// slides stays where it is on one body, what rolls on a wall on none.
+double distanceBetween(const Bodies& bodies, const ContactPair& pair, const PairPoint& one,
+                       const PairPoint& other) {
+    const auto onA = [](const PairPoint& p) { return p.poseA.directionToBody(p.contact.armA); };
+    const auto onB = [](const PairPoint& p) { return p.poseB.directionToBody(p.contact.armB); };
+    const auto inWorld = [&](const PairPoint& p) { // immobile bodies have no arms
+        return bodies.mobile[pair.a] != 0 ? Vec3(p.poseA.position + p.contact.armA)
+                                          : Vec3(p.poseB.position + p.contact.armB);
+    };
+    const double still = (inWorld(one) - inWorld(other)).squaredNorm();
+    const double movedA = bodies.mobile[pair.a] != 0 ? (onA(one) - onA(other)).squaredNorm() : still;
+    const double movedB = bodies.mobile[pair.b] != 0 ? (onB(one) - onB(other)).squaredNorm() : still;
+    return std::min(movedA, movedB);
+}
+
+} // namespace
+
+// Whether contacts that press turn by more than the tolerance shows.
+bool IslandMotion::contactsTurn(const MotionInput& input, double duration) const {
+    if (!m_springs.empty()) return false;
+    const bool accurate = input.settings.tolerance < accurateTolerance;
+    for (const ContactBody& body : m_problem.bodies)
+        if (!body.velocity.allFinite()) return false; // the step is lost
+    for (std::size_t i = 0; i < m_problem.rows.size(); ++i) {
+        const ContactPair& pair = m_contacts.pairs[m_pairOf[m_rowPoint[i]]];
+        if (!(m_problem.rows[i].impulse.x() > 0) || neverTurns(input.bodies, pair)) continue;
+        for (const int body : {m_problem.rows[i].a, m_problem.rows[i].b}) {
+            if (body == immobile) continue;
+            const ContactBody& end = m_problem.bodies[at(body)];
+            const double speed = std::max(fastestPart(end.velocity, end.gyration),
+                                          fastestPart(m_start[at(body)].velocity, end.gyration));
+            // A body turns its contact by duration · speed/size. Velocities turn along; so do impulses, which
+            // only an accurate run follows: a slow body under a heavy load is their one case.
+            const double load = accurate ? m_problem.rows[i].impulse.norm() / end.mass : 0;
+            if (duration * speed * std::max(speed, load) > m_tolerance * pair.size) return true;
+        }
+    }
+    return false;
+}
+
+// From the solution for the contacts as they are at the start to that for those at the end.
+void IslandMotion::turnContacts(const MotionInput& input, double duration) {
+    m_presses.assign(m_contacts.points.size(), 0);
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
+        m_presses[m_rowPoint[i]] = m_problem.rows[i].impulse.x() > 0 ? 1 : 0;
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < mostRounds; ++round) {
+        if (m_unsolved || remaining(input) <= 0) {
+            m_unsolved = true;
+            return;
+        }
+        foreseePoses(input, duration);
+        moveRows(input);
+        m_lastVelocity.resize(m_problem.bodies.size());
+        for (std::size_t i = 0; i < m_lastVelocity.size(); ++i)
+            m_lastVelocity[i] = m_problem.bodies[i].velocity;
+        solveTurned(input);
+        double change = 0;
+        for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) {
+            const ContactBody& body = m_problem.bodies[i];
+            change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
+        }
+        if (change <= m_tolerance) return;
+        if (!(change <= mostGrowth * before)) { // they jump to and fro: as they were at the start
+            beginPart(input, duration);
+            for (std::size_t i = 0; i < m_rowPoint.size(); ++i) placeRow(m_rowPoint[i], m_problem.rows[i]);
+            solve(input);
+            return;
+        }
+        before = change;
+    }
+}
+
+// Poses in the middle and at the end of the part as the present velocities give them, and inertia at the end.
+void IslandMotion::foreseePoses(const MotionInput& input, double duration) {
+    const std::size_t count = m_problem.bodies.size();
+    m_middlePose.resize(count);
+    m_endPose.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        m_middlePose[i] = middlePose(input, m_members[i], duration);
+        m_endPose[i] = poseAt(input, m_members[i], duration, duration);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        ContactBody& body = m_problem.bodies[i];
+        const Vec3 momentum = endMomentum(i);
+        setInertia(input.bodies.inertia[m_members[i]], m_endPose[i].orientation, body);
+        body.freeVelocity.tail<3>() = body.inverseInertia * m_start[i].angularMomentum;
+        body.velocity.tail<3>() = body.inverseInertia * momentum;
+    }
+}
+
+// Rows to the end of the part, what their impulses act along to its middle.
+void IslandMotion::moveRows(const MotionInput& input) {
+    m_pushes.resize(m_problem.rows.size());
+    m_inMiddle.resize(m_contacts.points.size());
+    m_atEnd.resize(m_contacts.points.size());
+    std::size_t followed = m_contacts.pairs.size();
+    for (std::size_t i = 0; i < m_problem.rows.size(); ++i) {
+        const std::uint32_t point = m_rowPoint[i];
+        ContactRow& row = m_problem.rows[i];
+        if (m_pairOf[point] != followed) {
+            followed = m_pairOf[point];
+            followPair(input, m_contacts.pairs[followed], m_middlePose, m_inMiddle);
+            followPair(input, m_contacts.pairs[followed], m_endPose, m_atEnd);
+        }
+        placeRow(point, row);
+        ContactRow push = row;
+        const bool turns = m_inMiddle[point].found && m_atEnd[point].found;
+        if (turns) {
+            placeRow(m_inMiddle[point], push);
+            placeRow(m_atEnd[point], row);
+        }
+        m_pushes[i] = {push.jacobianA, push.jacobianB, push.frame};
+    }
+}
+
+// Where the points of a pair are with its bodies at these poses: the nearest first, each at most once.
+void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
+                              const std::vector<Pose>& poses, std::vector<Place>& places) {
+    for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) places[i].found = false;
+    if (neverTurns(input.bodies, pair)) return;
+    const auto poseOf = [&](BodyIndex i) -> const Pose& {
+        return localOf(i) == immobile ? input.state.pose[i] : poses[at(localOf(i))];
+    };
+    const Pose &startA = input.state.pose[pair.a], &startB = input.state.pose[pair.b];
+    const Pose &poseA = poseOf(pair.a), &poseB = poseOf(pair.b);
+    m_followed.clear();
+    m_work += collideWork(input.bodies, pair);
+    ++report.work.pairsCollided;
+    collideAt(input.bodies, poseA, poseB, pair, {}, m_followed);
+    const std::span<const ContactConstraint> points = m_contacts.pointsOf(pair);
+    std::vector<ContactConstraint>& found = m_followed.points;
+    const double within = std::pow(sameWithin * pair.size, 2);
+    const bool alone = points.size() == 1 && found.size() == 1;
+    for (std::size_t count = std::min(points.size(), found.size()); count > 0; --count) {
+        std::size_t point = 0, best = found.size();
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (places[pair.first + i].found) continue;
+            const double weight = m_presses[pair.first + i] != 0 ? gapWeight : 0;
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                const double way = distanceBetween(input.bodies, pair, {points[i], startA, startB},
+                                                   {found[k], poseA, poseB});
+                const double distance = way + std::pow(weight * found[k].separation, 2);
+                if (!(distance < nearest) || !(alone || way <= within)) continue;
+                nearest = distance;
+                point = i;
+                best = k;
+            }
+        }
+        if (best == found.size()) return;
+        const Vec3 from = points[point].frame.row(0).transpose(), to = found[best].frame.row(0).transpose();
+        if (from.dot(to) < sameFace) return;
+        // Tangents turn along with the normal, no more: impulses keep their meaning.
+        const Mat3 turn = from == to ? Mat3(Mat3::Identity()) : shortestRotation(from, to).toRotationMatrix();
+        places[pair.first + point] = {true, points[point].frame * turn.transpose(), found[best].armA,
+                                      found[best].armB};
+        found[best] = found.back();
+        found.pop_back();
+    }
+}
+
+void IslandMotion::placeRow(const Place& place, ContactRow& row) const {
+    row.frame = place.frame;
+    row.armA = place.armA;
+    row.armB = place.armB;
+    prepareRow(m_problem, row);
+}
+
+// As the point was found at the start.
+void IslandMotion::placeRow(std::uint32_t point, ContactRow& row) const {
+    const ContactConstraint& start = m_contacts.points[point];
+    placeRow({true, start.frame, start.armA, start.armB}, row);
+}
+
+// Solves for the contacts at the end, with the impulses as they act in the middle.
+void IslandMotion::solveTurned(const MotionInput& input) {
+    m_free.clear();
+    for (const ContactBody& body : m_problem.bodies) m_free.push_back(body.freeVelocity);
+    const auto addPushes = [&](double minus) { // of J½, less J₁ where they are solved for
+        const auto add = [&](int index, const Vec6& impulse) {
+            if (index == immobile) return;
+            ContactBody& body = m_problem.bodies[at(index)];
+            body.freeVelocity.head<3>() += impulse.head<3>() / body.mass;
+            body.freeVelocity.tail<3>() += body.inverseInertia * impulse.tail<3>();
+        };
+        for (std::size_t i = 0; i < m_pushes.size(); ++i) {
+            const ContactRow& row = m_problem.rows[i];
+            Vec6 onA = (m_pushes[i].a - minus * row.jacobianA).transpose() * row.impulse;
+            Vec6 onB = (m_pushes[i].b - minus * row.jacobianB).transpose() * row.impulse;
+            if (row.rolling > 0) {
+                const Vec3 torque =
+                    (m_pushes[i].frame - minus * row.frame).bottomRows<2>().transpose() * row.rollingImpulse;
+                onA.tail<3>() -= torque;
+                onB.tail<3>() += torque;
+            }
+            add(row.a, onA);
+            add(row.b, onB);
+        }
+    };
+    addPushes(1);
+    solve(input);
+    // What the impulses found give: momentum is exact whatever the rounds have reached.
+    for (std::size_t i = 0; i < m_free.size(); ++i) m_problem.bodies[i].freeVelocity = m_free[i];
+    addPushes(0);
+    for (std::size_t i = 0; i < m_free.size(); ++i) {
+        m_problem.bodies[i].velocity = m_problem.bodies[i].freeVelocity;
+        m_problem.bodies[i].freeVelocity = m_free[i];
+    }
+}
+
+} // namespace carom

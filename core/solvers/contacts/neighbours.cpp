@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/neighbours.h"
+
+#include "core/base/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace carom {
+namespace {
+
+/// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs.
+constexpr double roominess = 2;
+/// And at least this many times what was asked for beyond it before the list was made.
+constexpr double lentAgain = 1.5;
+/// For so many bodies all others are looked at one after the other, a few thousand instructions for each of
+/// them; a search for all costs as many for every body of the scene.
+constexpr std::size_t fewOutrun = 128;
+/// A body has so many pairs in the mean, nearly always: room for them is there from the start.
+constexpr std::size_t usualAround = 32;
+
+} // namespace
+
+double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
+    const Vec3& a = state.pose[pair.a].position;
+    const Vec3& b = state.pose[pair.b].position;
+    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.a]))
+        return distanceTo(*wall, b) - bodies.boundingRadius[pair.b];
+    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.b]))
+        return distanceTo(*wall, a) - bodies.boundingRadius[pair.a];
+    return (b - a).norm() - (bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b]);
+}
+
+bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
+    const Shape &a = bodies.shape[pair.a], &b = bodies.shape[pair.b];
+    if (isWall(a) || isWall(b)) return true;
+    if (std::holds_alternative<Sphere>(a) && std::holds_alternative<Sphere>(b))
+        return true; // so are their balls
+    return overlap(grown(bodies.boxAt(pair.a, state.pose[pair.a]), margin),
+                   bodies.boxAt(pair.b, state.pose[pair.b]));
+}
+
+Neighbours::Neighbours(const Bodies& bodies)
+    : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_pull(bodies.count(), 0.0),
+      m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
+      m_origin(bodies.count()), m_isOutrun(bodies.count(), 0), m_first(bodies.count() + 1, 0) {
+    for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+    m_outrun.reserve(2 * bodies.count());
+    m_found.reserve(usualAround * fewOutrun);
+    m_columns.resize(bodies.bounded.size());
+    m_hits.resize(bodies.bounded.size() + wideLanes);
+}
+
+void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                        const Vec3& gravity, double duration, Broadphase& broadphase) {
+    if (follow(bodies, state, list, gravity, duration)) return;
+    if (areFewOutrun()) return searchForOutrun(bodies, state);
+    double sum = 0;
+    for (const BodyIndex i : list) {
+        const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
+        sum += needed * needed;
+    }
+    m_typical = std::sqrt(sum / static_cast<double>(list.size()));
+    // Neighbours lend each other their reach: who was asked for more than he needs will be again.
+    for (std::size_t i = 0; i < m_skin.size(); ++i) m_skin[i] = lentAgain * m_asked[i];
+    std::fill(m_asked.begin(), m_asked.end(), 0.0);
+    searchAll(bodies, state, broadphase);
+}
+
+double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
+    const double speed = state.velocity[body].norm();
+    if (std::holds_alternative<Sphere>(bodies.shape[body])) return speed;
+    return speed + state.angularVelocity[body].norm() * bodies.boundingRadius[body];
+}
+
+double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to) {
+    const double shift = (to.position - from.position).norm();
+    if (std::holds_alternative<Sphere>(bodies.shape[body])) return shift;
+    const double cosine = from.orientation.dot(to.orientation); // of half the angle turned
+    return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
+}
+
+// A spring moves its ends by no more than s (ωh)²/2, with s how far it is stretched now or will be if they go
+// on as they do, and by no more than twice the amplitude. A damper moves them by no more than they move
+// anyway; force terms say themselves how far they take a body.
+void Neighbours::notePulls(const Bodies& bodies, const State& state, double duration) {
+    if (bodies.springs.empty() && bodies.forces.empty()) return;
+    std::fill(m_pull.begin(), m_pull.end(), 0.0);
+    if (!bodies.forces.empty())
+        for (const BodyIndex i : bodies.mobileBodies) m_pull[i] = bodies.forces.reach(i, duration);
+    for (const SpringForce& spring : bodies.springs) {
+        const auto placeOf = [&](BodyIndex i, const Vec3& at) {
+            return i == noBody ? at : state.pose[i].toWorld(at);
+        };
+        const auto velocityOf = [&](BodyIndex i, const Vec3& at) -> Vec3 {
+            if (i == noBody) return Vec3::Zero();
+            return state.velocity[i] + state.angularVelocity[i].cross(state.pose[i].directionToWorld(at));
+        };
+        const double length = (placeOf(spring.to, spring.toAt) - placeOf(spring.from, spring.fromAt)).norm();
+        const double way =
+            (velocityOf(spring.to, spring.toAt) - velocityOf(spring.from, spring.fromAt)).norm() * duration;
+        const double stretch = std::abs(length - spring.length) + way;
+        const auto pull = [&](BodyIndex i, double arm) {
+            if (i == noBody || bodies.mobile[i] == 0) return;
+            const double compliance = bodies.inverseMass[i] + arm * std::max(arm, bodies.boundingRadius[i]) *
+                                                                  bodies.inverseInertia[i].maxCoeff();
+            const double phase = duration * std::sqrt(spring.stiffness * compliance);
+            const double amplitude = phase > 1 ? stretch - way + way / phase : stretch;
+            const double more = std::min(0.5 * phase * phase * stretch, 2 * amplitude) +
+                                way * std::min(1.0, duration * spring.damping * compliance);
+            m_pull[i] += std::isfinite(more) ? more : 0; // the step is lost anyway
+        };
+        pull(spring.from, spring.fromAt.norm());
+        pull(spring.to, spring.toAt.norm());
+    }
+}
+
+bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                        const Vec3& gravity, double duration) {
+    const double fall = 0.5 * gravity.norm() * duration * duration;
+    m_duration = duration;
+    notePulls(bodies, state, duration);
+    bool serves = true;
+    for (const BodyIndex i : list) {
+        const double radius = bodies.boundingRadius[i];
+        m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall + m_pull[i];
+        m_moved[i] = displacement(bodies, i, m_origin[i], state.pose[i]);
+        if (m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i]) continue;
+        m_outrun.push_back(i);
+        serves = false;
+    }
+    return serves;
+}
+
+bool Neighbours::covers(BodyIndex body, double room) {
+    m_asked[body] = std::max(m_asked[body], room);
+    if (m_moved[body] + room <= m_skin[body]) return true;
+    m_skin[body] = roominess * room;
+    m_outrun.push_back(body);
+    return false;
+}
+
+void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& broadphase) {
+    if (areFewOutrun())
+        searchForOutrun(bodies, state);
+    else
+        searchAll(bodies, state, broadphase);
+}
+
+bool Neighbours::areFewOutrun() const { return m_searches > 0 && m_outrun.size() <= fewOutrun; }
+
+void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
+    const double needed = m_path[body] + leastMargin * bodies.boundingRadius[body];
+    m_skin[body] = std::max(m_skin[body], roominess * std::max(needed, m_typical));
+    m_moved[body] = 0;
+    m_origin[body] = state.pose[body];
+}
+
+// The list as it was, without the pairs of those that have outrun it, and these as they are found now.
+void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
+    for (const BodyIndex i : m_outrun) {
+        renewSkin(bodies, state, i);
+        m_isOutrun[i] = 1;
+    }
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
+        m_columns.set(k, boxWithSkin(bodies, state, bodies.bounded[k]));
+    m_found.clear();
+    for (const BodyIndex i : m_outrun)
+        if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, state, i);
+    std::sort(m_found.begin(), m_found.end());
+    std::erase_if(m_pairs,
+                  [this](BodyPair pair) { return m_isOutrun[pair.a] != 0 || m_isOutrun[pair.b] != 0; });
+    makeRoomFor(m_pairs.size() + m_found.size(), m_merged);
+    m_merged.resize(m_pairs.size() + m_found.size());
+    std::merge(m_pairs.begin(), m_pairs.end(), m_found.begin(), m_found.end(), m_merged.begin());
+    std::swap(m_pairs, m_merged);
+    for (const BodyIndex i : m_outrun) m_isOutrun[i] = 0;
+    m_outrun.clear();
+    listAround(bodies.count());
+}
+
+// Each pair once, of two that have outrun the list when the first of them is looked at.
+void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
+    const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
+    const std::size_t count =
+        overlapping(m_columns, boxWithSkin(bodies, state, body), {&all, 1}, m_hits.data());
+    makeRoomFor(m_found.size() + count + bodies.walls.size(), m_found);
+    for (std::size_t k = 0; k < count; ++k) {
+        const BodyIndex other = bodies.bounded[m_hits[k]];
+        const BodyPair pair{std::min(body, other), std::max(body, other)};
+        if (other != body && m_isOutrun[other] != 2 && doSkinsTouch(bodies, state, pair))
+            m_found.push_back(pair);
+    }
+    for (const BodyIndex w : bodies.walls) {
+        const BodyPair pair{std::min(w, body), std::max(w, body)};
+        if (boundingGap(bodies, state, pair) <= m_skin[body]) m_found.push_back(pair);
+    }
+}
+
+void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
+    ++m_searches;
+    m_outrun.clear();
+    for (const BodyIndex i : bodies.mobileBodies) renewSkin(bodies, state, i);
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
+        m_boxes[k] = boxWithSkin(bodies, state, bodies.bounded[k]);
+    broadphase.update({m_boxes, bodies.bounded, m_mobile});
+    findWallPairs(bodies, state);
+    m_pairs.clear();
+    const std::span<const BodyPair> pairs = broadphase.pairs();
+    auto wall = m_wallPairs.begin();
+    for (const BodyPair pair : pairs) {
+        if (!doSkinsTouch(bodies, state, pair)) continue;
+        while (wall != m_wallPairs.end() && *wall < pair) m_pairs.push_back(*wall++);
+        m_pairs.push_back(pair);
+    }
+    m_pairs.insert(m_pairs.end(), wall, m_wallPairs.end());
+    makeRoomFor(m_pairs.size() + m_found.capacity(), m_merged);
+    listAround(bodies.count());
+}
+
+double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
+    return bodies.mobile[body] != 0 ? m_skin[body] : leastMargin * bodies.boundingRadius[body];
+}
+
+Aabb Neighbours::boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const {
+    return grown(bodies.boxAt(body, state.pose[body]), skinOf(bodies, body));
+}
+
+bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const {
+    return boundingGap(bodies, state, pair) <= skinOf(bodies, pair.a) + skinOf(bodies, pair.b);
+}
+
+void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
+    m_wallPairs.clear();
+    for (const BodyIndex w : bodies.walls) {
+        for (const BodyIndex i : bodies.mobileBodies) {
+            const BodyPair pair{std::min(w, i), std::max(w, i)};
+            if (boundingGap(bodies, state, pair) <= m_skin[i]) m_wallPairs.push_back(pair);
+        }
+    }
+    std::sort(m_wallPairs.begin(), m_wallPairs.end());
+    makeRoomFor(2 * m_wallPairs.size(), m_wallPairs);
+}
+
+// Counting sort of both ends; pairs ascend, so the others of a body do.
+void Neighbours::listAround(std::size_t count) {
+    m_first.assign(count + 1, 0);
+    for (const BodyPair pair : m_pairs) {
+        ++m_first[pair.a + 1];
+        ++m_first[pair.b + 1];
+    }
+    for (std::size_t i = 0; i < count; ++i) m_first[i + 1] += m_first[i];
+    m_next.assign(m_first.begin(), m_first.end() - 1);
+    m_others.resize(2 * m_pairs.size());
+    for (const BodyPair pair : m_pairs) m_others[m_next[pair.b]++] = pair.a;
+    for (const BodyPair pair : m_pairs) m_others[m_next[pair.a]++] = pair.b;
+}
+
+} // namespace carom

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/solvers/contacts/block_matrix.h"
+#include "core/solvers/contacts/contact_problem.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+// A proximal Newton method for the contact problem: an augmented Lagrangian outside (M. Hestenes, 1969;
+// R. T. Rockafellar, "Augmented Lagrangians and applications of the proximal point algorithm in convex
+// programming", 1976; for friction P. Alart, A. Curnier, "A mixed formulation for frictional contact problems
+// prone to Newton like solution methods", 1991), Newton's method with an exact line search inside.
+//
+//     outer    ρ = κ m,  m the contact's effective mass           (per contact: mass ratios cost nothing)
+//              p(v) = proj(l − ρ (u(v) + b n))                     l the multipliers so far
+//              l ← p(v) once v is solved for
+//     inner    G(v) = M (v − v̂) − Jᵀ p(v) = 0
+//              H    = M + Σ ρ Jᵀ D J
+//              Dₙₙ  = 1 if zₙ > 0;  Dₜₜ = 1 sticking, (r/|zₜ|)(1 − t tᵀ) slipping, r = μ pₙ, t = zₜ/|zₜ|
+//     step     H s = −G;  v ← v + α s with sᵀG(v + α s) = 0, which needs only u and du of each contact
+//
+// H leaves out how the slip radius r depends on pₙ, which keeps it symmetric positive definite, and the step
+// downhill; G has it, so the solution is exact. Where that converges slowly the whole derivative of G is
+// factored instead (not symmetric, Alart and Curnier's) and its step is taken if it helps. H contains M:
+// redundant contacts (four corners of a cube) need no care. A larger κ makes the outer loop converge faster
+// and conditions H worse.
+//
+// Masses enter H in a unit of the problem and pivots are chosen with lengths in a unit of each body, powers
+// of two both: the same problem in other units gives the same bits. (Roots of masses would differ for every
+// other power of two, and kg against kg m² would decide on pivots.)
+//
+// Bounds may contradict each other by a little, as those of four corners do whose gaps are rounded. Then l
+// drifts by ρ times the contradiction a round, along impulses that cancel, until a contact opens or slips: a
+// drift that is steady is followed to there at once.
+//
+// The problem's impulses are the start. If they already solve it to the tolerance nothing is computed: that
+// is what makes rest exactly still and cheap.
+
+namespace carom {
+
+struct NewtonReport {
+    bool solved = false;
+    int factorisations = 0;
+    double work = 0;     ///< operations (work_budget.h)
+    double residual = 0; ///< residualOf the result [m/s]
+};
+
+class NewtonSolver {
+  public:
+    /// So that problems of so many bodies and rows allocate nothing.
+    void makeRoom(std::size_t bodies, std::size_t rows);
+    /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf. If it is not
+    /// reached within `mostWork` operations (work_budget.h; exceeded by one factorisation at most) the
+    /// impulses are the best that were found, those of the start if none were better.
+    NewtonReport solve(ContactProblem& problem, double tolerance,
+                       double mostWork = std::numeric_limits<double>::infinity());
+
+  private:
+    struct RowState {
+        Vec3 u = Vec3::Zero(), du = Vec3::Zero(); // with the bound; along the step
+        Vec2 roll = Vec2::Zero(), droll = Vec2::Zero();
+        Vec3 l = Vec3::Zero();
+        Vec2 rollL = Vec2::Zero();
+        Vec3 drift = Vec3::Zero(); // of l in the last round, as a speed
+        Vec2 rollDrift = Vec2::Zero();
+        Vec3 z = Vec3::Zero();
+        Vec2 rollZ = Vec2::Zero();
+        Projected p;
+        int edge = -1;
+    };
+
+    struct Place {
+        int a = immobile, b = immobile, edge = -1;
+    };
+
+    bool prepare(const ContactProblem& problem, double mostWork);
+    bool minimise(ContactProblem& problem, double tolerance, double mostWork, int most, int& steps);
+    void evaluateRows(const ContactProblem& problem);
+    void project(const ContactProblem& problem, double along);
+    double gradient(const ContactProblem& problem);
+    double errorAt(const ContactProblem& problem);
+    bool findStep(const ContactProblem& problem, bool coupled);
+    bool stepCoupled(ContactProblem& problem, double error, int& steps);
+    bool factor(const ContactProblem& problem, bool coupled);
+    void addContact(const ContactRow& row, const RowState& state, bool coupled);
+    template<int rows>
+    void addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
+                   const Eigen::Matrix<double, 6, rows>& leftB, const Eigen::Matrix<double, rows, 6>& rightA,
+                   const Eigen::Matrix<double, rows, 6>& rightB);
+    double slope(const ContactProblem& problem, double along, double quadratic, double linear);
+    double lineSearch(const ContactProblem& problem);
+    double updateMultipliers(const ContactProblem& problem);
+    static double roomOf(const ContactRow& row, const Vec3& l, const Vec3& change);
+    bool followDrift(const ContactProblem& problem);
+    void takeImpulses(ContactProblem& problem);
+    void takeBest(ContactProblem& problem, NewtonReport& report);
+
+    double m_kappa = 1;
+    bool m_isSteady = false; // multipliers drift as in the round before
+    double m_work = 0;       // of this solve, operations
+    double m_rowWork = 0;    // of looking at all rows and bodies once
+    std::vector<RowState> m_rows;
+    std::vector<int> m_springEdge;
+    std::vector<Vec3> m_springU, m_springDu;
+    ProblemUnits m_units; // that H is written in, and its pivots are chosen in
+    std::vector<BlockEdge> m_edges;
+    std::vector<std::pair<Vec3, Vec2>> m_first; // by row: the impulses of the start
+    std::vector<Vec6> m_gradient, m_step, m_saved;
+    BlockMatrix m_matrix;
+};
+
+} // namespace carom

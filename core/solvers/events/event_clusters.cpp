@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/events/event_gas.h"
+#include "core/solvers/joint_impulses.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Collisions that fall on one moment where balls touch: a rack that is broken, a ball struck from two sides.
+// They have no order in time, and taken by place a mirror image would not be one. So the rule of method
+// `contacts` (contacts/impacts.h) holds here, too: of all pairs of touching balls the one that closes fastest
+// collides first, together with those that tie with it; ties that share a ball are solved for jointly,
+//
+//     W p = −(1+e) u      Wₖₗ = sum over the balls of pairs k and l of ± nₖ·nₗ/m,  u = n·(vⱼ − vᵢ) before
+//
+// in both orders of elimination, averaged. What closes then is the next event, at the same moment. Solving
+// all that touch at once instead would send Newton's cradle out with all balls moving.
+
+namespace carom {
+namespace {
+
+/// Balls with a gap up to this part of the sum of their radii touch: far above the rounding of places near
+/// the scene, far below any gap that a scene means.
+constexpr double touching = 1e-12;
+/// Speeds within this part of the fastest have no order among them.
+constexpr double tie = 1e-9;
+/// A cluster of touching balls is followed so far: enough for racks.
+constexpr std::size_t mostTouching = 512;
+
+} // namespace
+
+// Whether anything else falls on the moment: a ball that saw two meetings at one time says so itself, the
+// others wait in the queue.
+bool EventGas::isCrowded(std::uint32_t i, std::uint32_t j, double time) {
+    if ((m_agendas[i].tied | m_agendas[j].tied) != 0) return true;
+    if (!m_queue.mayHaveMore(time + m_tie)) return false;
+    m_queue.remove(m_agendas, j); // it may know of the same meeting
+    return earliest(time + m_tie) != nobody;
+}
+
+// All pairs that touch, from i and j on over mobile balls.
+void EventGas::gatherMoment(std::uint32_t i, std::uint32_t j, double time) {
+    m_cluster.assign({i, j});
+    m_touches.clear();
+    for (std::size_t member = 0; member < m_cluster.size(); ++member) {
+        const std::uint32_t ball = m_cluster[member];
+        if (!isMobile(ball)) continue;
+        const Vec3 position = positionAt(m_stamps[ball], accelerationOf(ball), time);
+        const Vec3 velocity = velocityAt(m_stamps[ball], accelerationOf(ball), time);
+        m_cells.aroundBall(m_agendas, ball, [&](std::uint32_t k) {
+            const Vec3 between = positionAt(m_stamps[k], accelerationOf(k), time) - position;
+            const double radii = m_stamps[ball].radius + m_stamps[k].radius;
+            const double distance = between.norm();
+            if (!(distance - radii <= touching * radii)) return;
+            const auto known = std::find(m_cluster.begin(), m_cluster.end(), k);
+            const std::size_t place = static_cast<std::size_t>(known - m_cluster.begin());
+            if (place < member && isMobile(k)) return; // the other one has found it
+            if (known == m_cluster.end() && m_cluster.size() < mostTouching) m_cluster.push_back(k);
+            Touch touch{std::min(ball, k), std::max(ball, k)};
+            touch.normal = (k == touch.b ? 1 : -1) * between / distance;
+            const Vec3 relative = velocityAt(m_stamps[k], accelerationOf(k), time) - velocity;
+            touch.closing = -between.dot(relative) / distance;
+            const bool justMet = m_agendas[ball].last == k && m_agendas[k].last == ball;
+            if (touch.closing > 0 && !justMet) m_touches.push_back(touch);
+        });
+    }
+    m_lookedAt += m_cluster.size();
+}
+
+void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {
+    gatherMoment(i, j, time);
+    double fastest = 0;
+    for (const Touch& touch : m_touches) fastest = std::max(fastest, touch.closing);
+    if (m_touches.empty()) { // rounding has parted the two that were to meet
+        m_touches.push_back({std::min(i, j), std::max(i, j)});
+        fastest = 0;
+    }
+    std::erase_if(m_touches, [&](const Touch& touch) { return touch.closing < (1 - tie) * fastest; });
+    std::sort(m_touches.begin(), m_touches.end(),
+              [this](const Touch& x, const Touch& y) { return pairBefore(x.a, x.b, y.a, y.b); });
+
+    m_cluster.clear();
+    for (const Touch& touch : m_touches)
+        for (const std::uint32_t ball : {touch.a, touch.b})
+            if (std::find(m_cluster.begin(), m_cluster.end(), ball) == m_cluster.end())
+                m_cluster.push_back(ball);
+    for (const std::uint32_t ball : m_cluster) {
+        m_queue.remove(m_agendas, ball);
+        restamp(ball, time);
+    }
+    while (!m_touches.empty()) {
+        takeGroup();
+        strikeJointly(time);
+    }
+    for (const std::uint32_t ball : m_cluster) finishStrike(ball);
+    for (const std::uint32_t ball : {i, j}) // these were taken from the queue, and others came first
+        if (std::find(m_cluster.begin(), m_cluster.end(), ball) == m_cluster.end() && isMobile(ball)) {
+            m_queue.remove(m_agendas, ball);
+            planPairs(ball);
+            m_queue.insert(m_agendas, ball);
+        }
+}
+
+// Takes a first pair and all that share mobile balls with it out of m_touches, into m_group.
+void EventGas::takeGroup() {
+    m_group.assign(1, m_touches.front());
+    m_touches.erase(m_touches.begin());
+    const auto shares = [this](const Touch& x, const Touch& y) {
+        return (isMobile(x.a) && (x.a == y.a || x.a == y.b)) || (isMobile(x.b) && (x.b == y.a || x.b == y.b));
+    };
+    for (std::size_t member = 0; member < m_group.size(); ++member)
+        for (std::size_t k = 0; k < m_touches.size();) {
+            if (shares(m_group[member], m_touches[k])) {
+                m_group.push_back(m_touches[k]);
+                m_touches.erase(m_touches.begin() + static_cast<std::ptrdiff_t>(k));
+            } else {
+                ++k;
+            }
+        }
+}
+
+void EventGas::strikeJointly(double time) {
+    const Eigen::Index size = static_cast<Eigen::Index>(m_group.size());
+    JointValues impulses;
+    bool areJoint = false;
+    if (size > 1 && size <= mostJointContacts) {
+        JointResponse w(size, size);
+        JointValues wanted(size);
+        const auto coupling = [this](const Touch& x, const Touch& y) {
+            const double along = x.normal.dot(y.normal);
+            double sum = 0;
+            if (x.a == y.a) sum += inverseMassOf(x.a) * along;
+            if (x.b == y.b) sum += inverseMassOf(x.b) * along;
+            if (x.a == y.b) sum -= inverseMassOf(x.a) * along;
+            if (x.b == y.a) sum -= inverseMassOf(x.b) * along;
+            return sum;
+        };
+        for (Eigen::Index k = 0; k < size; ++k) {
+            const Touch& touch = m_group[static_cast<std::size_t>(k)];
+            wanted[k] = touch.closing + partingSpeedAt(touch, time);
+            for (Eigen::Index l = 0; l < size; ++l)
+                w(k, l) = coupling(touch, m_group[static_cast<std::size_t>(l)]);
+        }
+        areJoint = jointImpulses(w, wanted, impulses);
+    }
+    if (!areJoint) { // alone, or too many: by place
+        for (const Touch& touch : m_group) strike(touch.a, touch.b, time);
+        return;
+    }
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const Touch& touch = m_group[static_cast<std::size_t>(k)];
+        push(touch.a, touch.b, touch.normal, impulses[k]);
+        m_agendas[touch.a].last = touch.b;
+        m_agendas[touch.b].last = touch.a;
+        ++m_counts.collisions;
+    }
+}
+
+} // namespace carom

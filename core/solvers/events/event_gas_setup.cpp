@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/events/event_gas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+// How a gas is set up, and set up anew whenever its clock is set back. Nothing of this changes what happens,
+// to the bit: times are functions of the stamps alone, and neither the order of the balls in memory nor the
+// cells nor the days of the queue has a say in them.
+
+namespace carom {
+namespace {
+
+/// The clock is set back whenever 2^clockBits typical times have passed, rounded down to a power of two:
+/// times stay below two of these turns, so that their rounding does not grow with the length of the run (a
+/// radius is crossed to 1e-13 of it at worst), and is the same in every unit of time. A turn plans every ball
+/// anew, which costs about an event a ball; it goes through some ten times as many in between.
+constexpr int clockBits = 8;
+/// Times are rounded to this part of a turn, a few times over.
+constexpr double tieRounding = 4e-15;
+/// Of the typical time; later slices are fitted to what happens.
+constexpr double firstSlice = 0.4;
+
+} // namespace
+
+EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity)
+    : m_gravity(gravity), m_weightless(gravity.isZero(0)) {
+    takeBodies(bodies, state);
+    m_isComputable = areSquaresFinite();
+    if (!m_isComputable) return; // the times of borders would be 0, and there is no end to them
+    sortByPlace();
+    layCells();
+    planAll();
+    fillQueue(pendingRate(0));
+}
+
+// Times are roots of equations with squares of velocities and of gravity in them.
+bool EventGas::areSquaresFinite() const {
+    return std::isfinite(m_gravity.squaredNorm()) &&
+           std::all_of(m_stamps.begin(), m_stamps.end(),
+                       [](const Stamp& stamp) { return std::isfinite(stamp.velocity.squaredNorm()); });
+}
+
+void EventGas::takeBodies(const Bodies& bodies, const State& state) {
+    for (const BodyIndex i : bodies.walls) {
+        const Wall& wall = std::get<Wall>(bodies.shape[i]);
+        m_walls.push_back({wall.normal, wall.offset, bodies.elastic[i]});
+    }
+    m_tally.walls.assign(m_walls.size(), 0);
+    const std::size_t count = bodies.bounded.size();
+    m_stamps.reserve(count);
+    m_placeRests.reserve(count);
+    m_bodies.reserve(count);
+    m_agendas.resize(count);
+    m_order.resize(count);
+    m_borders.assign(count, {never, never, never});
+    m_nextBorders.assign(count, never);
+    m_passing.reserve(count);
+    std::map<std::pair<double, double>, std::uint32_t> materials;
+    double radii = 0, fastest = 0;
+    bool dissipates = false;
+    for (const BodyIndex i : bodies.bounded) {
+        const bool mobile = bodies.mobile[i] != 0;
+        const double radius = std::get<Sphere>(bodies.shape[i]).radius;
+        Agenda& agenda = m_agendas[m_stamps.size()];
+        m_stamps.push_back({state.pose[i].position, 0, state.velocity[i], radius});
+        m_placeRests.push_back(state.positionRest[i]);
+        m_bodies.push_back(i);
+        const Material material{bodies.inverseMass[i], bodies.elastic[i]};
+        const auto [entry, isNew] = materials.try_emplace({material.inverseMass, material.elastic},
+                                                          static_cast<std::uint32_t>(m_materials.size()));
+        if (isNew) m_materials.push_back(material);
+        agenda.material = entry->second;
+        if (!mobile) {
+            agenda.rest = static_cast<std::uint32_t>(m_rests.size());
+            m_rests.emplace_back();
+            m_allFree = false;
+        }
+        dissipates = dissipates || material.elastic < 1;
+        radii += radius;
+        fastest = std::max(fastest, state.velocity[i].norm());
+    }
+    if (dissipates) m_lastLosses.assign(count, -never);
+    const double radius = count == 0 ? 1 : radii / static_cast<double>(count);
+    const double speed = std::max(fastest, std::sqrt(m_gravity.norm() * radius));
+    constexpr double shortest = 1e-290; // so that rates are finite; no call is as short (advanceTo)
+    if (speed > 0) m_typicalTime = std::max(radius / speed, shortest);
+    m_clockTurn = std::ldexp(1.0, std::ilogb(m_typicalTime) + clockBits);
+    m_tie = tieRounding * m_clockTurn;
+    m_slice = firstSlice * m_typicalTime;
+}
+
+// Balls that are near each other should be near each other in memory: order by Morton's curve. The upper half
+// of a word of m_order is the place on the curve, the lower half the ball's former row.
+void EventGas::sortByPlace() {
+    constexpr unsigned bits = 10; // an axis
+    const Aabb region = regionOfCentres();
+    const double scale = ((1U << bits) - 1) / std::max(region.size().maxCoeff(), 1e-300);
+    const auto spread = [](std::uint64_t v) {
+        std::uint64_t spaced = 0;
+        for (unsigned bit = 0; bit < bits; ++bit) spaced |= (v >> bit & 1U) << (3 * bit);
+        return spaced;
+    };
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
+        const Vec3 position = positionAt(m_stamps[i], accelerationOf(i), m_now);
+        std::uint64_t code = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double along = std::clamp((position[axis] - region.lower[axis]) * scale, 0.0,
+                                            static_cast<double>((1U << bits) - 1));
+            code |= spread(static_cast<std::uint64_t>(along)) << axis;
+        }
+        m_order[i] = code << 32U | i;
+    }
+    std::sort(m_order.begin(), m_order.end());
+
+    // Row k comes from row m_order[k]: the cycles of this permutation, one after the other.
+    constexpr std::uint64_t rowMask = 0xffffffffU;
+    for (std::uint64_t& entry : m_order) entry &= rowMask;
+    for (Agenda& agenda : m_agendas)
+        agenda.queuePrevious = nobody; // free to remember the new row of each former one
+    for (std::uint32_t k = 0; k < m_order.size(); ++k)
+        m_agendas[static_cast<std::size_t>(m_order[k])].queueNext = k;
+    for (Agenda& agenda : m_agendas)
+        if (agenda.last != nobody && (agenda.last & Agenda::wallMark) == 0)
+            agenda.last = m_agendas[agenda.last].queueNext;
+    for (const Agenda& agenda : m_agendas)
+        if (agenda.rest != nobody && m_rests[agenda.rest].ball != nobody)
+            m_rests[agenda.rest].ball = m_agendas[m_rests[agenda.rest].ball].queueNext;
+    for (std::uint32_t begin = 0; begin < m_order.size(); ++begin) {
+        for (std::uint32_t to = begin;;) {
+            const std::uint32_t from = static_cast<std::uint32_t>(m_order[to]);
+            m_order[to] = to;
+            if (from == begin) break;
+            std::swap(m_stamps[to], m_stamps[from]);
+            std::swap(m_placeRests[to], m_placeRests[from]);
+            std::swap(m_agendas[to], m_agendas[from]);
+            std::swap(m_bodies[to], m_bodies[from]);
+            if (!m_lastLosses.empty()) std::swap(m_lastLosses[to], m_lastLosses[from]);
+            to = from;
+        }
+    }
+}
+
+Aabb EventGas::regionOfCentres() const {
+    if (m_stamps.empty()) return {};
+    Aabb region{m_stamps[0].position, m_stamps[0].position};
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
+        const Vec3 position = positionAt(m_stamps[i], accelerationOf(i), m_now);
+        region = united(region, {position, position});
+    }
+    return region;
+}
+
+void EventGas::layCells() {
+    m_cells.restart(m_agendas, m_stamps, regionOfCentres());
+    for (const BoundedWall& wall : m_walls) m_cells.addWall(wall.normal, wall.offset);
+    fillCells();
+}
+
+void EventGas::fillCells() {
+    m_cells.clear();
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
+        m_cells.insert(m_agendas, i, positionAt(m_stamps[i], accelerationOf(i), m_now));
+}
+
+void EventGas::planAll() {
+    m_sliceEnd = m_now + m_slice;
+    m_queuedBorders = 0;
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
+        if (isMobile(i)) plan(i, m_now);
+}
+
+/// How many events a second to expect: the median of the waiting times, which a burst does not disturb.
+double EventGas::pendingRate(double now) const {
+    std::vector<double> pending;
+    for (const Agenda& agenda : m_agendas)
+        if (agenda.earliest() < never) pending.push_back(agenda.earliest() - now);
+    if (pending.empty()) return 1 / m_clockTurn;
+    const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(pending.size() / 2);
+    std::nth_element(pending.begin(), pending.begin() + half, pending.end());
+    constexpr double soonest = 0.01; // of the typical time: a burst at the start is no rate
+    return static_cast<double>(pending.size()) /
+           std::max(pending[pending.size() / 2], soonest * m_typicalTime);
+}
+
+void EventGas::fillQueue(double eventsPerSecond) {
+    constexpr double most = 1e9; // days a turn of the clock: more would cost more to pass than their events
+    m_daysPerSecond = std::clamp(eventsPerSecond, 1 / m_clockTurn, most / m_clockTurn);
+    m_queue.restart(m_agendas, m_daysPerSecond, m_now);
+    m_handledAtFilling = m_handled;
+    m_timeOfFilling = m_now;
+    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
+        if (isMobile(i)) m_queue.insert(m_agendas, i);
+}
+
+// The queue is quick while a day holds about one event. When the scene has become livelier or calmer than the
+// days were cut for, they are cut anew: a break is over after some milliseconds, and empty days cost time
+// too.
+void EventGas::keepDaysFitting() {
+    constexpr double mostEventsADay = 4, mostDaysAnEvent = 16;
+    const double passed = m_now - m_timeOfFilling, days = m_daysPerSecond * passed;
+    const double events = static_cast<double>(m_handled - m_handledAtFilling);
+    const double balls = static_cast<double>(m_stamps.size()); // filling passes over all of them
+    if (events > mostEventsADay * (days + 1) || days > mostDaysAnEvent * (events + balls))
+        fillQueue(events / std::max(passed, 1e-300));
+}
+
+void EventGas::setClockBack() {
+    const double events = static_cast<double>(m_handled - m_handledAtTurn);
+    m_handledAtTurn = m_handled;
+    m_secondsPast += m_clockTurn;
+    m_now -= m_clockTurn;
+    for (Stamp& stamp : m_stamps) stamp.time -= m_clockTurn;
+    for (double& time : m_lastLosses) time -= m_clockTurn;
+    sortByPlace();
+    if (m_cells.areOutgrown(m_agendas))
+        layCells();
+    else
+        fillCells();
+    planAll();
+    fillQueue(events / m_clockTurn);
+}
+
+} // namespace carom

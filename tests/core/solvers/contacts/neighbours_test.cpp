@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+
+#include "core/broadphase/broadphase.h"
+#include "core/math/random.h"
+#include "core/solvers/contacts/neighbours.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+// The list of pairs that can meet, against all pairs, while bodies wander and a few of them leap: whether few
+// or many outrun it, no pair within what was asked for is missing, and the others of a body ascend.
+
+namespace carom {
+namespace {
+
+constexpr std::uint64_t seed = 20261123;
+constexpr double step = 0.01; // [s]
+constexpr double side = 12;   // of the box the bodies are in [m]
+constexpr int steps = 60;
+
+class Crowd {
+  public:
+    Crowd(Random& random, std::size_t count) {
+        Scene scene;
+        scene.bodies.push_back(test::wall(Vec3::UnitY(), -side / 2));
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vec3 place(anywhere(random), anywhere(random), anywhere(random));
+            const Vec3 velocity = Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+            if (i % 3 == 0)
+                scene.bodies.push_back(test::cuboid(Vec3(0.2, 0.1, 0.4), 1, place));
+            else
+                scene.bodies.push_back(test::sphere(random.uniform(0.1, 0.4), 1, place, velocity));
+        }
+        bodies = bodiesOf(scene);
+        state = initialStateOf(scene);
+    }
+    /// All bodies go on; each leaps with probability `part`, and is another way from then on.
+    void wander(Random& random, double part) {
+        for (const BodyIndex i : bodies.mobileBodies) {
+            if (random.uniform() < part) {
+                state.velocity[i] = 30 * Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+                state.pose[i].position += step * state.velocity[i];
+            }
+            state.pose[i].position += step * state.velocity[i];
+        }
+    }
+    static double anywhere(Random& random) { return random.uniform(-side / 2, side / 2); }
+
+    Bodies bodies;
+    State state;
+};
+
+/// Whether the list has every pair that is within the reach of both.
+bool isComplete(const Crowd& crowd, const Neighbours& neighbours) {
+    const Bodies& bodies = crowd.bodies;
+    for (BodyIndex a = 0; a < bodies.count(); ++a)
+        for (BodyIndex b = a + 1; b < bodies.count(); ++b) {
+            if (bodies.mobile[a] == 0 && bodies.mobile[b] == 0) continue;
+            double margin = 0;
+            for (const BodyIndex i : {a, b})
+                if (bodies.mobile[i] != 0) margin += neighbours.reach(i) / Neighbours::reachFactor;
+            if (!areWithin(bodies, crowd.state, {a, b}, margin)) continue;
+            const std::span<const BodyPair> pairs = neighbours.pairs();
+            if (!std::binary_search(pairs.begin(), pairs.end(), BodyPair{a, b})) return false;
+        }
+    return true;
+}
+
+bool isInOrder(const Crowd& crowd, const Neighbours& neighbours) {
+    const auto ascends = [](auto list) {
+        return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    };
+    std::size_t ends = 0;
+    for (BodyIndex i = 0; i < crowd.bodies.count(); ++i) {
+        if (!ascends(neighbours.around(i))) return false;
+        for (const BodyIndex k : neighbours.around(i)) {
+            const std::span<const BodyIndex> back = neighbours.around(k);
+            if (!std::binary_search(back.begin(), back.end(), i)) return false;
+        }
+        ends += neighbours.around(i).size();
+    }
+    return ascends(neighbours.pairs()) && ends == 2 * neighbours.pairs().size();
+}
+
+} // namespace
+
+class NeighboursTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void noPairIsMissing_data() {
+        QTest::addColumn<int>("bodies");
+        QTest::addColumn<double>("leaping"); // part of the bodies, in a step
+        QTest::newRow("few leap") << 300 << 0.01;
+        QTest::newRow("many leap") << 300 << 0.9;
+        QTest::newRow("nobody leaps") << 300 << 0.0;
+        QTest::newRow("three bodies") << 3 << 0.1;
+    }
+    void noPairIsMissing() {
+        QFETCH(int, bodies);
+        QFETCH(double, leaping);
+        Random random(seed);
+        Crowd crowd(random, static_cast<std::size_t>(bodies));
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(crowd.bodies);
+        for (int i = 0; i < steps; ++i) {
+            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
+                              *broadphase);
+            QVERIFY(isComplete(crowd, neighbours));
+            QVERIFY(isInOrder(crowd, neighbours));
+            crowd.wander(random, leaping);
+        }
+    }
+
+    // The broad-phase is asked where everybody has moved, not for the few that leap.
+    void theFewAreFoundWithoutASearchForAll() {
+        Random random(seed);
+        Crowd crowd(random, 300);
+        std::fill(crowd.state.velocity.begin(), crowd.state.velocity.end(), Vec3::Zero());
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(crowd.bodies);
+        for (int i = 0; i < steps; ++i) {
+            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
+                              *broadphase);
+            const BodyIndex one = crowd.bodies.mobileBodies[random.below(300)];
+            crowd.state.pose[one].position =
+                Vec3(Crowd::anywhere(random), Crowd::anywhere(random), Crowd::anywhere(random));
+        }
+        QCOMPARE(neighbours.searches(), 1U);
+    }
+
+    // What somebody asks for beyond what he needs is there after the next search.
+    void whatIsAskedForIsFound() {
+        Random random(seed);
+        Crowd crowd(random, 300);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(crowd.bodies);
+        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
+                          *broadphase);
+        const BodyIndex asking = crowd.bodies.mobileBodies[random.below(300)];
+        QVERIFY(!neighbours.covers(asking, side / 2));
+        neighbours.search(crowd.bodies, crowd.state, *broadphase);
+        QVERIFY(neighbours.covers(asking, side / 2));
+        const std::span<const BodyIndex> around = neighbours.around(asking);
+        for (const BodyIndex k : crowd.bodies.bounded)
+            if (k != asking &&
+                areWithin(crowd.bodies, crowd.state, {std::min(k, asking), std::max(k, asking)}, side / 2))
+                QVERIFY(std::binary_search(around.begin(), around.end(), k));
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(neighbours_test, carom::NeighboursTest)
+#include "neighbours_test.moc"
