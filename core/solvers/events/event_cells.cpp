@@ -19,7 +19,7 @@ constexpr std::int32_t fewestAlongAxis = 3;
 
 constexpr std::size_t mostLevels = 20;
 
-// Of a side: far more than rounding can put a ball beyond a border.
+// Of a side: far more than rounding can put a ball beyond its cell.
 constexpr double roundingOfPlaces = 1e-3;
 
 std::int32_t cellsAlong(double length, double side) {
@@ -29,11 +29,11 @@ std::int32_t cellsAlong(double length, double side) {
 
 /// The radius the finest cells are made for: the largest if nearly all balls are about as large, else the one
 /// that nine of ten do not exceed; twice as many crossings cost less than ten times as many pairs.
-double finestRadius(std::span<const Stamp> stamps) {
+double finestRadius(std::span<const TrajectoryOrigin> origins) {
     constexpr double aboutEqual = 1.4;
     std::vector<double> radii;
-    radii.reserve(stamps.size());
-    for (const Stamp& stamp : stamps) radii.push_back(stamp.radius);
+    radii.reserve(origins.size());
+    for (const TrajectoryOrigin& origin : origins) radii.push_back(origin.radius);
     if (radii.empty()) return 0;
     const std::ptrdiff_t ninth = static_cast<std::ptrdiff_t>(radii.size() * 9 / 10);
     std::nth_element(radii.begin(), radii.begin() + ninth, radii.end());
@@ -44,10 +44,11 @@ double finestRadius(std::span<const Stamp> stamps) {
 
 } // namespace
 
-void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const Aabb& region) {
+void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin> origins,
+                         const Aabb& region) {
     constexpr std::size_t cellsPerBall = 32, cellsAtLeast = 4096;
-    const double finest = finestRadius(stamps);
-    const double ballCount = static_cast<double>(std::max<std::size_t>(1, stamps.size()));
+    const double finest = finestRadius(origins);
+    const double ballCount = static_cast<double>(std::max<std::size_t>(1, origins.size()));
     const double volume = (region.size().array() + 2 * finest).prod();
     double side = std::max(2 * slack * finest, shareOfSpacing * std::cbrt(volume / ballCount));
     if (!(side > 0)) side = 1;
@@ -56,21 +57,21 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
 
     m_levels.clear();
     m_count.clear();
-    for (std::size_t i = 0; i < stamps.size(); ++i) {
+    for (std::size_t i = 0; i < origins.size(); ++i) {
         std::size_t level = 0;
-        for (double width = side; width < 2 * slack * stamps[i].radius && level + 1 < mostLevels; width *= 2)
+        for (double width = side; width < 2 * slack * origins[i].radius && level + 1 < mostLevels; width *= 2)
             ++level;
-        agendas[i].level = static_cast<std::uint8_t>(level);
+        records[i].level = static_cast<std::uint8_t>(level);
         while (m_levels.size() <= level) {
             m_levels.push_back({.side = std::ldexp(side, static_cast<int>(m_levels.size()))});
             m_count.push_back(0);
         }
-        m_levels[level].largest = std::max(m_levels[level].largest, stamps[i].radius);
+        m_levels[level].largest = std::max(m_levels[level].largest, origins[i].radius);
         ++m_count[level];
     }
 
     std::size_t cells = 0, bytes = 0;
-    const double mostCells = static_cast<double>(cellsAtLeast + cellsPerBall * stamps.size());
+    const double mostCells = static_cast<double>(cellsAtLeast + cellsPerBall * origins.size());
     for (Level& level : m_levels) {
         double count = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -99,13 +100,13 @@ void EventCells::restart(Agendas agendas, std::span<const Stamp> stamps, const A
     m_first.assign(cells, nobody);
     m_walls.assign(cells, 0);
     m_bits.assign(bytes + 1, 0); // two bytes are read at once
-    m_next.assign(agendas.size(), nobody);
+    m_next.assign(records.size(), nobody);
     m_wallCount = 0;
 }
 
 // Cells are numbered within one repetition, the one that begins at the origin; see wallsNear for the others.
 void EventCells::addWall(const Vec3& normal, double offset) {
-    constexpr double margin = 0.01; // of a cell: far more than rounding can put a ball beyond its border
+    constexpr double margin = 0.01; // of a cell: far more than rounding can put a ball beyond it
     const unsigned bit = 1U << std::min(m_wallCount, wallBits - 1);
     ++m_wallCount;
     for (const Level& level : m_levels) {
@@ -127,11 +128,11 @@ void EventCells::clear() {
     std::fill(m_bits.begin(), m_bits.end(), std::uint8_t{0});
 }
 
-bool EventCells::areOutgrown(ConstAgendas agendas) const {
+bool EventCells::areOutgrown(ConstEventRecords records) const {
     std::size_t beyond = 0;
-    for (const Agenda& agenda : agendas)
-        if (isRepeated(m_levels[agenda.level], agenda.place)) ++beyond;
-    return beyond > agendas.size() / 4;
+    for (const EventRecord& record : records)
+        if (isRepeated(m_levels[record.level], record.place)) ++beyond;
+    return beyond > records.size() / 4;
 }
 
 inline void EventCells::setBits(const Level& level, std::size_t row, std::int32_t x, bool occupied) {
@@ -161,20 +162,20 @@ inline void EventCells::unlink(const Level& level, const Spot& spot, std::uint32
     if (m_first[spot.slot] == nobody) setBits(level, spot.row, spot.x, false);
 }
 
-void EventCells::insert(Agendas agendas, std::uint32_t i, const Vec3& position) {
-    Agenda& agenda = agendas[i];
-    const double last = farthest >> agenda.level;
+void EventCells::insert(EventRecords records, std::uint32_t i, const Vec3& position) {
+    EventRecord& record = records[i];
+    const double last = farthest >> record.level;
     for (int axis = 0; axis < 3; ++axis) {
-        const double cell = std::floor((position[axis] - m_origin[axis]) / m_levels[agenda.level].side);
-        agenda.place[index(axis)] = static_cast<std::int32_t>(std::clamp(cell, -last, last));
+        const double cell = std::floor((position[axis] - m_origin[axis]) / m_levels[record.level].side);
+        record.place[index(axis)] = static_cast<std::int32_t>(std::clamp(cell, -last, last));
     }
-    const Level& level = m_levels[agenda.level];
-    link(level, spotOf(level, agenda.place), i);
+    const Level& level = m_levels[record.level];
+    link(level, spotOf(level, record.place), i);
 }
 
-void EventCells::cross(Agendas agendas, std::uint32_t i, int axis, int direction) {
-    Place& place = agendas[i].place;
-    const Level& level = m_levels[agendas[i].level];
+void EventCells::cross(EventRecords records, std::uint32_t i, int axis, int direction) {
+    Place& place = records[i].place;
+    const Level& level = m_levels[records[i].level];
     unlink(level, spotOf(level, place), i);
     place[index(axis)] += direction;
     link(level, spotOf(level, place), i);

@@ -12,14 +12,14 @@
 #include <span>
 #include <vector>
 
-// Cells that hold every ball whose centre they contain, so that a ball can only meet balls of its own and the
-// 26 cells around it before one of them crosses a border. Which cell a ball is in is part of its state,
-// changed by crossing events and never derived from its position again; so rounding at a border cannot lose
-// it. Space is endless and the tables are not: cells repeat after `extent` of them along each axis, which
-// brings strangers into a list, never drops a neighbour.
+// Cells that hold every ball whose centre they contain, so that a ball can only touch balls of its own and
+// the 26 cells around it before one of them crosses into another cell. Which cell a ball is in is part of its
+// state, changed by crossing events and never derived from its position again; so rounding at a face cannot
+// lose it. Space is endless and the tables are not: cells repeat after `extent` of them along each axis,
+// which brings strangers into a list, never drops a neighbour.
 //
 // Balls of very different sizes live on levels of cells that are twice as wide each; a ball on the level
-// whose cells are as wide as the ball. Cells of all levels begin at the same borders, so the cell around a
+// whose cells are as wide as the ball. Cells of all levels begin at the same faces, so the cell around a
 // fine one is `place >> levels up`. A ball looks for its like in the 27 cells of its own level, for larger
 // ones in the 27 coarser cells around, for smaller ones in all the finer cells that those 27 cells consist
 // of.
@@ -32,77 +32,77 @@ namespace carom {
 
 class EventCells {
   public:
-    static constexpr std::uint32_t nobody = Agenda::nobody;
+    static constexpr std::uint32_t nobody = EventRecord::nobody;
     using Place = std::array<std::int32_t, 3>;
 
     /// Empty cells, their `side` [m] doubling from level to level, enough to tile `region` without repeating
-    /// if the budget of some dozens of cells a ball allows it. Sets the level of each of the `agendas`;
-    /// radii are those of `stamps`.
-    void restart(Agendas agendas, std::span<const Stamp> stamps, const Aabb& region);
+    /// if the budget of some dozens of cells a ball allows it. Sets the level of each of the `records`;
+    /// radii are those of `origins`.
+    void restart(EventRecords records, std::span<const TrajectoryOrigin> origins, const Aabb& region);
 
     /// Names the cells from which a ball of their level can reach the half-space normal·x < offset before it
-    /// crosses a border. Walls are numbered in the order of the calls.
+    /// leaves its cell. Walls are numbered in the order of the calls.
     void addWall(const Vec3& normal, double offset);
 
     /// Takes all balls out of the cells.
     void clear();
     /// A quarter of the balls is beyond the region the cells were laid for.
-    bool areOutgrown(ConstAgendas agendas) const;
-    void insert(Agendas agendas, std::uint32_t i, const Vec3& position);
+    bool areOutgrown(ConstEventRecords records) const;
+    void insert(EventRecords records, std::uint32_t i, const Vec3& position);
     /// Moves ball i one cell along an axis, in direction +1 or −1.
-    void cross(Agendas agendas, std::uint32_t i, int axis, int direction);
+    void cross(EventRecords records, std::uint32_t i, int axis, int direction);
 
     static constexpr unsigned wallBits = 8;
     /// One bit a wall that a ball can reach from its cell; the last one means all from there on. All where
     /// the cell is none that the tables were laid for, but one they stand for too.
-    unsigned wallsNear(const Agenda& agenda) const {
-        const Level& level = m_levels[agenda.level];
-        const Place& place = agenda.place;
+    unsigned wallsNear(const EventRecord& record) const {
+        const Level& level = m_levels[record.level];
+        const Place& place = record.place;
         return isRepeated(level, place) ? (1U << wallBits) - 1
                                         : m_walls[slotOf(level, rowOf(level, place[1], place[2]), place[0])];
     }
     /// Whether a ball's cell along an axis is so far out that it stays in it for good; only repeated cells
     /// are.
-    static bool isOutermost(const Agenda& agenda, int axis) {
-        return std::abs(agenda.place[index(axis)]) >= farthest >> agenda.level;
+    static bool isOutermost(const EventRecord& record, int axis) {
+        return std::abs(record.place[index(axis)]) >= farthest >> record.level;
     }
 
     /// Calls visit(j) for every other ball in the cells around ball i.
     template<class Visit>
-    void aroundBall(ConstAgendas agendas, std::uint32_t i, const Visit& visit) const {
-        const Agenda& agenda = agendas[i];
-        const Level& own = m_levels[agenda.level];
-        visitAround(own, agenda.place, [&](std::uint32_t j) {
+    void aroundBall(ConstEventRecords records, std::uint32_t i, const Visit& visit) const {
+        const EventRecord& record = records[i];
+        const Level& own = m_levels[record.level];
+        visitAround(own, record.place, [&](std::uint32_t j) {
             if (j != i) visit(j);
         });
-        if (m_levels.size() > 1) visitOtherLevels(agendas, agenda, -1, 0, visit);
+        if (m_levels.size() > 1) visitOtherLevels(records, record, -1, 0, visit);
     }
 
     /// Calls visit(j) for every ball in the cells that came into view when ball i crossed, as cross() did.
     template<class Visit>
-    void newlyAround(ConstAgendas agendas, std::uint32_t i, int axis, int direction,
+    void newlyAround(ConstEventRecords records, std::uint32_t i, int axis, int direction,
                      const Visit& visit) const {
-        const Agenda& agenda = agendas[i];
-        visitSlab(m_levels[agenda.level], agenda.place, axis, direction, visit);
-        if (m_levels.size() > 1) visitOtherLevels(agendas, agenda, axis, direction, visit);
+        const EventRecord& record = records[i];
+        visitSlab(m_levels[record.level], record.place, axis, direction, visit);
+        if (m_levels.size() > 1) visitOtherLevels(records, record, axis, direction, visit);
     }
 
     /// How far a ball may be from its cell [m]: of two that are in no cells next to each other the surfaces
     /// are so far apart twice.
     double tolerance(std::uint8_t level) const { return m_levels[level].tolerance; }
-    /// The lower border of a ball's cell along an axis [m], and how far the upper one is from it.
-    double borderOf(const Agenda& agenda, int axis) const {
-        return m_origin[axis] + m_levels[agenda.level].side * agenda.place[index(axis)];
+    /// The lower face of a ball's cell across an axis [m], and how far the upper one is from it.
+    double lowerFaceOf(const EventRecord& record, int axis) const {
+        return m_origin[axis] + m_levels[record.level].side * record.place[index(axis)];
     }
-    double sideOf(const Agenda& agenda) const { return m_levels[agenda.level].side; }
+    double sideOf(const EventRecord& record) const { return m_levels[record.level].side; }
     std::size_t bytes() const;
 
     /// Fetches what looking around ball i will read.
-    void prefetch(const Agenda& agenda) const {
-        const Level& level = m_levels[agenda.level];
-        if (!isInside(level, agenda.place)) return;
+    void prefetch(const EventRecord& record) const {
+        const Level& level = m_levels[record.level];
+        if (!isInside(level, record.place)) return;
         __builtin_prefetch(
-            &m_first[slotOf(level, rowOf(level, agenda.place[1], agenda.place[2]), agenda.place[0])]);
+            &m_first[slotOf(level, rowOf(level, record.place[1], record.place[2]), record.place[0])]);
     }
 
   private:
@@ -302,25 +302,25 @@ class EventCells {
 
     // Larger balls, and smaller ones; `axis` −1: everything around, not only what a crossing brought.
     template<class Visit>
-    void visitOtherLevels(ConstAgendas agendas, const Agenda& agenda, int axis, int direction,
+    void visitOtherLevels(ConstEventRecords records, const EventRecord& record, int axis, int direction,
                           const Visit& visit) const {
         for (std::size_t l = 0; l < m_levels.size(); ++l) {
-            if (l > agenda.level) {
-                const unsigned up = static_cast<unsigned>(l - agenda.level);
+            if (l > record.level) {
+                const unsigned up = static_cast<unsigned>(l - record.level);
                 Place place{};
-                for (std::size_t k = 0; k < 3; ++k) place[k] = agenda.place[k] >> up;
+                for (std::size_t k = 0; k < 3; ++k) place[k] = record.place[k] >> up;
                 if (axis < 0)
                     visitAround(m_levels[l], place, visit);
-                else if ((agenda.place[index(axis)] - direction) >> up != place[index(axis)])
+                else if ((record.place[index(axis)] - direction) >> up != place[index(axis)])
                     visitSlab(m_levels[l], place, axis, direction, visit);
-            } else if (l < agenda.level) {
-                visitFiner(agendas, l, agenda, axis, direction, visit);
+            } else if (l < record.level) {
+                visitFiner(records, l, record, axis, direction, visit);
             }
         }
     }
     template<class Visit>
-    void visitFiner(ConstAgendas agendas, std::size_t l, const Agenda& agenda, int axis, int direction,
-                    const Visit& visit) const;
+    void visitFiner(ConstEventRecords records, std::size_t l, const EventRecord& record, int axis,
+                    int direction, const Visit& visit) const;
 
     std::vector<Level> m_levels;
     std::vector<std::uint32_t> m_first; ///< ball of each cell
@@ -334,21 +334,21 @@ class EventCells {
 
 // Cells of a finer level, row by row; where they are more than its balls, the balls themselves.
 template<class Visit>
-void EventCells::visitFiner(ConstAgendas agendas, std::size_t l, const Agenda& agenda, int axis,
+void EventCells::visitFiner(ConstEventRecords records, std::size_t l, const EventRecord& record, int axis,
                             int direction, const Visit& visit) const {
     const Level& level = m_levels[l];
-    const unsigned down = agenda.level - static_cast<unsigned>(l);
+    const unsigned down = record.level - static_cast<unsigned>(l);
     std::array<std::int32_t, 3> begin{}, count{};
     double cells = 1;
     for (std::size_t k = 0; k < 3; ++k) {
         const bool crossed = axis >= 0 && k == index(axis);
-        begin[k] = (agenda.place[k] + (crossed ? direction : -1)) * (1 << down);
+        begin[k] = (record.place[k] + (crossed ? direction : -1)) * (1 << down);
         count[k] = std::min((crossed ? 1 : 3) << down, level.extent[k]);
         cells *= count[k];
     }
     if (cells > static_cast<double>(m_count[l])) {
-        for (std::uint32_t j = 0; j < agendas.size(); ++j)
-            if (agendas[j].level == l) visit(j);
+        for (std::uint32_t j = 0; j < records.size(); ++j)
+            if (records[j].level == l) visit(j);
         return;
     }
     for (std::int32_t z = 0; z < count[2]; ++z)

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-// Collisions that fall on one moment where balls touch: a rack that is broken, a ball struck from two sides.
-// They have no order in time, and taken by place a mirror image would not be one. So the rule of method
-// `contacts` (contacts/impacts.h) holds here, too: of all pairs of touching balls the one that closes fastest
-// collides first, together with those that tie with it; ties that share a ball are solved for jointly,
+// Clusters of simultaneous impacts: a rack that is broken, a ball hit from two sides at once. The impacts
+// have no order in time, and in an order by place the mirror image of a scene would move in another way. So
+// the rule of method `contacts` (contacts/impacts.h) holds here, too: of all pairs of touching balls the one
+// that closes fastest collides first, together with those that tie with it; ties that share a ball are solved
+// for jointly,
 //
 //     W p = −(1+e) u      Wₖₗ = sum over the balls of pairs k and l of ± nₖ·nₗ/m,  u = n·(vⱼ − vᵢ) before
 //
-// in both orders of elimination, averaged. What closes then is the next event, at the same moment. Solving
+// in both orders of elimination, averaged. What closes then is the next event, at the same time. Solving
 // all that touch at once instead would send Newton's cradle out with all balls moving.
 
 namespace carom {
@@ -28,27 +29,27 @@ constexpr std::size_t mostTouching = 512;
 
 } // namespace
 
-// Whether anything else falls on the moment: a ball that saw two meetings at one time says so itself, the
-// others wait in the queue.
-bool EventGas::isCrowded(std::uint32_t i, std::uint32_t j, double time) {
-    if ((m_agendas[i].tied | m_agendas[j].tied) != 0) return true;
+// Whether another event has the same time: of a ball with two predicted collisions at one time the record
+// says so, the others are in the queue.
+bool EventGas::isInCluster(std::uint32_t i, std::uint32_t j, double time) {
+    if ((m_records[i].tied | m_records[j].tied) != 0) return true;
     if (!m_queue.mayHaveMore(time + m_tie)) return false;
-    m_queue.remove(m_agendas, j); // it may know of the same meeting
+    m_queue.remove(m_records, j); // it may have predicted the same collision
     return earliest(time + m_tie) != nobody;
 }
 
 // All pairs that touch, from i and j on over mobile balls.
-void EventGas::gatherMoment(std::uint32_t i, std::uint32_t j, double time) {
+void EventGas::gatherCluster(std::uint32_t i, std::uint32_t j, double time) {
     m_cluster.assign({i, j});
     m_touches.clear();
     for (std::size_t member = 0; member < m_cluster.size(); ++member) {
         const std::uint32_t ball = m_cluster[member];
         if (!isMobile(ball)) continue;
-        const Vec3 position = positionAt(m_stamps[ball], accelerationOf(ball), time);
-        const Vec3 velocity = velocityAt(m_stamps[ball], accelerationOf(ball), time);
-        m_cells.aroundBall(m_agendas, ball, [&](std::uint32_t k) {
-            const Vec3 between = positionAt(m_stamps[k], accelerationOf(k), time) - position;
-            const double radii = m_stamps[ball].radius + m_stamps[k].radius;
+        const Vec3 position = positionAt(m_origins[ball], accelerationOf(ball), time);
+        const Vec3 velocity = velocityAt(m_origins[ball], accelerationOf(ball), time);
+        m_cells.aroundBall(m_records, ball, [&](std::uint32_t k) {
+            const Vec3 between = positionAt(m_origins[k], accelerationOf(k), time) - position;
+            const double radii = m_origins[ball].radius + m_origins[k].radius;
             const double distance = between.norm();
             if (!(distance - radii <= touching * radii)) return;
             const auto known = std::find(m_cluster.begin(), m_cluster.end(), k);
@@ -57,20 +58,20 @@ void EventGas::gatherMoment(std::uint32_t i, std::uint32_t j, double time) {
             if (known == m_cluster.end() && m_cluster.size() < mostTouching) m_cluster.push_back(k);
             Touch touch{std::min(ball, k), std::max(ball, k)};
             touch.normal = (k == touch.b ? 1 : -1) * between / distance;
-            const Vec3 relative = velocityAt(m_stamps[k], accelerationOf(k), time) - velocity;
+            const Vec3 relative = velocityAt(m_origins[k], accelerationOf(k), time) - velocity;
             touch.closing = -between.dot(relative) / distance;
-            const bool justMet = m_agendas[ball].last == k && m_agendas[k].last == ball;
+            const bool justMet = m_records[ball].last == k && m_records[k].last == ball;
             if (touch.closing > 0 && !justMet) m_touches.push_back(touch);
         });
     }
     m_lookedAt += m_cluster.size();
 }
 
-void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {
-    gatherMoment(i, j, time);
+void EventGas::collideCluster(std::uint32_t i, std::uint32_t j, double time) {
+    gatherCluster(i, j, time);
     double fastest = 0;
     for (const Touch& touch : m_touches) fastest = std::max(fastest, touch.closing);
-    if (m_touches.empty()) { // rounding has parted the two that were to meet
+    if (m_touches.empty()) { // the two do not touch, by rounding
         m_touches.push_back({std::min(i, j), std::max(i, j)});
         fastest = 0;
     }
@@ -84,19 +85,19 @@ void EventGas::meetAtOnce(std::uint32_t i, std::uint32_t j, double time) {
             if (std::find(m_cluster.begin(), m_cluster.end(), ball) == m_cluster.end())
                 m_cluster.push_back(ball);
     for (const std::uint32_t ball : m_cluster) {
-        m_queue.remove(m_agendas, ball);
-        restamp(ball, time);
+        m_queue.remove(m_records, ball);
+        moveOrigin(ball, time);
     }
     while (!m_touches.empty()) {
         takeGroup();
-        strikeJointly(time);
+        collideJointly(time);
     }
-    for (const std::uint32_t ball : m_cluster) finishStrike(ball);
+    for (const std::uint32_t ball : m_cluster) finishCollision(ball);
     for (const std::uint32_t ball : {i, j}) // these were taken from the queue, and others came first
         if (std::find(m_cluster.begin(), m_cluster.end(), ball) == m_cluster.end() && isMobile(ball)) {
-            m_queue.remove(m_agendas, ball);
+            m_queue.remove(m_records, ball);
             planPairs(ball);
-            m_queue.insert(m_agendas, ball);
+            m_queue.insert(m_records, ball);
         }
 }
 
@@ -118,7 +119,7 @@ void EventGas::takeGroup() {
         }
 }
 
-void EventGas::strikeJointly(double time) {
+void EventGas::collideJointly(double time) {
     const Eigen::Index size = static_cast<Eigen::Index>(m_group.size());
     JointValues impulses;
     bool areJoint = false;
@@ -136,21 +137,21 @@ void EventGas::strikeJointly(double time) {
         };
         for (Eigen::Index k = 0; k < size; ++k) {
             const Touch& touch = m_group[static_cast<std::size_t>(k)];
-            wanted[k] = touch.closing + partingSpeedAt(touch, time);
+            wanted[k] = touch.closing + separationSpeedAt(touch, time);
             for (Eigen::Index l = 0; l < size; ++l)
                 w(k, l) = coupling(touch, m_group[static_cast<std::size_t>(l)]);
         }
         areJoint = jointImpulses(w, wanted, impulses);
     }
     if (!areJoint) { // alone, or too many: by place
-        for (const Touch& touch : m_group) strike(touch.a, touch.b, time);
+        for (const Touch& touch : m_group) collidePair(touch.a, touch.b, time);
         return;
     }
     for (Eigen::Index k = 0; k < size; ++k) {
         const Touch& touch = m_group[static_cast<std::size_t>(k)];
         push(touch.a, touch.b, touch.normal, impulses[k]);
-        m_agendas[touch.a].last = touch.b;
-        m_agendas[touch.b].last = touch.a;
+        m_records[touch.a].last = touch.b;
+        m_records[touch.b].last = touch.a;
         ++m_counts.collisions;
     }
 }

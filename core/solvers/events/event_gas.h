@@ -17,26 +17,25 @@
 #include <span>
 #include <vector>
 
-// Balls between walls, moved from event to event. Between two events of its own a ball's flight is a closed
-// form, so it is written down once, as a stamp, and read at any time; only collisions with balls and walls
-// make a new stamp. Every ball keeps
+// Event-driven dynamics of balls between walls. Between two events of its own a ball's path is a closed form.
+// It is stored once, as the origin of the trajectory (TrajectoryOrigin), and evaluated at any time; only
+// collisions with balls and walls make a new origin. Every ball keeps
 //
-//     pair      the earliest meeting with another ball it has found, and how often that other had
-//               changed when it was found: if it has changed since, the meeting is off and is looked for anew
+//     pair      the earliest collision with another ball that was predicted, and how often that ball had
+//               changed by then: if it has changed since, the prediction is stale and is made anew
 //     other     its next wall
-//     border    when it leaves its cell; behind a border nine new cells are searched
+//     crossing  when it leaves its cell; then the nine cells that come into reach are searched
 //
-// and the queue holds the earlier of pair and other. Borders, five for every collision, have no order among
-// them and some room: cells are wider than balls, so a ball may be put into its next cell a little before it
-// gets there. So all that will pass a border in the next slice of time do so at once when it begins, one
-// after the other as they lie in memory; only where a slice takes a ball too far is its border an event of
-// its own, in the place of the wall.
+// and the queue holds the earlier of pair and other. Cell crossings, five for every collision, need no order
+// among themselves, nor exact times: cells are wider than balls, so a ball may enter its next cell a little
+// early. So all crossings of the next slice of time are made when it begins, in the order of memory. Only a
+// ball that would be too far from its cell then crosses as an event of its own, in the place of the wall.
 //
 //     time   |-----x---x-----x--|--x------x----x---|---x----      x collisions, bounces
-//            ^ borders up to    ^ borders up to    ^
+//            ^ crossings up to  ^ crossings up to  ^
 //
-// Only the ball that searched knows of a pair. That loses nothing: what one of the two dropped, it dropped
-// for something earlier, and looks again then.
+// A predicted collision is stored with one of its two balls only. That loses none: what a ball drops, it
+// drops for an earlier event, after which it predicts again.
 //
 // Balls that lose energy come to rest: on walls, where they slide on in closed form, and straight above a
 // ball that is still, where they stand. Balls that lie on each other in any other way hop a billionth of a
@@ -54,8 +53,8 @@ struct EventCounts {
     std::uint64_t collisions = 0; ///< of two balls
     std::uint64_t bounces = 0;    ///< off walls
     std::uint64_t crossings = 0;  ///< from cell to cell
-    std::uint64_t stale = 0;      ///< meetings that were off
-    std::uint64_t tested = 0;     ///< pairs whose meeting was computed
+    std::uint64_t stale = 0;      ///< predicted collisions that did not come
+    std::uint64_t tested = 0;     ///< pairs for which a collision was computed
 
     std::uint64_t events() const { return collisions + bounces + crossings + stale; }
 };
@@ -72,11 +71,11 @@ class EventGas {
     /// Takes every sphere and wall of `bodies`; there must be nothing else. `gravity` [m/s²].
     EventGas(const Bodies& bodies, const State& state, const Vec3& gravity);
 
-    /// Lives through everything up to `time` [s] after the start; times must not decrease. Breaks off with
+    /// Advances to `time` [s] after the start; times must not decrease. Breaks off with
     /// the ball concerned if time ceases to pass between the events (inelastic collapse), or there are more
     /// than `mostEvents` of them, or of what costs as much; if a ball
     /// that rests on walls would be pushed into one of them; if the fastest would fly 1e12 radii: there would
-    /// be no end to the borders that it passes; or if squares of velocities or of gravity are no numbers.
+    /// be no end to the cell crossings; or if squares of velocities or of gravity are no numbers.
     Loss advanceTo(double time, std::uint64_t mostEvents = std::numeric_limits<std::uint64_t>::max());
 
     /// How long it goes by one clock [s]; setting it back rounds times anew.
@@ -93,7 +92,7 @@ class EventGas {
     std::size_t bytes() const;
 
   private:
-    static constexpr std::uint32_t nobody = Agenda::nobody;
+    static constexpr std::uint32_t nobody = EventRecord::nobody;
 
     struct BoundedWall {
         Vec3 normal;
@@ -116,17 +115,17 @@ class EventGas {
         Vec3 normal = Vec3::UnitY(); ///< from a to b
     };
 
-    /// Of a border.
-    struct Passage {
+    /// From a cell to the next one.
+    struct Crossing {
         int axis = 0, direction = 0;
     };
 
     // Setting up, in event_gas_setup.cpp.
     bool areSquaresFinite() const;
-    void takeBodies(const Bodies& bodies, const State& state);
+    void loadBodies(const Bodies& bodies, const State& state);
     void sortByPlace();
     Aabb regionOfCentres() const;
-    void layCells();
+    void makeCells();
     void fillCells();
     void planAll();
     void fillQueue(double eventsPerSecond);
@@ -138,69 +137,69 @@ class EventGas {
     void handle(std::uint32_t i);
     void collide(std::uint32_t i, std::uint32_t j, double time);
     double restitutionAt(std::uint32_t i, std::uint32_t j, double time);
-    double partingSpeedAt(const Touch& touch, double time);
-    void strike(std::uint32_t i, std::uint32_t j, double time);
-    bool comesToStand(std::uint32_t i, std::uint32_t j, const Vec3& normal, double closing);
+    double separationSpeedAt(const Touch& touch, double time);
+    void collidePair(std::uint32_t i, std::uint32_t j, double time);
+    bool comesToRestOn(std::uint32_t i, std::uint32_t j, const Vec3& normal, double closing);
     void push(std::uint32_t i, std::uint32_t j, const Vec3& normal, double impulse);
-    void finishStrike(std::uint32_t i);
+    void finishCollision(std::uint32_t i);
     void bounce(std::uint32_t i, std::uint16_t index, double time);
-    void restamp(std::uint32_t i, double time);
+    void moveOrigin(std::uint32_t i, double time);
     void plan(std::uint32_t i, double now);
     void planPairs(std::uint32_t i);
     void considerPair(std::uint32_t i, std::uint32_t j);
-    void noteMeeting(std::uint32_t i, std::uint32_t j, double time);
+    void noteCollision(std::uint32_t i, std::uint32_t j, double time);
     void planWalls(std::uint32_t i);
     void considerWalls(std::uint32_t i, unsigned near);
     void considerWall(std::uint32_t i, std::size_t k);
     double gapTo(const BoundedWall& wall, std::uint32_t i) const {
-        return carom::gapTo(m_stamps[i], m_placeRests[i], wall.normal, wall.offset);
+        return carom::gapTo(m_origins[i], m_placeRests[i], wall.normal, wall.offset);
     }
     double gapOnTheWay(std::uint32_t i, std::uint16_t wall) const;
     bool comesBefore(std::uint32_t i, std::uint32_t j) const;
     bool pairBefore(std::uint32_t i, std::uint32_t a, std::uint32_t j, std::uint32_t b) const;
     void keepDaysFitting();
 
-    // Borders of cells, in event_crossings.cpp.
-    void planBorders(std::uint32_t i, double now);
-    void planBorder(std::uint32_t i, int axis, double now);
-    void noteNextBorder(std::uint32_t i);
-    Passage nextPassage(std::uint32_t i) const;
-    bool mayPassEarly(std::uint32_t i, int axis, double now) const;
-    void passBorder(std::uint32_t i, Passage next);
-    void passEarly(std::uint32_t i, double now);
-    void passBorders(std::uint32_t i, double now);
-    void considerBorder(std::uint32_t i);
+    // Cell crossings, in event_crossings.cpp.
+    void planCrossings(std::uint32_t i, double now);
+    void planCrossing(std::uint32_t i, int axis, double now);
+    void noteNextCrossing(std::uint32_t i);
+    Crossing nextCrossing(std::uint32_t i) const;
+    bool mayCrossEarly(std::uint32_t i, int axis, double now) const;
+    void crossNext(std::uint32_t i, Crossing next);
+    void crossEarly(std::uint32_t i, double now);
+    void crossAll(std::uint32_t i, double now);
+    void queueCrossing(std::uint32_t i);
     void crossCell(std::uint32_t i);
-    void findPassing();
+    void findCrossing();
     void beginSlice();
 
-    // Several collisions at one moment, in event_clusters.cpp.
-    bool isCrowded(std::uint32_t i, std::uint32_t j, double time);
-    void gatherMoment(std::uint32_t i, std::uint32_t j, double time);
-    void meetAtOnce(std::uint32_t i, std::uint32_t j, double time);
+    // Clusters of simultaneous impacts, in event_clusters.cpp.
+    bool isInCluster(std::uint32_t i, std::uint32_t j, double time);
+    void gatherCluster(std::uint32_t i, std::uint32_t j, double time);
+    void collideCluster(std::uint32_t i, std::uint32_t j, double time);
     void takeGroup();
-    void strikeJointly(double time);
-    void note(const BoundedWall& wall, const Stamp& stamp, double impulse);
+    void collideJointly(double time);
+    void note(const BoundedWall& wall, const TrajectoryOrigin& origin, double impulse);
 
     bool isMobile(std::uint32_t i) const { return inverseMassOf(i) > 0; }
-    double inverseMassOf(std::uint32_t i) const { return m_materials[m_agendas[i].material].inverseMass; }
-    bool isFree(std::uint32_t i) const { return m_agendas[i].rest == nobody; }
+    double inverseMassOf(std::uint32_t i) const { return m_materials[m_records[i].material].inverseMass; }
+    bool isFree(std::uint32_t i) const { return m_records[i].rest == nobody; }
     const Vec3& accelerationOf(std::uint32_t i) const {
-        return m_allFree || isFree(i) ? m_gravity : m_rests[m_agendas[i].rest].acceleration;
+        return m_allFree || isFree(i) ? m_gravity : m_rests[m_records[i].rest].acceleration;
     }
     void settle(std::uint32_t i, const Rest& before);
     void restOn(std::uint32_t i, std::uint16_t wall);
     void findWedged(std::uint32_t i);
     Rest& newRest(std::uint32_t i);
     bool isStill(std::uint32_t i) const {
-        return !isFree(i) && accelerationOf(i).isZero(0) && m_stamps[i].velocity.isZero(0);
+        return !isFree(i) && accelerationOf(i).isZero(0) && m_origins[i].velocity.isZero(0);
     }
     void releaseWhatStandsOn(std::uint32_t support, double time);
     void release(std::uint32_t i);
 
-    std::vector<Stamp> m_stamps;
-    std::vector<Vec3> m_placeRests; ///< what the places of the stamps rounded off [m]
-    std::vector<Agenda> m_agendas;
+    std::vector<TrajectoryOrigin> m_origins;
+    std::vector<Vec3> m_placeRests; ///< what the places of the origins rounded off [m]
+    std::vector<EventRecord> m_records;
     std::vector<BodyIndex> m_bodies;
     std::vector<Material> m_materials;
     std::vector<Rest> m_rests;
@@ -210,20 +209,20 @@ class EventGas {
     std::vector<double> m_lastLosses; ///< when each ball last lost energy to another [s]; none if all bounce
                                       ///< elastically
     std::vector<BoundedWall> m_walls;
-    std::vector<std::uint32_t> m_cluster;         ///< scratch of meetAtOnce
-    std::vector<Touch> m_touches;                 ///< the same
-    std::vector<Touch> m_group;                   ///< those of them that are struck together
-    std::vector<std::uint64_t> m_order;           ///< scratch of sortByPlace
-    std::vector<std::array<double, 3>> m_borders; ///< when each ball leaves its cell along each axis [s]
-    std::vector<double> m_nextBorders;            ///< the first of these
-    std::vector<std::uint32_t> m_passing;         ///< scratch of beginSlice
+    std::vector<std::uint32_t> m_cluster;           ///< scratch of collideCluster
+    std::vector<Touch> m_touches;                   ///< the same
+    std::vector<Touch> m_group;                     ///< those of them that collide together
+    std::vector<std::uint64_t> m_order;             ///< scratch of sortByPlace
+    std::vector<std::array<double, 3>> m_crossings; ///< when each ball leaves its cell along each axis [s]
+    std::vector<double> m_nextCrossings;            ///< the first of these
+    std::vector<std::uint32_t> m_crossing;          ///< scratch of beginSlice
     EventCells m_cells;
     EventQueue m_queue;
     Vec3 m_gravity;
     bool m_weightless = false; ///< no gravity
     bool m_allFree = true;     ///< no ball rests on a wall or is fixed
     double m_typicalTime = 1;  ///< a radius at the scene's typical speed [s]: what counts as short
-    double m_tie = 0;          ///< times no further apart are one moment, but for rounding [s]
+    double m_tie = 0;          ///< times no further apart are simultaneous, but for rounding [s]
     double m_clockTurn = 1;    ///< the clock is set back whenever so much time has passed [s]
     double m_now = 0;          ///< [s] since the clock was last set back
     double m_secondsPast = 0;  ///< by which it has been set back
@@ -245,21 +244,21 @@ class EventGas {
     double m_timeOfFilling = 0;           ///< and when that was
 };
 
-// Two balls that have just collided and that nothing has happened to since fly apart for ever, as long as
+// Two balls that have just collided and that nothing has happened to since move apart for ever, as long as
 // gravity bends both paths alike; rounding must not make them collide again.
 [[gnu::always_inline]] inline void EventGas::considerPair(std::uint32_t i, std::uint32_t j) {
     ++m_counts.tested;
-    const Agenda& agenda = m_agendas[i];
-    const Stamp &a = m_stamps[i], &b = m_stamps[j];
+    const EventRecord& record = m_records[i];
+    const TrajectoryOrigin &a = m_origins[i], &b = m_origins[j];
     const bool alike = m_allFree || accelerationOf(i) == accelerationOf(j);
     if (!alike) ++m_lookedAt;
     const double time = m_allFree && m_weightless ? pairTime(a, b)
                         : alike
                             ? pairTime(a, b, accelerationOf(i))
-                            : pairTime(a, accelerationOf(i), b, accelerationOf(j), agenda.pairTime + m_tie);
-    if (!(time <= agenda.pairTime + m_tie) || time == never) return;
-    if (alike && agenda.last == j && m_agendas[j].last == i) return;
-    noteMeeting(i, j, time);
+                            : pairTime(a, accelerationOf(i), b, accelerationOf(j), record.pairTime + m_tie);
+    if (!(time <= record.pairTime + m_tie) || time == never) return;
+    if (alike && record.last == j && m_records[j].last == i) return;
+    noteCollision(i, j, time);
 }
 
 } // namespace carom

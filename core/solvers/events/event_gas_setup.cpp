@@ -7,7 +7,7 @@
 #include <utility>
 
 // How a gas is set up, and set up anew whenever its clock is set back. Nothing of this changes what happens,
-// to the bit: times are functions of the stamps alone, and neither the order of the balls in memory nor the
+// to the bit: times are functions of the origins alone, and neither the order of the balls in memory nor the
 // cells nor the days of the queue has a say in them.
 
 namespace carom {
@@ -27,11 +27,11 @@ constexpr double firstSlice = 0.4;
 
 EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity)
     : m_gravity(gravity), m_weightless(gravity.isZero(0)) {
-    takeBodies(bodies, state);
+    loadBodies(bodies, state);
     m_isComputable = areSquaresFinite();
-    if (!m_isComputable) return; // the times of borders would be 0, and there is no end to them
+    if (!m_isComputable) return; // crossings would all be at time 0, without end
     sortByPlace();
-    layCells();
+    makeCells();
     planAll();
     fillQueue(pendingRate(0));
 }
@@ -39,42 +39,43 @@ EventGas::EventGas(const Bodies& bodies, const State& state, const Vec3& gravity
 // Times are roots of equations with squares of velocities and of gravity in them.
 bool EventGas::areSquaresFinite() const {
     return std::isfinite(m_gravity.squaredNorm()) &&
-           std::all_of(m_stamps.begin(), m_stamps.end(),
-                       [](const Stamp& stamp) { return std::isfinite(stamp.velocity.squaredNorm()); });
+           std::all_of(m_origins.begin(), m_origins.end(), [](const TrajectoryOrigin& origin) {
+               return std::isfinite(origin.velocity.squaredNorm());
+           });
 }
 
-void EventGas::takeBodies(const Bodies& bodies, const State& state) {
+void EventGas::loadBodies(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : bodies.walls) {
         const Wall& wall = std::get<Wall>(bodies.shape[i]);
         m_walls.push_back({wall.normal, wall.offset, bodies.elastic[i]});
     }
     m_tally.walls.assign(m_walls.size(), 0);
     const std::size_t count = bodies.bounded.size();
-    m_stamps.reserve(count);
+    m_origins.reserve(count);
     m_placeRests.reserve(count);
     m_bodies.reserve(count);
-    m_agendas.resize(count);
+    m_records.resize(count);
     m_order.resize(count);
-    m_borders.assign(count, {never, never, never});
-    m_nextBorders.assign(count, never);
-    m_passing.reserve(count);
+    m_crossings.assign(count, {never, never, never});
+    m_nextCrossings.assign(count, never);
+    m_crossing.reserve(count);
     std::map<std::pair<double, double>, std::uint32_t> materials;
     double radii = 0, fastest = 0;
     bool dissipates = false;
     for (const BodyIndex i : bodies.bounded) {
         const bool mobile = bodies.mobile[i] != 0;
         const double radius = std::get<Sphere>(bodies.shape[i]).radius;
-        Agenda& agenda = m_agendas[m_stamps.size()];
-        m_stamps.push_back({state.pose[i].position, 0, state.velocity[i], radius});
+        EventRecord& record = m_records[m_origins.size()];
+        m_origins.push_back({state.pose[i].position, 0, state.velocity[i], radius});
         m_placeRests.push_back(state.positionRest[i]);
         m_bodies.push_back(i);
         const Material material{bodies.inverseMass[i], bodies.elastic[i]};
         const auto [entry, isNew] = materials.try_emplace({material.inverseMass, material.elastic},
                                                           static_cast<std::uint32_t>(m_materials.size()));
         if (isNew) m_materials.push_back(material);
-        agenda.material = entry->second;
+        record.material = entry->second;
         if (!mobile) {
-            agenda.rest = static_cast<std::uint32_t>(m_rests.size());
+            record.rest = static_cast<std::uint32_t>(m_rests.size());
             m_rests.emplace_back();
             m_allFree = false;
         }
@@ -103,8 +104,8 @@ void EventGas::sortByPlace() {
         for (unsigned bit = 0; bit < bits; ++bit) spaced |= (v >> bit & 1U) << (3 * bit);
         return spaced;
     };
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
-        const Vec3 position = positionAt(m_stamps[i], accelerationOf(i), m_now);
+    for (std::uint32_t i = 0; i < m_origins.size(); ++i) {
+        const Vec3 position = positionAt(m_origins[i], accelerationOf(i), m_now);
         std::uint64_t code = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = std::clamp((position[axis] - region.lower[axis]) * scale, 0.0,
@@ -118,24 +119,24 @@ void EventGas::sortByPlace() {
     // Row k comes from row m_order[k]: the cycles of this permutation, one after the other.
     constexpr std::uint64_t rowMask = 0xffffffffU;
     for (std::uint64_t& entry : m_order) entry &= rowMask;
-    for (Agenda& agenda : m_agendas)
-        agenda.queuePrevious = nobody; // free to remember the new row of each former one
+    for (EventRecord& record : m_records)
+        record.queuePrevious = nobody; // free to remember the new row of each former one
     for (std::uint32_t k = 0; k < m_order.size(); ++k)
-        m_agendas[static_cast<std::size_t>(m_order[k])].queueNext = k;
-    for (Agenda& agenda : m_agendas)
-        if (agenda.last != nobody && (agenda.last & Agenda::wallMark) == 0)
-            agenda.last = m_agendas[agenda.last].queueNext;
-    for (const Agenda& agenda : m_agendas)
-        if (agenda.rest != nobody && m_rests[agenda.rest].ball != nobody)
-            m_rests[agenda.rest].ball = m_agendas[m_rests[agenda.rest].ball].queueNext;
+        m_records[static_cast<std::size_t>(m_order[k])].queueNext = k;
+    for (EventRecord& record : m_records)
+        if (record.last != nobody && (record.last & EventRecord::wallMark) == 0)
+            record.last = m_records[record.last].queueNext;
+    for (const EventRecord& record : m_records)
+        if (record.rest != nobody && m_rests[record.rest].ball != nobody)
+            m_rests[record.rest].ball = m_records[m_rests[record.rest].ball].queueNext;
     for (std::uint32_t begin = 0; begin < m_order.size(); ++begin) {
         for (std::uint32_t to = begin;;) {
             const std::uint32_t from = static_cast<std::uint32_t>(m_order[to]);
             m_order[to] = to;
             if (from == begin) break;
-            std::swap(m_stamps[to], m_stamps[from]);
+            std::swap(m_origins[to], m_origins[from]);
             std::swap(m_placeRests[to], m_placeRests[from]);
-            std::swap(m_agendas[to], m_agendas[from]);
+            std::swap(m_records[to], m_records[from]);
             std::swap(m_bodies[to], m_bodies[from]);
             if (!m_lastLosses.empty()) std::swap(m_lastLosses[to], m_lastLosses[from]);
             to = from;
@@ -144,39 +145,39 @@ void EventGas::sortByPlace() {
 }
 
 Aabb EventGas::regionOfCentres() const {
-    if (m_stamps.empty()) return {};
-    Aabb region{m_stamps[0].position, m_stamps[0].position};
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i) {
-        const Vec3 position = positionAt(m_stamps[i], accelerationOf(i), m_now);
+    if (m_origins.empty()) return {};
+    Aabb region{m_origins[0].position, m_origins[0].position};
+    for (std::uint32_t i = 0; i < m_origins.size(); ++i) {
+        const Vec3 position = positionAt(m_origins[i], accelerationOf(i), m_now);
         region = united(region, {position, position});
     }
     return region;
 }
 
-void EventGas::layCells() {
-    m_cells.restart(m_agendas, m_stamps, regionOfCentres());
+void EventGas::makeCells() {
+    m_cells.restart(m_records, m_origins, regionOfCentres());
     for (const BoundedWall& wall : m_walls) m_cells.addWall(wall.normal, wall.offset);
     fillCells();
 }
 
 void EventGas::fillCells() {
     m_cells.clear();
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
-        m_cells.insert(m_agendas, i, positionAt(m_stamps[i], accelerationOf(i), m_now));
+    for (std::uint32_t i = 0; i < m_origins.size(); ++i)
+        m_cells.insert(m_records, i, positionAt(m_origins[i], accelerationOf(i), m_now));
 }
 
 void EventGas::planAll() {
     m_sliceEnd = m_now + m_slice;
-    m_queuedBorders = 0;
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
+    m_queuedCrossings = 0;
+    for (std::uint32_t i = 0; i < m_origins.size(); ++i)
         if (isMobile(i)) plan(i, m_now);
 }
 
 /// How many events a second to expect: the median of the waiting times, which a burst does not disturb.
 double EventGas::pendingRate(double now) const {
     std::vector<double> pending;
-    for (const Agenda& agenda : m_agendas)
-        if (agenda.earliest() < never) pending.push_back(agenda.earliest() - now);
+    for (const EventRecord& record : m_records)
+        if (record.earliest() < never) pending.push_back(record.earliest() - now);
     if (pending.empty()) return 1 / m_clockTurn;
     const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(pending.size() / 2);
     std::nth_element(pending.begin(), pending.begin() + half, pending.end());
@@ -188,11 +189,11 @@ double EventGas::pendingRate(double now) const {
 void EventGas::fillQueue(double eventsPerSecond) {
     constexpr double most = 1e9; // days a turn of the clock: more would cost more to pass than their events
     m_daysPerSecond = std::clamp(eventsPerSecond, 1 / m_clockTurn, most / m_clockTurn);
-    m_queue.restart(m_agendas, m_daysPerSecond, m_now);
+    m_queue.restart(m_records, m_daysPerSecond, m_now);
     m_handledAtFilling = m_handled;
     m_timeOfFilling = m_now;
-    for (std::uint32_t i = 0; i < m_stamps.size(); ++i)
-        if (isMobile(i)) m_queue.insert(m_agendas, i);
+    for (std::uint32_t i = 0; i < m_origins.size(); ++i)
+        if (isMobile(i)) m_queue.insert(m_records, i);
 }
 
 // The queue is quick while a day holds about one event. When the scene has become livelier or calmer than the
@@ -202,7 +203,7 @@ void EventGas::keepDaysFitting() {
     constexpr double mostEventsADay = 4, mostDaysAnEvent = 16;
     const double passed = m_now - m_timeOfFilling, days = m_daysPerSecond * passed;
     const double events = static_cast<double>(m_handled - m_handledAtFilling);
-    const double balls = static_cast<double>(m_stamps.size()); // filling passes over all of them
+    const double balls = static_cast<double>(m_origins.size()); // filling passes over all of them
     if (events > mostEventsADay * (days + 1) || days > mostDaysAnEvent * (events + balls))
         fillQueue(events / std::max(passed, 1e-300));
 }
@@ -212,11 +213,11 @@ void EventGas::setClockBack() {
     m_handledAtTurn = m_handled;
     m_secondsPast += m_clockTurn;
     m_now -= m_clockTurn;
-    for (Stamp& stamp : m_stamps) stamp.time -= m_clockTurn;
+    for (TrajectoryOrigin& origin : m_origins) origin.time -= m_clockTurn;
     for (double& time : m_lastLosses) time -= m_clockTurn;
     sortByPlace();
-    if (m_cells.areOutgrown(m_agendas))
-        layCells();
+    if (m_cells.areOutgrown(m_records))
+        makeCells();
     else
         fillCells();
     planAll();

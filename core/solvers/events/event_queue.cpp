@@ -7,11 +7,11 @@ namespace carom {
 
 // Three days a body: with one or two events a day most of the tail of the distribution of waiting times falls
 // into the year.
-void EventQueue::restart(Agendas agendas, double daysPerSecond, double now) {
+void EventQueue::restart(EventRecords records, double daysPerSecond, double now) {
     constexpr std::size_t daysPerBody = 3, fewest = 64;
-    const std::size_t days = std::bit_ceil(std::max(fewest, daysPerBody * agendas.size()));
+    const std::size_t days = std::bit_ceil(std::max(fewest, daysPerBody * records.size()));
     m_days.assign(days + 1, nobody);
-    for (Agenda& agenda : agendas) agenda.queuePrevious = nobody;
+    for (EventRecord& record : records) record.queuePrevious = nobody;
     m_mask = static_cast<std::uint32_t>(days - 1);
     m_beyond = static_cast<std::uint32_t>(days);
     m_daysPerSecond = daysPerSecond;
@@ -22,15 +22,15 @@ void EventQueue::restart(Agendas agendas, double daysPerSecond, double now) {
 }
 
 // The ring is rid of the first half of its year, so the year can go on for as long.
-void EventQueue::sortBeyond(Agendas agendas) {
+void EventQueue::sortBeyond(EventRecords records) {
     m_sorted = m_today + (m_mask + 1) / 2;
     m_yearEnd = static_cast<double>(m_today) + static_cast<double>(m_mask);
     std::uint32_t i = m_days[m_beyond];
     while (i != nobody) {
-        const std::uint32_t next = agendas[i].queueNext;
-        if (agendas[i].earliest() * m_daysPerSecond < m_yearEnd) {
-            remove(agendas, i);
-            insert(agendas, i);
+        const std::uint32_t next = records[i].queueNext;
+        if (records[i].earliest() * m_daysPerSecond < m_yearEnd) {
+            remove(records, i);
+            insert(records, i);
         }
         i = next;
     }

@@ -58,7 +58,7 @@ bool isBalanced(const Vec3& gravity, const Vec3& normal, const Vec3& velocity, d
     return beside.norm() <= rounding * leastHop(pull, 0, radius);
 }
 
-double partingSpeed(double after, double pull, double restitution, double radius) {
+double separationSpeed(double after, double pull, double restitution, double radius) {
     return pull < 0 ? std::max(after, leastHop(pull, restitution, radius)) : after;
 }
 

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// A ball that does not fly free: it rests on walls and slides along them, stands still on top of another
+/// A ball that does not move freely: it rests on walls and slides along them, stands still on top of another
 /// ball, or is fixed. Its velocity has no part along the normals of its walls.
 struct Rest {
     static constexpr std::size_t mostWalls = 3;
@@ -51,7 +51,7 @@ bool isBalanced(const Vec3& gravity, const Vec3& normal, const Vec3& velocity, d
 /// In every other way balls slide on each other, which is no closed form. Where a pair would come to rest,
 /// pulled together by `pull` [m/s²] < 0, it goes on in least hops. Their energy, 1e-9 of what a fall through
 /// the radius gives, is there once, not added at every hop: the next impact takes it again. `after` [m/s]: at
-/// which they part by restitution; returns at which they do.
-double partingSpeed(double after, double pull, double restitution, double radius);
+/// which they separate by restitution; returns at which they do.
+double separationSpeed(double after, double pull, double restitution, double radius);
 
 } // namespace carom

@@ -76,8 +76,8 @@ Roots positiveRoots(std::span<const double> q, double bound) {
 
 } // namespace
 
-double pairTime(const Stamp& a, const Vec3& accelerationOfA, const Stamp& b, const Vec3& accelerationOfB,
-                double until) {
+double pairTime(const TrajectoryOrigin& a, const Vec3& accelerationOfA, const TrajectoryOrigin& b,
+                const Vec3& accelerationOfB, double until) {
     constexpr double rounding = 1 + 1e-12;
     const double later = std::max(a.time, b.time);
     const Vec3 D = positionAt(b, accelerationOfB, later) - positionAt(a, accelerationOfA, later);

@@ -46,7 +46,7 @@ bool mayLoseEnergy(const Bodies& bodies) {
     return std::any_of(bodies.elastic.begin(), bodies.elastic.end(), [](double e) { return e != 1; });
 }
 
-/// The state says where the balls are now, the gas which flights they are on.
+/// The state says where the balls are now, the gas on which trajectories.
 struct Progress {
     std::optional<EventGas> gas; // made where exact motion begins, when gravity is known
     std::int64_t substeps = 0;   // since then
@@ -140,7 +140,7 @@ SolverReport Events::moveExactly(const SolverInput& input) {
     gas.write(input.state);
     turnBySpin(input.bodies.rotating, input.substep, input.state);
     if (!report.loss) report.loss = findLoss(input.bodies, input.state);
-    // Flight is a closed form: nothing but gravity and the impacts can act.
+    // The path between impacts is a closed form: nothing but gravity and the impacts can act.
     if (input.ledger != nullptr)
         recordDifference(atStart, invariantsOf(input.bodies, input.state, input.gravity),
                          weightOf(input.bodies, input.bodies.mobileBodies, input.substep * input.gravity),
@@ -177,7 +177,7 @@ std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings& setting
     return std::make_unique<Events>(bodies, settings);
 }
 
-// Balls know no order anyway; walls that are met at one moment do.
+// Balls know no order anyway; walls that are hit at one time do.
 std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
     return inOwnTerms(bodies, settings, Numbering::Canonical, make);
 }

@@ -14,7 +14,7 @@
 #include <vector>
 
 // The gas with its queue, cells and levels against the obvious way: after every event every pair and every
-// wall is looked at anew, and the earliest meeting happens.
+// wall is looked at anew, and the earliest collision happens.
 
 namespace carom {
 namespace {
@@ -29,7 +29,7 @@ class ObviousGas {
     ObviousGas(const Bodies& bodies, const State& state, const Vec3& gravity) : m_bodies(bodies) {
         for (BodyIndex i = 0; i < bodies.count(); ++i) {
             const Sphere* ball = std::get_if<Sphere>(&bodies.shape[i]);
-            m_stamps.push_back({state.pose[i].position, 0, state.velocity[i], ball ? ball->radius : 0});
+            m_origins.push_back({state.pose[i].position, 0, state.velocity[i], ball ? ball->radius : 0});
             m_acceleration.push_back(bodies.mobile[i] ? gravity : Vec3::Zero());
             m_rests.push_back(Vec3::Zero());
             m_last.push_back(noBody);
@@ -38,33 +38,33 @@ class ObviousGas {
 
     void advanceTo(double time) {
         for (;;) {
-            const Meeting next = earliest();
+            const Collision next = earliest();
             if (!(next.time <= time)) break;
             happen(next);
-            ++m_meetings;
+            ++m_collisions;
         }
         m_now = time;
     }
     Vec3 positionOf(BodyIndex i) const {
-        return m_stamps[i].position + (wayTo(m_stamps[i], m_acceleration[i], m_now) + m_rests[i]);
+        return m_origins[i].position + (wayTo(m_origins[i], m_acceleration[i], m_now) + m_rests[i]);
     }
-    std::uint64_t meetings() const { return m_meetings; }
+    std::uint64_t collisions() const { return m_collisions; }
 
   private:
-    struct Meeting {
+    struct Collision {
         double time = never;
         BodyIndex a = noBody, b = noBody; // b may be a wall
     };
 
-    Meeting earliest() const {
-        Meeting first;
+    Collision earliest() const {
+        Collision first;
         const auto consider = [&first](double time, BodyIndex a, BodyIndex b) {
             if (time < first.time) first = {time, a, b};
         };
         for (const BodyIndex i : m_bodies.mobileBodies) {
             for (const BodyIndex k : m_bodies.walls) {
                 const Wall& wall = std::get<Wall>(m_bodies.shape[k]);
-                const Stamp& s = m_stamps[i];
+                const TrajectoryOrigin& s = m_origins[i];
                 consider(s.time + timeToPlane(gapAt(i, k), wall.normal.dot(s.velocity),
                                               wall.normal.dot(m_acceleration[i])),
                          i, k);
@@ -73,8 +73,8 @@ class ObviousGas {
                 if (j == i || (j < i && m_bodies.mobile[j])) continue;
                 const bool alike = m_acceleration[i] == m_acceleration[j];
                 if (alike && m_last[i] == j && m_last[j] == i) continue;
-                consider(alike ? pairTime(m_stamps[i], m_stamps[j], m_acceleration[i])
-                               : pairTime(m_stamps[i], m_acceleration[i], m_stamps[j], m_acceleration[j]),
+                consider(alike ? pairTime(m_origins[i], m_origins[j], m_acceleration[i])
+                               : pairTime(m_origins[i], m_acceleration[i], m_origins[j], m_acceleration[j]),
                          i, j);
             }
         }
@@ -83,50 +83,50 @@ class ObviousGas {
 
     double gapAt(BodyIndex i, BodyIndex k) const {
         const Wall& wall = std::get<Wall>(m_bodies.shape[k]);
-        return m_last[i] == k ? 0 : gapTo(m_stamps[i], m_rests[i], wall.normal, wall.offset);
+        return m_last[i] == k ? 0 : gapTo(m_origins[i], m_rests[i], wall.normal, wall.offset);
     }
 
     void carry(BodyIndex i, double time) {
-        const Stamp before = m_stamps[i];
-        moveBy(wayTo(before, m_acceleration[i], time), m_stamps[i].position, m_rests[i]);
-        m_stamps[i].velocity = velocityAt(before, m_acceleration[i], time);
-        m_stamps[i].time = time;
+        const TrajectoryOrigin before = m_origins[i];
+        moveBy(wayTo(before, m_acceleration[i], time), m_origins[i].position, m_rests[i]);
+        m_origins[i].velocity = velocityAt(before, m_acceleration[i], time);
+        m_origins[i].time = time;
     }
 
-    void happen(const Meeting& meeting) {
-        const BodyIndex i = meeting.a, j = meeting.b;
+    void happen(const Collision& collision) {
+        const BodyIndex i = collision.a, j = collision.b;
         if (const Wall* wall = std::get_if<Wall>(&m_bodies.shape[j])) {
             const Vec3& normal = wall->normal;
-            const double landing =
-                speedAtPlane(gapAt(i, j), normal.dot(m_stamps[i].velocity), normal.dot(m_acceleration[i]));
-            carry(i, meeting.time);
+            const double impactSpeed =
+                speedAtPlane(gapAt(i, j), normal.dot(m_origins[i].velocity), normal.dot(m_acceleration[i]));
+            carry(i, collision.time);
             m_last[i] = j;
-            Stamp& stamp = m_stamps[i];
-            moveBy(-gapTo(stamp, m_rests[i], normal, wall->offset) * normal, stamp.position, m_rests[i]);
-            stamp.velocity += (landing - normal.dot(stamp.velocity)) * normal;
+            TrajectoryOrigin& origin = m_origins[i];
+            moveBy(-gapTo(origin, m_rests[i], normal, wall->offset) * normal, origin.position, m_rests[i]);
+            origin.velocity += (impactSpeed - normal.dot(origin.velocity)) * normal;
             return;
         }
-        carry(i, meeting.time);
+        carry(i, collision.time);
         m_last[i] = j;
-        carry(j, meeting.time);
+        carry(j, collision.time);
         m_last[j] = i;
-        const Vec3 D = m_stamps[j].position - m_stamps[i].position;
+        const Vec3 D = m_origins[j].position - m_origins[i].position;
         const Vec3 normal = D / D.norm();
-        const double approach = normal.dot(m_stamps[j].velocity - m_stamps[i].velocity);
+        const double approach = normal.dot(m_origins[j].velocity - m_origins[i].velocity);
         if (approach >= 0) return;
         const double wA = m_bodies.inverseMass[i], wB = m_bodies.inverseMass[j];
         const double impulse = -2 * approach / (wA + wB);
-        m_stamps[i].velocity -= (impulse * wA) * normal;
-        m_stamps[j].velocity += (impulse * wB) * normal;
+        m_origins[i].velocity -= (impulse * wA) * normal;
+        m_origins[j].velocity += (impulse * wB) * normal;
     }
 
     const Bodies& m_bodies;
-    std::vector<Stamp> m_stamps;
+    std::vector<TrajectoryOrigin> m_origins;
     std::vector<Vec3> m_rests; // what their places rounded off
     std::vector<Vec3> m_acceleration;
     std::vector<BodyIndex> m_last;
     double m_now = 0;
-    std::uint64_t m_meetings = 0;
+    std::uint64_t m_collisions = 0;
 };
 
 /// Balls of very different sizes in a room with a slanted wall and, where `posts`, fixed balls.
@@ -200,12 +200,12 @@ class EventGasTest : public QObject {
                         state.pose[i].position == obvious.positionOf(i),
                         qPrintable(QStringLiteral("seed %1, frame %2, body %3").arg(seed).arg(frame).arg(i)));
             }
-            QCOMPARE(gas.counts().collisions + gas.counts().bounces, obvious.meetings());
-            QVERIFY(obvious.meetings() > 100);
+            QCOMPARE(gas.counts().collisions + gas.counts().bounces, obvious.collisions());
+            QVERIFY(obvious.collisions() > 100);
         }
     }
 
-    // Such a ball passed a border of its cell at every instant, and the call had no end.
+    // Such a ball crossed into another cell at every instant, and the call had no end.
     void aBallTooFastForAnyCellIsTold() {
         for (const double speed : {1.5e308, 1e155, 1e20}) {
             const Body slow = sphere(0.5, 1, Vec3(0, 5, 0)),
@@ -226,14 +226,14 @@ class EventGasTest : public QObject {
         const Scene scene = test::sceneOf({wall(Vec3(1, 0, 0), 0), wall(Vec3(-1, 0, 0), -6), left, right});
         const Bodies bodies = bodiesOf(scene);
         EventGas gas(bodies, initialStateOf(scene), Vec3::Zero());
-        gas.advanceTo(1.5); // left meets right after 2/3 s, right the wall after 1.5/3 s more
+        gas.advanceTo(1.5); // left hits right after 2/3 s, right the wall after 1.5/3 s more
         QCOMPARE(gas.counts().collisions, std::uint64_t{1});
         QCOMPARE(gas.tally().virial, 6.0);
         QCOMPARE(gas.tally().walls[0], 0.0);
         QCOMPARE(gas.tally().walls[1], 12.0);
     }
 
-    // The times of borders would be 0 for ever: nothing is planned, and the run is lost at once.
+    // Cells would be crossed at time 0 for ever: nothing is planned, and the run is lost at once.
     void whatHasNoSquareIsLostBeforeABorderIsPassed() {
         for (const bool falls : {true, false}) {
             Scene scene;

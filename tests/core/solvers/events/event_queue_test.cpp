@@ -19,34 +19,32 @@ namespace carom {
 namespace {
 
 constexpr auto lowestFirst = [](std::uint32_t i, std::uint32_t j) { return i < j; };
-constexpr auto nothingForeseen = [](std::uint32_t, bool) {};
+constexpr auto noPreview = [](std::uint32_t, bool) {};
 
 /// The obvious queue beside the clever one.
 class Queues {
   public:
-    Queues(std::size_t count, double daysPerSecond) : agendas(count) {
-        queue.restart(agendas, daysPerSecond, 0);
+    Queues(std::size_t count, double daysPerSecond) : records(count) {
+        queue.restart(records, daysPerSecond, 0);
     }
 
     void put(std::uint32_t i, double pairTime, double otherTime) {
-        agendas[i].pairTime = pairTime;
-        agendas[i].otherTime = otherTime;
-        queue.insert(agendas, i);
+        records[i].pairTime = pairTime;
+        records[i].otherTime = otherTime;
+        queue.insert(records, i);
         const double time = std::min(pairTime, otherTime);
         if (time < never) sorted.insert({time, i});
     }
     void take(std::uint32_t i) {
-        queue.remove(agendas, i);
-        sorted.erase({agendas[i].earliest(), i});
+        queue.remove(records, i);
+        sorted.erase({records[i].earliest(), i});
     }
-    std::uint32_t earliest(double limit) {
-        return queue.earliest(agendas, limit, lowestFirst, nothingForeseen);
-    }
+    std::uint32_t earliest(double limit) { return queue.earliest(records, limit, lowestFirst, noPreview); }
     std::uint32_t expected(double limit) const {
         return sorted.empty() || sorted.begin()->first > limit ? EventQueue::nobody : sorted.begin()->second;
     }
 
-    std::vector<Agenda> agendas;
+    std::vector<EventRecord> records;
     EventQueue queue;
     std::set<std::pair<double, std::uint32_t>> sorted;
 };
@@ -81,7 +79,7 @@ class EventQueueTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
         Random random(test::seed, static_cast<std::uint64_t>(count));
         Queues queues(static_cast<std::size_t>(count), daysPerSecond);
-        for (std::uint32_t i = 0; i < queues.agendas.size(); ++i)
+        for (std::uint32_t i = 0; i < queues.records.size(); ++i)
             queues.put(i, timeAfter(random, 0), timeAfter(random, 0));
         double now = 0, limit = 0;
         int happened = 0;
@@ -93,12 +91,12 @@ class EventQueueTest : public QObject {
                 limit += 0.5 * random.uniform();
                 continue;
             }
-            now = queues.agendas[next].earliest();
+            now = queues.records[next].earliest();
             ++happened;
             const bool isMore = queues.sorted.size() > 1 && std::next(queues.sorted.begin())->first <= limit;
             QVERIFY(!isMore || queues.queue.mayHaveMore(limit));
             // It and another one have new times, as after an impact.
-            const std::uint32_t other = static_cast<std::uint32_t>(random.below(queues.agendas.size()));
+            const std::uint32_t other = static_cast<std::uint32_t>(random.below(queues.records.size()));
             for (const std::uint32_t i : {next, other}) queues.take(i); // of one that is out nothing is taken
             queues.put(next, timeAfter(random, now), timeAfter(random, now));
             if (other != next) queues.put(other, timeAfter(random, now), timeAfter(random, now));
@@ -110,7 +108,7 @@ class EventQueueTest : public QObject {
         Queues queues(1, 1);
         queues.put(0, 10.5, never); // day 10
         std::vector<bool> soon;
-        QCOMPARE(queues.queue.earliest(queues.agendas, 20, lowestFirst,
+        QCOMPARE(queues.queue.earliest(queues.records, 20, lowestFirst,
                                        [&](std::uint32_t, bool isSoon) { soon.push_back(isSoon); }),
                  0U);
         QCOMPARE(soon, (std::vector<bool>{false, true}));
@@ -122,7 +120,7 @@ class EventQueueTest : public QObject {
         for (std::uint32_t i = 0; i < count; ++i) queues.put(i, 0.5, never);
         const auto highestFirst = [](std::uint32_t i, std::uint32_t j) { return i > j; };
         for (std::uint32_t left = count; left > 0; --left) {
-            QCOMPARE(queues.queue.earliest(queues.agendas, 1, highestFirst, nothingForeseen), left - 1);
+            QCOMPARE(queues.queue.earliest(queues.records, 1, highestFirst, noPreview), left - 1);
             QCOMPARE(queues.queue.mayHaveMore(0.75), left > 1);
             queues.take(left - 1);
         }

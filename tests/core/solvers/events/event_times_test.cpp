@@ -20,13 +20,14 @@ Vec3 anyVector(Random& random, double deviation) {
     return {random.gaussian(0, deviation), random.gaussian(0, deviation), random.gaussian(0, deviation)};
 }
 
-double gapAt(const Stamp& a, const Vec3& gA, const Stamp& b, const Vec3& gB, double time) {
+double gapAt(const TrajectoryOrigin& a, const Vec3& gA, const TrajectoryOrigin& b, const Vec3& gB,
+             double time) {
     return (positionAt(b, gB, time) - positionAt(a, gA, time)).norm() - a.radius - b.radius;
 }
 
 /// The obvious way: walk in small steps until the gap turns negative, then halve.
-double meetingBySteps(const Stamp& a, const Vec3& gA, const Stamp& b, const Vec3& gB, double from,
-                      double until) {
+double collisionBySteps(const TrajectoryOrigin& a, const Vec3& gA, const TrajectoryOrigin& b, const Vec3& gB,
+                        double from, double until) {
     constexpr int steps = 20'000;
     double before = from;
     for (int k = 1; k <= steps; ++k) {
@@ -77,48 +78,48 @@ class EventTimesTest : public QObject {
         QVERIFY(std::abs(firstFallingRoot({0, 2, -3, 1, 0}) - 1) < 1e-12);
     }
 
-    void aMeetingUnderCommonGravityIsFoundWhereSmallStepsFindIt() {
+    void aCollisionUnderCommonGravityIsFoundWhereSmallStepsFindIt() {
         constexpr std::uint64_t seed = 20051;
         Random random(seed);
-        int met = 0;
+        int collisions = 0;
         for (int trial = 0; trial < 300; ++trial) {
             const Vec3 g = anyVector(random, 5);
-            const Stamp a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
-            const Stamp b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
-                          anyVector(random, 1) - Vec3(4, 0, 0), 0.5};
+            const TrajectoryOrigin a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
+            const TrajectoryOrigin b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
+                                     anyVector(random, 1) - Vec3(4, 0, 0), 0.5};
             const double found = pairTime(a, b, g);
-            const double expected = meetingBySteps(a, g, b, g, std::max(a.time, b.time), 4);
+            const double expected = collisionBySteps(a, g, b, g, std::max(a.time, b.time), 4);
             if (expected == never) continue; // a graze between two steps is not seen that way
-            ++met;
+            ++collisions;
             QVERIFY2(std::abs(found - expected) < 1e-9,
                      qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(trial)));
         }
-        QVERIFY(met > 10);
+        QVERIFY(collisions > 10);
     }
 
-    void aMeetingUnderDifferentAccelerationsIsFoundWhereSmallStepsFindIt() {
+    void aCollisionUnderDifferentAccelerationsIsFoundWhereSmallStepsFindIt() {
         constexpr std::uint64_t seed = 20052;
         Random random(seed);
-        int met = 0;
+        int collisions = 0;
         for (int trial = 0; trial < 300; ++trial) {
             const Vec3 gA = anyVector(random, 4), gB = anyVector(random, 4);
-            const Stamp a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
-            const Stamp b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
-                          anyVector(random, 1) - Vec3(3, 0, 0), 0.5};
+            const TrajectoryOrigin a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
+            const TrajectoryOrigin b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
+                                     anyVector(random, 1) - Vec3(3, 0, 0), 0.5};
             const double found = pairTime(a, gA, b, gB);
-            const double expected = meetingBySteps(a, gA, b, gB, std::max(a.time, b.time), 4);
+            const double expected = collisionBySteps(a, gA, b, gB, std::max(a.time, b.time), 4);
             if (expected == never) continue;
-            ++met;
+            ++collisions;
             QVERIFY2(std::abs(found - expected) < 1e-9,
                      qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(trial)));
         }
-        QVERIFY(met > 10);
+        QVERIFY(collisions > 10);
     }
 
-    // One that hopped lower than rounding had put it into the other never met it again, and sank into it.
+    // One that hopped lower than rounding had put it into the other never hit it again, and sank into it.
     void aBallThatOverlapsByRoundingAndHopsComesBack() {
-        const Stamp below{Vec3::Zero(), 0, Vec3::Zero(), 0.1};
-        const Stamp above{Vec3(0, 0.2 * (1 - 1e-16), 0), 0, Vec3(0, 1e-10, 0), 0.1};
+        const TrajectoryOrigin below{Vec3::Zero(), 0, Vec3::Zero(), 0.1};
+        const TrajectoryOrigin above{Vec3(0, 0.2 * (1 - 1e-16), 0), 0, Vec3(0, 1e-10, 0), 0.1};
         const double found = pairTime(below, Vec3::Zero(), above, Vec3(0, -10, 0));
         QVERIFY2(std::abs(found / 2e-11 - 1) < 1e-9, qPrintable(QString::number(found)));
     }
@@ -127,8 +128,8 @@ class EventTimesTest : public QObject {
         Random random(20053);
         for (int trial = 0; trial < 1000; ++trial) {
             const Vec3 g = anyVector(random, 5);
-            const Stamp a{anyVector(random, 1), random.uniform(), anyVector(random, 2), 0.3};
-            const Stamp b{anyVector(random, 2), random.uniform(), anyVector(random, 2), 0.5};
+            const TrajectoryOrigin a{anyVector(random, 1), random.uniform(), anyVector(random, 2), 0.3};
+            const TrajectoryOrigin b{anyVector(random, 2), random.uniform(), anyVector(random, 2), 0.5};
             QCOMPARE(std::bit_cast<std::uint64_t>(pairTime(a, b, g)),
                      std::bit_cast<std::uint64_t>(pairTime(b, a, g)));
         }
@@ -138,9 +139,9 @@ class EventTimesTest : public QObject {
     void aGrazeHitsJustInsideAndMissesJustOutside() {
         for (int k = 1; k <= 12; ++k) {
             const double sum = 1.0, slip = std::pow(10.0, -k);
-            const Stamp a{Vec3::Zero(), 0, Vec3::Zero(), 0.4};
-            const Stamp inside{Vec3(-5, sum * (1 - slip), 0), 0, Vec3(2, 0, 0), 0.6};
-            const Stamp outside{Vec3(-5, sum * (1 + slip), 0), 0, Vec3(2, 0, 0), 0.6};
+            const TrajectoryOrigin a{Vec3::Zero(), 0, Vec3::Zero(), 0.4};
+            const TrajectoryOrigin inside{Vec3(-5, sum * (1 - slip), 0), 0, Vec3(2, 0, 0), 0.6};
+            const TrajectoryOrigin outside{Vec3(-5, sum * (1 + slip), 0), 0, Vec3(2, 0, 0), 0.6};
             QVERIFY2(pairTime(a, inside, Vec3::Zero()) < never, qPrintable(QString::number(k)));
             QVERIFY2(pairTime(a, outside, Vec3::Zero()) == never, qPrintable(QString::number(k)));
         }

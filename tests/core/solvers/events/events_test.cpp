@@ -307,7 +307,7 @@ class EventsTest : public QObject {
                 scene.bodies.push_back(elastic(sphere(0.1, 1, Vec3(0, 0.1 + 0.2 * i, 0)), e));
             scene.bodies.push_back(elastic(sphere(0.1, 1, Vec3(2, 1, 0), Vec3(-2, 4.08, 0)), e));
             World world = worldOf(scene, exact());
-            run(world, 50); // struck after 0.9 s, at the second ball from the top
+            run(world, 50); // hit after 0.9 s, at the second ball from the top
             for (int i = 0; i < 5; ++i) {
                 const Vec3& place = world.state().pose[static_cast<std::size_t>(i) + 1].position;
                 QVERIFY(std::abs(place.y() - (0.1 + 0.2 * i)) < 1e-12);
