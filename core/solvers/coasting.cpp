@@ -50,7 +50,7 @@ LedgerAccount remainderOf(const SpringNetwork& network) {
 }
 
 // Half of what each term gives in a step as it pushes now: the trapezoidal rule, called at both ends.
-void bookTerms(const SolverInput& input, SpringNetwork& network, Ledger& ledger) {
+void recordTerms(const SolverInput& input, SpringNetwork& network, Ledger& ledger) {
     LedgerEntry& remainder = ledger[remainderOf(network)];
     for (const auto& term : network.bodies.forces.terms) {
         LedgerEntry& entry = ledger[term->account()];
@@ -72,9 +72,9 @@ void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledge
     };
     const Invariants before = invariants();
     const double spinBefore = spinEnergy(input.bodies, network.moving, input.state);
-    bookTerms(input, network, *ledger);
+    recordTerms(input, network, *ledger);
     move(network, input.substep, input.state);
-    bookTerms(input, network, *ledger);
+    recordTerms(input, network, *ledger);
     const LedgerAccount remainder = remainderOf(network);
     recordDifference(before, invariants(),
                      weightOf(input.bodies, network.moving, input.substep * input.gravity), remainder,

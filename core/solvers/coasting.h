@@ -10,10 +10,11 @@
 
 namespace carom {
 
-/// Moves the bodies of a network, which springs couple or force terms act on, and books it.
+/// Moves the bodies of a network, which springs couple or force terms act on, and records what acted in the
+/// audit.
 void moveNetwork(const SolverInput& input, SpringNetwork& network, Ledger* ledger);
 
-/// Moves bodies that touch nothing and that no spring holds, and books it.
+/// Moves bodies that touch nothing and that no spring holds, and records what acted in the audit.
 class Coasting {
   public:
     void move(const SolverInput& input, std::span<const BodyIndex> bodies);

@@ -23,12 +23,12 @@ Vec3 givenFromOutside(const Row& row, const Vec3& impulse) {
 
 } // namespace
 
-void bookRows(const ContactProblem& problem, std::span<const Vec6> mean, double part, LedgerAccount normal,
-              Ledger& ledger) {
+void recordRows(const ContactProblem& problem, std::span<const Vec6> mean, double part, LedgerAccount normal,
+                Ledger& ledger) {
     for (const ContactRow& row : problem.rows) {
         const Vec3 u = meanVelocity(row, mean);
         const Vec3 p = part * row.impulse;
-        bookNormal(row, p.x(), u.x(), normal, ledger);
+        recordNormal(row, p.x(), u.x(), normal, ledger);
         if (row.friction > 0) {
             const Vec3 tangential(0, p.y(), p.z());
             LedgerEntry& friction = ledger[LedgerAccount::Friction];
@@ -44,14 +44,14 @@ void bookRows(const ContactProblem& problem, std::span<const Vec6> mean, double 
     }
 }
 
-void bookNormal(const ContactRow& row, double impulse, double meanSpeed, LedgerAccount normal,
-                Ledger& ledger) {
+void recordNormal(const ContactRow& row, double impulse, double meanSpeed, LedgerAccount normal,
+                  Ledger& ledger) {
     LedgerEntry& entry = ledger[normal];
     entry.energy += impulse * meanSpeed;
     entry.momentum += givenFromOutside(row, impulse * row.frame.row(0).transpose());
 }
 
-void bookSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledger& ledger) {
+void recordSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledger& ledger) {
     LedgerEntry& entry = ledger[LedgerAccount::Spring];
     for (const SoftRow& row : problem.springs) {
         entry.energy += row.impulse.dot(meanVelocity(row, mean));
@@ -61,7 +61,7 @@ void bookSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledg
     }
 }
 
-void bookMotion(const ContactProblem& problem, double sign, LedgerAccount account, Ledger& ledger) {
+void recordMotion(const ContactProblem& problem, double sign, LedgerAccount account, Ledger& ledger) {
     LedgerEntry& entry = ledger[account];
     for (const ContactBody& body : problem.bodies) {
         const Vec3 momentum = body.mass * body.velocity.head<3>();

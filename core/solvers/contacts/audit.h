@@ -12,19 +12,19 @@
 
 namespace carom {
 
-/// Books `part` of the impulses of all rows: the normal ones to `normal`, the others to friction and rolling
-/// resistance. `mean` holds the mean velocity of every body of the problem.
-void bookRows(const ContactProblem& problem, std::span<const Vec6> mean, double part, LedgerAccount normal,
-              Ledger& ledger);
-
-/// Books one normal impulse [N s] of a row whose points moved with `meanSpeed` [m/s] along the normal.
-void bookNormal(const ContactRow& row, double impulse, double meanSpeed, LedgerAccount normal,
+/// Records `part` of the impulses of all rows: the normal ones to `normal`, the others to friction and
+/// rolling resistance. `mean` holds the mean velocity of every body of the problem.
+void recordRows(const ContactProblem& problem, std::span<const Vec6> mean, double part, LedgerAccount normal,
                 Ledger& ledger);
 
-/// Books the springs of the problem: their work on kinetic energy.
-void bookSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledger& ledger);
+/// Records one normal impulse [N s] of a row whose points moved with `meanSpeed` [m/s] along the normal.
+void recordNormal(const ContactRow& row, double impulse, double meanSpeed, LedgerAccount normal,
+                  Ledger& ledger);
 
-/// Books kinetic energy and momentum of all bodies, times `sign`, to `account`.
-void bookMotion(const ContactProblem& problem, double sign, LedgerAccount account, Ledger& ledger);
+/// Records the springs of the problem: their work on kinetic energy.
+void recordSprings(const ContactProblem& problem, std::span<const Vec6> mean, Ledger& ledger);
+
+/// Records kinetic energy and momentum of all bodies, times `sign`, to `account`.
+void recordMotion(const ContactProblem& problem, double sign, LedgerAccount account, Ledger& ledger);
 
 } // namespace carom

@@ -58,7 +58,7 @@ CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displac
 
 /// Takes back what an impact did to the velocities of a group: whatever added more to its impulses than what
 /// rests would.
-CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const Stirred& stirred) {
+CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const ActiveBodies& active) {
     if (group.idle || !group.bounces) return;
     BallRow& row = group.row;
     const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
@@ -74,20 +74,20 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
     apply(group, n, t1, cross(n, t1), back, a, b);
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
-    stirLanes(group, lanes, stirred);
+    activateLanes(group, lanes, active);
 }
 
 /// Impacts of pairs that touch and close, with Newton's law, if one of their bodies was struck in the pass
 /// before or in this one. The fastest closing speed of those that bounce [m/s].
 CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                         const Wide& resting, int pass, const Stirred& stirred) {
+                         const Wide& resting, int pass, const ActiveBodies& active) {
     const Wide zero{}, one = wideOf(1);
     if (group.idle) return zero;
-    Wide stirredIn{};
+    Wide activeIn{};
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        stirredIn[lane] = std::max(stirred.bodies[group.a[lane]], stirred.bodies[group.b[lane]]);
-    const auto isStirred = stirredIn >= wideOf(pass);
-    if (!anyLane(isStirred ? one : zero)) return zero;
+        activeIn[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
+    const auto isActive = activeIn >= wideOf(pass);
+    if (!anyLane(isActive ? one : zero)) return zero;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -95,7 +95,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     const Wide3 u = relativeVelocity(group, n, a, b);
     const Wide closing = -dot(n, u);
     const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
-    const auto meets = isStirred & touches & (closing > zero) & (group.row.massNormal > zero);
+    const auto meets = isActive & touches & (closing > zero) & (group.row.massNormal > zero);
     const auto bounces = meets & (closing > resting) & (group.restitution > zero);
     if (!anyLane(meets ? one : zero)) return zero;
     const Wide normal =
@@ -107,7 +107,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
     const Wide fastest = meets & (closing > resting) ? closing : zero;
-    stirLanes(group, fastest, stirred, static_cast<std::uint8_t>(pass + 1));
+    activateLanes(group, fastest, active, static_cast<std::uint8_t>(pass + 1));
     return bounces ? closing : zero;
 }
 
@@ -118,9 +118,9 @@ CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, doubl
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
     const Wide zero{}, one = wideOf(1);
-    const Wide parting = dot(load(group.normal), b.velocity - a.velocity);
+    const Wide separation = dot(load(group.normal), b.velocity - a.velocity);
     BallRow& row = group.row;
-    const auto leaves = (parting > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
+    const auto leaves = (separation > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
     if (!anyLane(leaves ? one : zero)) return;
     const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
     row.normal = part * row.normal;
@@ -159,19 +159,19 @@ CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
 }
 
 CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double resting,
-                         const Stirred& stirred) {
-    for (BallGroup& group : groups) takeBack(group, bodies, resting, stirred);
+                         const ActiveBodies& active) {
+    for (BallGroup& group : groups) takeBack(group, bodies, resting, active);
 }
 
 // True if any bounced.
 CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
-                            double resting, int pass, const Stirred& stirred) {
+                            double resting, int pass, const ActiveBodies& active) {
     const bool back = pass % 2 == 0;
     Wide fastest{};
     const std::size_t count = groups.size();
     for (std::size_t i = 0; i < count; ++i)
         fastest = larger(
-            fastest, strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), pass, stirred));
+            fastest, strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), pass, active));
     return anyLane(fastest);
 }
 
@@ -252,15 +252,16 @@ struct BallRows::Refresh {
     const Wide distance = isWall ? dot(old, d) : centres, radii = group.radiusA + group.radiusB;
     const Wide gap = distance - radii;
 
-    // The meeting, or the nearest approach, within the time. Where A cannot move, B falls relative to it.
+    // The time of impact, or of the closest approach, within the time. Where A cannot move, B falls relative
+    // to it.
     Wide3 v = b.velocity - a.velocity;
     const Wide falls = a.inverseMass > zero ? zero : 0.5 * duration;
     v = v + Wide3{falls * with.gravity.x(), falls * with.gravity.y(), falls * with.gravity.z()};
     const Wide closing = -dot(d, v), square = dot(v, v);
     const Wide inner = closing * closing - square * (distance * distance - radii * radii);
-    const Wide meeting =
+    const Wide impactTime =
         inner > zero ? gap * (distance + radii) / (closing + rootOf(larger(inner, zero))) : closing / square;
-    const Wide time = closing > zero ? smaller(meeting, duration) : zero;
+    const Wide time = closing > zero ? smaller(impactTime, duration) : zero;
     const Wide3 then = d + time * v;
     const Wide thenCentres = rootOf(dot(then, then));
     const Wide least = isWall ? gap + smaller(zero, duration * dot(old, v)) : thenCentres - radii;
@@ -341,7 +342,7 @@ BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
 
 void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
                    std::span<const SolverBody> bodies) {
-    m_packer.makeRoom(bodies.size());
+    m_packer.reserve(bodies.size());
     const LanePacker::Place place = m_packer.place(pair.a, pair.b, immobile);
     if (place.isNew) {
         m_groups.push_back(emptyGroup(immobile));
@@ -464,23 +465,23 @@ double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacemen
     return sweep(Pass::Relax, {m_groups, bodies.data(), moved.data(), settings, back});
 }
 
-int BallRows::stir(const Stirred& stirred) const {
+int BallRows::activate(const ActiveBodies& active) const {
     int struck = 0;
     for (const BallGroup& group : m_groups) {
         if (group.idle || !group.bounces) continue;
-        const Wide lanes = isStruck(group.row) ? wideOf(1) : Wide{};
+        const Wide lanes = isImpact(group.row) ? wideOf(1) : Wide{};
         struck += lanesOf(lanes);
-        stirLanes(group, lanes, stirred);
+        activateLanes(group, lanes, active);
     }
     return struck;
 }
 
 int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                      const StepSettings& settings, int passes, const Stirred& stirred) {
-    passBack(m_groups, bodies.data(), settings.resting, stirred);
+                      const StepSettings& settings, int passes, const ActiveBodies& active) {
+    passBack(m_groups, bodies.data(), settings.resting, active);
     int pass = 1;
     while (pass <= passes &&
-           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass, stirred))
+           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass, active))
         ++pass;
     for (BallGroup& group : m_groups) forgetImpact(group, bodies.data(), settings.resting);
     return std::min(pass, passes);

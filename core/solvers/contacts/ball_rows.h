@@ -103,13 +103,13 @@ class BallRows {
                const StepSettings& settings, bool back);
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back);
-    int stir(const Stirred& stirred) const;
+    int activate(const ActiveBodies& active) const;
     /// What impacts did is taken back and done anew, one after another, each with its restitution, until
-    /// nothing bounces any more, in at most `passes` through all that is stirred. In this way balls pass an
+    /// nothing bounces any more, in at most `passes` through all that is active. In this way balls pass an
     /// impulse on; solved at once, all contacts but the first would take it without restitution. What then
     /// parts faster than what rests holds no more force than before. Says how many passes it took.
     int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                const StepSettings& settings, int passes, const Stirred& stirred);
+                const StepSettings& settings, int passes, const ActiveBodies& active);
 
     /// Impulses are part(a, b) of what they were.
     template<class Part>

@@ -144,7 +144,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
         findOutrun(input, substep, time, skin, neighbours);
     }
     markWhereMany();
-    takeUpPairs(input, neighbours, manifolds);
+    loadPairs(input, neighbours, manifolds);
     return !anyMarked();
 }
 
@@ -206,7 +206,7 @@ bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
 
 // Pairs of the renewed that are not here yet. Islands of different blocks that one of them would join are
 // marked.
-void BasePath::takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
+void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
     for (const auto& [body, reach] : m_renewed) {
         m_reach[body] = reach;
         m_origin[body] = input.state.pose[body];
@@ -281,8 +281,8 @@ double BasePath::marginOf(const SteppedInput& input, BodyPair pair) const {
     return roomLeft(input, pair.a) + roomLeft(input, pair.b);
 }
 
-// Who enters or is renewed takes up pairs with those that are here: the list must have all of them, or which
-// pairs are here would depend on when it was made.
+// A member that enters or is renewed gets its pairs with those that are here: the list must have all of them,
+// or which pairs are here would depend on when it was made.
 bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const {
     bool covered = true;
     for (const SteppedMotion& block : m_blocks) {
@@ -354,7 +354,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
         for (std::size_t i = 0; i < m_islands.count(); ++i)
             for (const std::uint32_t index : m_islands[i].pairs)
                 if (m_isNear[index] == near)
-                    takeUp(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
+                    loadMember(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
         for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
 }
@@ -376,8 +376,8 @@ std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifold
 }
 
 // A pair of an island whose bodies are in the block already, `member` among them.
-void BasePath::takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
-                      Manifolds& manifolds) {
+void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
+                          Manifolds& manifolds) {
     SteppedMotion& block = m_blocks[number - 1u];
     const BodyIndex here = hereOf(entry.pair);
     if (here != noBody && m_block[here] != number) {

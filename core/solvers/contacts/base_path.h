@@ -133,7 +133,7 @@ class BasePath {
                     const Neighbours& neighbours);
     bool findStruck(const SteppedInput& input, Neighbours& neighbours);
     void markWhereMany();
-    void takeUpPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
+    void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
     SteppedMotion& blockWith(BodyIndex body) { return m_blocks[m_block[body] - 1u]; }
     double roomLeft(const SteppedInput& input, BodyIndex body) const;
     double marginOf(const SteppedInput& input, BodyPair pair) const;
@@ -143,8 +143,8 @@ class BasePath {
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
     void countContacts(std::size_t number, const Manifolds& manifolds);
-    void takeUp(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
-                Manifolds& manifolds);
+    void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
+                    Manifolds& manifolds);
     /// The end of a pair that is here already, or noBody.
     BodyIndex hereOf(BodyPair pair) const { return has(pair.a) ? pair.a : has(pair.b) ? pair.b : noBody; }
 

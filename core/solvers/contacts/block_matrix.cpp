@@ -44,7 +44,7 @@ bool BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges, std::siz
     return false;
 }
 
-void BlockMatrix::makeRoom(std::size_t blocks) {
+void BlockMatrix::reserve(std::size_t blocks) {
     constexpr std::size_t couplings = 16; // of a block, with what fills in
     m_edges.reserve(couplings * blocks);
     m_place.reserve(blocks);

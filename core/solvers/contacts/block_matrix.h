@@ -37,7 +37,7 @@ class BlockMatrix {
     bool analyse(int blocks, std::span<const BlockEdge> edges,
                  std::size_t mostUpdates = std::numeric_limits<std::size_t>::max());
     /// So that matrices of so many blocks, each coupled with some, allocate nothing.
-    void makeRoom(std::size_t blocks);
+    void reserve(std::size_t blocks);
     /// Products of blocks that one factorisation takes.
     std::size_t updates() const { return m_updates.size(); }
 

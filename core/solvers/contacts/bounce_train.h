@@ -6,11 +6,10 @@
 //
 //     s'' = −a,  s ≥ 0;   at s = 0:  s' ← −e s'
 //
-//     first contact   t₁ = 2 s/(d − v) for v <= 0, else (v + d)/a;  d = sqrt(v² + 2 a s) is the speed it
-//     lands
-//                     at, and neither form cancels
-//     then            wₖ = eᵏ d after bounce k, flights of Tₖ = 2 wₖ/a
-//     e = 1           all flights are equal: floor(t/T) of them at once
+//     first contact   t₁ = 2 s/(d − v) for v <= 0, else (v + d)/a;  d = sqrt(v² + 2 a s) is its
+//                     speed then, and neither form cancels
+//     then            wₖ = eᵏ d after bounce k, free paths of Tₖ = 2 wₖ/a
+//     e = 1           all of them are equal: floor(t/T) of them at once
 //     e < 1           they last T₁ (1 − eⁿ)/(1 − e) together; after T₁/(1 − e) the body is at rest for good
 
 namespace carom {

@@ -42,7 +42,7 @@ class Calm {
 /// anything.
 bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity);
 
-/// Takes all velocity from bodies; what that costs is booked under Rest.
+/// Takes all velocity from bodies; what that costs is recorded under Rest.
 void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger);
 
 } // namespace carom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/candidates.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +46,8 @@ bool Candidates::look(const Bodies& bodies, const State& state, std::span<const 
     if (!covered) return false;
     m_upward.clear();
     m_downward.clear();
-    makeRoomFor(neighbours.pairs().size(), m_upward);
-    makeRoomFor(neighbours.pairs().size(), m_downward);
+    reserveFor(neighbours.pairs().size(), m_upward);
+    reserveFor(neighbours.pairs().size(), m_downward);
     for (const BodyIndex i : members) {
         if (placed[i] != 0) continue;
         for (const BodyIndex k : neighbours.around(i)) {
@@ -83,7 +83,7 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near
 std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state) {
     const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
         chosen.clear();
-        makeRoomFor(from.size(), chosen);
+        reserveFor(from.size(), chosen);
         for (const Near& near : from)
             if (const double margin = marginOf(near.pair);
                 near.gap <= margin && areBoxesWithin(bodies, state, near.pair, margin))

@@ -91,16 +91,16 @@ CAROM_INLINE Wide approachOf(const Group& group, const Row& row, const Wide& clo
 
 /// Where an impact is.
 template<class Row>
-CAROM_INLINE auto isStruck(const Row& row) {
+CAROM_INLINE auto isImpact(const Row& row) {
     return (row.approach > Wide{}) & (row.normal > Wide{});
 }
 
 /// 1 in the lanes of which a body is.
 template<class Group>
-CAROM_INLINE Wide stirredLanes(const Group& group, const Stirred& stirred) {
+CAROM_INLINE Wide activeLanes(const Group& group, const ActiveBodies& active) {
     Wide lanes{};
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        lanes[lane] = (stirred.bodies[group.a[lane]] | stirred.bodies[group.b[lane]]) != 0 ? 1 : 0;
+        lanes[lane] = (active.bodies[group.a[lane]] | active.bodies[group.b[lane]]) != 0 ? 1 : 0;
     return lanes;
 }
 
@@ -114,14 +114,14 @@ CAROM_INLINE Wide3 changeIn(const Wide& lanes, const Row& before, const Wide3& c
     return {is ? change.x : Wide{}, is ? change.y : Wide{}, is ? change.z : Wide{}};
 }
 
-/// Stirs the bodies of the lanes that are above 0, in a pass of this number.
+/// Activates the bodies of the lanes that are above 0, in a pass of this number.
 template<class Group>
-CAROM_INLINE void stirLanes(const Group& group, const Wide& lanes, const Stirred& stirred,
+CAROM_INLINE void activateLanes(const Group& group, const Wide& lanes, const ActiveBodies& active,
                             std::uint8_t pass = 1) {
     if (!anyLane(larger(lanes, Wide{}))) return;
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        if (lanes[lane] > 0) stirred.bodies[group.a[lane]] = stirred.bodies[group.b[lane]] = pass;
-    stirred.bodies[stirred.immobile] = 0;
+        if (lanes[lane] > 0) active.bodies[group.a[lane]] = active.bodies[group.b[lane]] = pass;
+    active.bodies[active.immobile] = 0;
 }
 
 /// How many lanes are 1, of 0 and 1.

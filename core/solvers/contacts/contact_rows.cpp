@@ -87,7 +87,7 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
         m_points.reserve(2 * fewGroups);
     }
     m_packer.clear();
-    m_packer.makeRoom(bodies);
+    m_packer.reserve(bodies);
 }
 
 RowGroup& ContactRows::addGroup(std::uint32_t points) {

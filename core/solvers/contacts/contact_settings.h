@@ -18,17 +18,17 @@ inline constexpr double speedRounding = 4e-15;
 /// waited for. Without the dead band the rounding of positions would show up, divided by the substep, as
 /// inconsistent speeds at redundant contact points. It is 1e-16 of the coordinates; so far from the origin,
 /// where that is more, the band is what the coordinates can resolve.
-inline constexpr double touchingGap = 1e-9;
+inline constexpr double contactSlop = 1e-9;
 inline double touchingWithin(const ContactPair& pair) {
-    return std::max(touchingGap * pair.size, pair.resolution);
+    return std::max(contactSlop * pair.size, pair.resolution);
 }
 
-/// An overlap is parted by at most this part of the smaller body's size in a substep; with the substep h the
-/// parting speed is at most 0.02 size/h. It never becomes a velocity of the body.
-inline constexpr double mostParting = 0.02;
-/// What still overlaps at the end of a substep of an accurate run, or of one with impacts, is parted, too, in
-/// so many rounds at most.
-inline constexpr int mostPartings = 3;
+/// Position correction takes away at most this part of the smaller body's size in a substep; with the substep
+/// h its speed is at most 0.02 size/h. It never becomes a velocity of the body.
+inline constexpr double mostCorrection = 0.02;
+/// What still overlaps at the end of a substep of an accurate run, or of one with impacts, is corrected, too,
+/// in so many rounds at most.
+inline constexpr int mostCorrectionRounds = 3;
 
 /// Closing speeds below this part of |g| h are no impact for e < 1: the contact force absorbs them.
 inline constexpr double restingClosing = 1e-2;

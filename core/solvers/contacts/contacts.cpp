@@ -37,7 +37,7 @@
 //                  (refinement.h, island_motion.h)
 //     base path    all others, as long as their pairs serve: sweeps at a cost known beforehand
 //                  (base_path.h); and what refinement has left of its substep where the budget ended
-//     sleeping     islands at rest are left alone until something meets them (sleeping_bodies.h)
+//     sleeping     islands at rest are left alone until something may touch them (sleeping_bodies.h)
 //     the rest     bodies that touch nothing, and what springs join them to, move as the integrator has it
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
@@ -59,9 +59,9 @@ constexpr int iterationsOfOnePass = 20;
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
-        : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_resting(bodies.count()),
+        : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_sleeping(bodies.count()),
           m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
-          m_base(bodies.count(), passesOf(settings)), m_patience(bodies.count(), 0),
+          m_base(bodies.count(), passesOf(settings)), m_backOff(bodies.count(), 0),
           m_brief(bodies.count(), passesOf(settings)), m_calm(bodies.count()),
           m_isOnSpring(bodies.count(), 0) {
         for (const SpringForce& spring : bodies.springs) {
@@ -80,15 +80,15 @@ class Contacts final : public Solver {
     /// What outlasts a substep besides the state.
     struct Persistent {
         ContactSet contacts; // of refined islands
-        Resting resting;
+        SleepingBodies sleeping;
         Manifolds manifolds; // of the base path
         BasePath base;
-        std::vector<std::uint8_t> patience;
+        std::vector<std::uint8_t> backOff;
         Refinement::Memory refinement;
         std::vector<double> calm;
 
         std::size_t bytes() const {
-            return heldBytes(contacts, resting, manifolds, base, patience, refinement, calm);
+            return heldBytes(contacts, sleeping, manifolds, base, backOff, refinement, calm);
         }
     };
     SolverReport rest(const SolverInput& input);
@@ -141,13 +141,13 @@ class Contacts final : public Solver {
     const Bodies& m_bodies;
     SolverSettings m_settings;
     Neighbours m_neighbours;
-    Resting m_resting;
+    SleepingBodies m_sleeping;
     Candidates m_candidates;
     ImpulseReach m_reach;
     Refinement m_refinement;
-    BasePath m_base;                      // for as long as it holds
-    std::vector<std::uint8_t> m_patience; // by body of it: how long that may be [substeps]
-    BasePath m_brief;                     // for the substep
+    BasePath m_base;                     // for as long as it holds
+    std::vector<std::uint8_t> m_backOff; // by body of it: how long that may be [substeps]
+    BasePath m_brief;                    // for the substep
     Calm m_calm;
     std::vector<std::uint8_t> m_isOnSpring; // by body: it never counts as calm
     std::vector<BodyIndex> m_members;       // mobile bodies that do not rest
@@ -164,7 +164,7 @@ class Contacts final : public Solver {
     PairSort<Manifolds::Entry> m_sort;
     std::vector<SteppedMotion::Entry> m_unused;
     Islands m_islands;
-    IslandCrew m_crew;
+    IslandScheduler m_scheduler;
     SteppedMotion m_rest; // of a substep that refinement left unfinished
     Coasting m_coasting;
     WorkCounters m_work; // of this substep
@@ -173,10 +173,10 @@ class Contacts final : public Solver {
 // A later part of a frame in which everything rests: nothing gives anybody a velocity until it ends.
 SolverReport Contacts::rest(const SolverInput& input) {
     SolverReport report;
-    report.resting = m_resting.bodies().size();
-    report.contacts = m_resting.contacts().pairs.size();
-    report.maxPenetration = m_resting.deepest();
-    if (input.ledger != nullptr) m_resting.book(input.bodies, input.gravity, input.substep, *input.ledger);
+    report.resting = m_sleeping.bodies().size();
+    report.contacts = m_sleeping.contacts().pairs.size();
+    report.maxPenetration = m_sleeping.deepest();
+    if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
     m_work = {};
     m_refinement.pay(0, baseOperations());
     return report;
@@ -209,8 +209,8 @@ SolverReport Contacts::advance(const SolverInput& input) {
     enterBase(input);
     report.searched = m_neighbours.searches() != searches;
     report.broadphase += watch.lap();
-    report.resting = m_resting.bodies().size();
-    report.contacts = m_resting.contacts().pairs.size();
+    report.resting = m_sleeping.bodies().size();
+    report.contacts = m_sleeping.contacts().pairs.size();
     for (const Refinement::Choice& choice : m_refinement.refined())
         report.contacts += m_islands[choice.island].pairs.size();
 
@@ -228,8 +228,8 @@ SolverReport Contacts::advance(const SolverInput& input) {
 }
 
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
-    Persistent persistent{m_contacts,    m_resting,  m_found.manifolds(),
-                          m_base,        m_patience, m_refinement.memory(),
+    Persistent persistent{m_contacts,    m_sleeping, m_found.manifolds(),
+                          m_base,        m_backOff,  m_refinement.memory(),
                           m_calm.times()};
     persistent.base.dropWhatLeft();
     return std::make_unique<Remembered<Persistent>>(std::move(persistent));
@@ -238,12 +238,12 @@ std::unique_ptr<const SolverMemory> Contacts::memory() const {
 void Contacts::recall(const SolverMemory& memory) {
     const Persistent& persistent = dynamic_cast<const Remembered<Persistent>&>(memory).value();
     m_contacts = persistent.contacts;
-    m_resting = persistent.resting;
+    m_sleeping = persistent.sleeping;
     m_refinement.recall(persistent.refinement);
     m_calm.recall(persistent.calm);
     m_found.recall(persistent.manifolds);
     m_base = persistent.base;
-    m_patience = persistent.patience;
+    m_backOff = persistent.backOff;
     m_brief.clear();
 }
 
@@ -252,7 +252,7 @@ void Contacts::findMembers(const SolverInput& input) {
     wakeMoved(input);
     m_members.clear();
     for (const BodyIndex i : input.bodies.mobileBodies)
-        if (!m_resting.rests(i)) m_members.push_back(i);
+        if (!m_sleeping.isAsleep(i)) m_members.push_back(i);
     if (!m_members.empty())
         m_neighbours.update(input.bodies, input.state, m_members, input.gravity,
                             (input.part == 0 ? (input.parts + Neighbours::reachFactor - 1) : 1) *
@@ -262,7 +262,7 @@ void Contacts::findMembers(const SolverInput& input) {
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
             for (const BodyIndex i : m_members)
-                if (m_base.has(i) && m_patience[i] == 0) m_base.mark(i);
+                if (m_base.has(i) && m_backOff[i] == 0) m_base.mark(i);
             m_base.markOutgrown(m_found.manifolds());
         }
         if (!renewBase(input)) leaveMarked(input);
@@ -272,7 +272,7 @@ void Contacts::findMembers(const SolverInput& input) {
         followMembers(input);
         coverMembers(input);
     }
-    m_resting.exchange(input.bodies, m_contacts);
+    m_sleeping.exchange(input.bodies, m_contacts);
 }
 
 // False if some must leave the base path.
@@ -297,21 +297,21 @@ void Contacts::coverMembers(const SolverInput& input) {
 // Those at rest that somebody gave a velocity.
 void Contacts::wakeMoved(const SolverInput& input) {
     m_woken.clear();
-    for (const BodyIndex i : m_resting.bodies())
-        if (m_resting.rests(i) && Neighbours::surfaceSpeed(input.bodies, input.state, i) > 0)
-            m_resting.wake(i, m_woken);
+    for (const BodyIndex i : m_sleeping.bodies())
+        if (m_sleeping.isAsleep(i) && Neighbours::surfaceSpeed(input.bodies, input.state, i) > 0)
+            m_sleeping.wake(i, m_woken);
     m_calm.forget(m_woken);
 }
 
 // Those at rest that a member may touch within the substep become members. False if there are none.
 bool Contacts::wakeTouched(const SolverInput& input) {
-    if (m_resting.bodies().empty()) return false;
+    if (m_sleeping.bodies().empty()) return false;
     m_woken.clear();
     for (const BodyIndex i : m_members)
         for (const BodyIndex k : m_neighbours.around(i))
-            if (m_resting.rests(k) && // not yet woken by another
+            if (m_sleeping.isAsleep(k) && // not yet woken by another
                 areWithin(input.bodies, input.state, {std::min(i, k), std::max(i, k)}, m_candidates.reach(i)))
-                m_resting.wake(k, m_woken);
+                m_sleeping.wake(k, m_woken);
     if (m_woken.empty()) return false;
     m_calm.forget(m_woken);
     m_members.insert(m_members.end(), m_woken.begin(), m_woken.end());
@@ -363,7 +363,7 @@ void Contacts::enterBase(const SolverInput& input) {
              BasePath::isBusy(input.bodies, input.state, bodies, static_cast<std::size_t>(pairs), time));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         list.insert(list.end(), bodies.begin(), bodies.end());
-        for (const BodyIndex body : bodies) m_patience[body] = m_refinement.patienceOf(island);
+        for (const BodyIndex body : bodies) m_backOff[body] = m_refinement.backOffOf(island);
     }
     m_known = m_found.known();
     enter(input, m_base, m_entering, time, lastingSkin);
@@ -391,33 +391,33 @@ void Contacts::leaveMarked(const SolverInput& input) {
 }
 
 void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
-    m_crew.move(input, m_settings, m_islands, m_refinement.refined(), m_found.set(), m_kept);
-    const MotionReport& motion = m_crew.report();
+    m_scheduler.move(input, m_settings, m_islands, m_refinement.refined(), m_found.set(), m_kept);
+    const MotionReport& motion = m_scheduler.report();
     m_work.add(motion.work);
     if ((report.loss = motion.loss)) return;
-    report.maxPenetration = std::max(motion.maxPenetration, m_resting.deepest());
+    report.maxPenetration = std::max(motion.maxPenetration, m_sleeping.deepest());
     report.residual = motion.residual;
     std::swap(m_contacts, m_kept);
-    report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_resting.contacts()));
-    if (input.ledger != nullptr) m_resting.book(input.bodies, input.gravity, input.substep, *input.ledger);
+    report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_sleeping.contacts()));
+    if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
     if (!m_settings.resting) return;
-    for (const std::uint32_t island : m_crew.still()) m_resting.lay(m_islands[island].bodies);
-    m_resting.exchange(input.bodies, m_contacts);
+    for (const std::uint32_t island : m_scheduler.still()) m_sleeping.putToSleep(m_islands[island].bodies);
+    m_sleeping.exchange(input.bodies, m_contacts);
 }
 
 // Who takes the base path; then, one by one, what refinement left.
 void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
-    for (const Refinement::Choice& spent : m_crew.spent())
+    for (const Refinement::Choice& spent : m_scheduler.spent())
         m_refinement.spend(m_islands[spent.island], spent.budget);
-    for (const std::uint32_t island : m_crew.finished()) {
+    for (const std::uint32_t island : m_scheduler.finished()) {
         m_refinement.succeeded(m_islands[island]);
         m_found.removeManifolds(m_islands[island].pairs);
     }
-    m_work.unfinished = m_base.islands() + m_brief.islands() + m_crew.unfinished().size();
+    m_work.unfinished = m_base.islands() + m_brief.islands() + m_scheduler.unfinished().size();
     for (BasePath* path : {&m_base, &m_brief})
         if (!path->isEmpty() && !report.loss)
             take(path->advance(stepped(input), m_found.manifolds()), report);
-    for (const IslandCrew::Unfinished& unfinished : m_crew.unfinished()) {
+    for (const IslandScheduler::Unfinished& unfinished : m_scheduler.unfinished()) {
         if (report.loss) return;
         const Island island = m_islands[unfinished.island];
         m_refinement.setBack(island);
@@ -429,7 +429,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     for (const BodyIndex body : m_members) {
         if (!m_base.has(body)) continue;
         m_refinement.waited(body);
-        if (m_patience[body] > 0) --m_patience[body];
+        if (m_backOff[body] > 0) --m_backOff[body];
     }
     m_left.clear();
     m_brief.leave(stepped(input), m_found.manifolds(), m_left);
@@ -492,7 +492,7 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
         const Island island = m_islands[i];
         if (std::all_of(island.bodies.begin(), island.bodies.end(), isCalm)) putToSleep(input, island);
     }
-    m_resting.exchange(input.bodies, m_contacts);
+    m_sleeping.exchange(input.bodies, m_contacts);
     std::erase_if(m_left, [](const Manifolds::Entry& entry) { return entry.place == Manifolds::none; });
     m_found.carryWith(m_left);
 }
@@ -508,7 +508,7 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
     }
     std::sort(m_contacts.pairs.begin(), m_contacts.pairs.end(),
               [](const ContactPair& one, const ContactPair& other) { return one.bodies() < other.bodies(); });
-    m_resting.lay(island.bodies);
+    m_sleeping.putToSleep(island.bodies);
     m_refinement.forget(island.bodies);
 }
 
@@ -530,7 +530,7 @@ ContactSet Contacts::contacts(const State& state) const {
     });
     std::sort(stepped.pairs.begin(), stepped.pairs.end(),
               [](const ContactPair& one, const ContactPair& other) { return one.bodies() < other.bodies(); });
-    return merged(merged(m_contacts, m_resting.contacts()), stepped);
+    return merged(merged(m_contacts, m_sleeping.contacts()), stepped);
 }
 
 /// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on

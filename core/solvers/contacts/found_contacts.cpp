@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/found_contacts.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
 
 #include <limits>
@@ -29,9 +29,9 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
     m_gap.clear();
     m_memory.clear();
     m_isPending.clear();
-    makeRoomFor(candidates.size(), m_gap);
-    makeRoomFor(candidates.size(), m_memory);
-    makeRoomFor(candidates.size(), m_isPending);
+    reserveFor(candidates.size(), m_gap);
+    reserveFor(candidates.size(), m_memory);
+    reserveFor(candidates.size(), m_isPending);
     m_apart.clear();
     m_distant.clear();
     std::size_t old = 0;

@@ -106,7 +106,7 @@ bool shareBody(const ContactRow& i, const ContactRow& k) {
 
 } // namespace
 
-void ImpactSolver::makeRoom(std::size_t bodies, std::size_t rows) {
+void ImpactSolver::reserve(std::size_t bodies, std::size_t rows) {
     m_closing.reserve(rows);
     m_group.reserve(rows);
     m_firstRow.reserve(bodies + 1);
@@ -115,7 +115,7 @@ void ImpactSolver::makeRoom(std::size_t bodies, std::size_t rows) {
     m_local.reserve(bodies);
     m_groupProblem.bodies.reserve(bodies);
     m_groupProblem.rows.reserve(rows);
-    m_newton.makeRoom(bodies, rows);
+    m_newton.reserve(bodies, rows);
 }
 
 ImpactReport ImpactSolver::solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
@@ -254,7 +254,7 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
     for (std::size_t i = 0; i < count; ++i) {
         const ContactRow& row = problem.rows[m_group[i]];
         const double mean = 0.5 * (relativeVelocity(problem, row).x() - m_closing[m_group[i]]);
-        bookNormal(row, impulse[static_cast<Eigen::Index>(i)], mean, LedgerAccount::Restitution, *ledger);
+        recordNormal(row, impulse[static_cast<Eigen::Index>(i)], mean, LedgerAccount::Restitution, *ledger);
     }
     return true;
 }
@@ -310,7 +310,7 @@ void ImpactSolver::applyGroup(ContactProblem& problem) {
     m_mean.clear();
     for (const ContactBody& body : m_groupProblem.bodies)
         m_mean.push_back(body.freeVelocity + (0.5 * part) * (body.velocity - body.freeVelocity));
-    bookRows(m_groupProblem, m_mean, part, LedgerAccount::Restitution, *ledger);
+    recordRows(m_groupProblem, m_mean, part, LedgerAccount::Restitution, *ledger);
 }
 
 } // namespace carom

@@ -43,14 +43,14 @@ struct ImpactReport {
 class ImpactSolver {
   public:
     /// So that problems of so many bodies and rows allocate nothing.
-    void makeRoom(std::size_t bodies, std::size_t rows);
+    void reserve(std::size_t bodies, std::size_t rows);
     /// Changes the bodies' velocities; rows' impulses and bounds are left as they were. Groups that have no
     /// direct solution are solved by Newton's method. Ends after `mostWork` operations, with bodies that
     /// still close.
     ImpactReport solve(ContactProblem& problem, std::span<const ImpactRow> rows, bool simultaneous,
                        double mostWork);
 
-    Ledger* ledger = nullptr; ///< books what impacts do, where somebody keeps one
+    Ledger* ledger = nullptr; ///< records what impacts do, where somebody keeps one
 
   private:
     void measure(const ContactProblem& problem, std::span<const ImpactRow> rows, std::size_t i);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/impulse_reach.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ void ImpulseReach::listAround(const Input& input) {
     forEachEnd([&](BodyIndex end, std::uint32_t) { ++m_first[end + 1]; });
     for (std::size_t i = 1; i < m_first.size(); ++i) m_first[i] += m_first[i - 1];
     m_next.assign(m_first.begin(), m_first.end() - 1);
-    makeRoomFor(m_first.back(), m_around);
+    reserveFor(m_first.back(), m_around);
     m_around.resize(m_first.back());
     forEachEnd([&](BodyIndex end, std::uint32_t p) { m_around[m_next[end]++] = p; });
 }
@@ -103,7 +103,7 @@ void ImpulseReach::find(const Input& input) {
     }
     m_queue.clear();
     m_queue.reserve(lookedAt * m_time.size());
-    makeRoomFor(input.pairs.size(), m_isReached);
+    reserveFor(input.pairs.size(), m_isReached);
     for (const BodyIndex i : input.members)
         if (input.isOnSpring[i] != 0 || input.isPlaced[i] != 0)
             reach(i, 0, Neighbours::reachFactor * freeSpeed(input, i));

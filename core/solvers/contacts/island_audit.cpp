@@ -2,14 +2,14 @@
 #include "core/solvers/contacts/audit.h"
 #include "core/solvers/contacts/island_motion.h"
 
-// What an island's motion did, for the ledger; called only where somebody keeps one. Everything is booked
+// What an island's motion did, for the ledger; called only where somebody keeps one. Everything is recorded
 // from velocities at the island's present poses, or where contacts turn, at those of the part's end: the
 // impulses of a part of the substep lead from m_start to the velocities of m_problem. Turning comes behind,
-// and what it changes in the energy of bodies with unequal moments is booked apart, as the difference.
+// and what it changes in the energy of bodies with unequal moments is recorded apart, as the difference.
 
 namespace carom {
 
-void IslandMotion::bookForces(const MotionInput& input, double duration) {
+void IslandMotion::recordForces(const MotionInput& input, double duration) {
     Ledger& ledger = *input.ledger;
     m_mean.resize(m_problem.bodies.size());
     LedgerEntry& gravity = ledger[LedgerAccount::Gravity];
@@ -27,10 +27,10 @@ void IslandMotion::bookForces(const MotionInput& input, double duration) {
         gravity.momentum += impulse;
     }
     swapPushes();
-    bookRows(m_problem, m_mean, 1, LedgerAccount::Contact, ledger);
+    recordRows(m_problem, m_mean, 1, LedgerAccount::Contact, ledger);
     swapPushes();
-    bookSprings(m_problem, m_mean, ledger);
-    if (!m_forced.isEmpty()) bookTerms(input);
+    recordSprings(m_problem, m_mean, ledger);
+    if (!m_forced.isEmpty()) recordTerms(input);
 }
 
 // Rows and what their impulses act along.
@@ -43,7 +43,7 @@ void IslandMotion::swapPushes() {
     }
 }
 
-void IslandMotion::bookTurning(const MotionInput& input, const Island& island) {
+void IslandMotion::recordTurning(const MotionInput& input, const Island& island) {
     double before = 0;
     for (const ContactBody& body : m_problem.bodies) {
         const Vec3 spin = body.velocity.tail<3>();
@@ -54,18 +54,20 @@ void IslandMotion::bookTurning(const MotionInput& input, const Island& island) {
 }
 
 // Positions are corrected without velocities: only height and the attitude of what turns can matter.
-void IslandMotion::bookParting(const MotionInput& input, const Island& island, double spinBefore) {
+void IslandMotion::recordPositionCorrection(const MotionInput& input, const Island& island,
+                                            double spinBefore) {
     Ledger& ledger = *input.ledger;
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
-        ledger.lifted -=
-            input.bodies.mass[island.bodies[i]] * input.gravity.dot(m_parting.bodies[i].velocity.head<3>());
+        ledger.lifted -= input.bodies.mass[island.bodies[i]] *
+                         input.gravity.dot(m_correction.bodies[i].velocity.head<3>());
     ledger[LedgerAccount::Parting].energy +=
         spinEnergy(input.bodies, island.bodies, input.state) - spinBefore;
 }
 
 // The closed form of a lone ball: along the normal gravity did its part on the way from gap to gap and the
 // wall the rest; across it friction and gravity acted over the whole substep.
-void IslandMotion::bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise) {
+void IslandMotion::recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal,
+                                double rise) {
     Ledger& ledger = *input.ledger;
     const ContactBody& body = m_problem.bodies.front();
     const Vec3 gravity = (body.mass * input.substep) * input.gravity;
@@ -81,7 +83,7 @@ void IslandMotion::bookBounce(const MotionInput& input, const Vec6& before, cons
     impacts.energy += 0.5 * body.mass * (u1 * u1 - u0 * u0) - alongNormal;
     impacts.momentum += (body.mass * (u1 - u0) - normal.dot(gravity)) * normal;
     m_mean.assign(1, 0.5 * (before + body.velocity));
-    bookRows(m_problem, m_mean, 1, LedgerAccount::Restitution, ledger);
+    recordRows(m_problem, m_mean, 1, LedgerAccount::Restitution, ledger);
 }
 
 } // namespace carom

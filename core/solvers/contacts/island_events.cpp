@@ -17,14 +17,14 @@
 namespace carom {
 namespace {
 
-/// A time of impact is found to a gap of this part of touchingGap.
+/// A time of impact is found to a gap of this part of contactSlop.
 constexpr double reached = 1e-3;
 /// What has come down earlier than after this part of the time touched already, and rolled on. Where that
 /// takes it deeper than this part of its size the time was too long: half of it will do, or less.
 constexpr double rolledOn = 0.01, deepRoll = 1e-4;
 constexpr int mostLooks = 4;
-/// Comparisons of shapes that locating one impact takes, about.
-constexpr int locating = 6;
+/// Comparisons of shapes that finding the time of one impact takes, about.
+constexpr int comparisonsAnImpact = 6;
 /// Newton's steps for it.
 constexpr int mostSteps = 20;
 
@@ -51,10 +51,10 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
         for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
             if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
         if (!(gap <= first * fastestApproach(input, pair))) continue;
-        m_work += locating * collideWork(input.bodies, pair);
+        m_work += comparisonsAnImpact * collideWork(input.bodies, pair);
         if (remaining(input) <= 0) return first; // what has been found so far
         first = m_held[p] != 0 ? std::min(first, nextCorner(input, pair, first, duration))
-                               : std::min(first, nextMeeting(input, pair, first, duration));
+                               : std::min(first, nextContact(input, pair, first, duration));
     }
     return first;
 }
@@ -98,16 +98,16 @@ double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair
 }
 
 // When two bodies that nothing holds together meet, at `first` or before; infinite if they do not.
-double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pair, double first,
+double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pair, double first,
                                  double duration) {
     constexpr double never = std::numeric_limits<double>::infinity();
     const MovingShape a = movingShape(input, pair.a, duration);
     const MovingShape b = movingShape(input, pair.b, duration);
     int comparisons = 0;
     const std::optional<Impact> impact = carom::timeOfImpact(a, b, first, &comparisons);
-    m_work += std::max(0, comparisons - locating) * collideWork(input.bodies, pair);
+    m_work += std::max(0, comparisons - comparisonsAnImpact) * collideWork(input.bodies, pair);
     if (!impact) return never;
-    // The flight is not quite the path where a body's spin precesses.
+    // The ballistic path is not quite the path where a body's spin precesses.
     double t = impact->time;
     for (int step = 0; step < mostSteps; ++step) {
         const Pose poseA = poseAt(input, pair.a, t, duration), poseB = poseAt(input, pair.b, t, duration);
@@ -116,7 +116,7 @@ double IslandMotion::nextMeeting(const MotionInput& input, const ContactPair& pa
         const Vec3 velocityA = velocityAt(pair.a, near.onA - poseA.position, t, duration);
         const Vec3 velocityB = velocityAt(pair.b, near.onB - poseB.position, t, duration);
         const double closing = near.normal.dot(velocityA - velocityB);
-        // A gentle meeting of bodies that were open to a force all along has been dealt with by it.
+        // A gentle contact of bodies that were open to a force all along has been dealt with by it.
         const bool waits =
             std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
                         [](std::uint8_t wait) { return wait != 0; });
@@ -143,9 +143,9 @@ double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pai
             first, cornerTime(input, pair, m_contacts.points[i], std::min(estimate, duration), duration));
     }
     for (int look = 0; look < mostLooks; ++look) {
-        const double landing = landingTime(input, pair, first, duration);
-        if (!(landing < first)) break;
-        first = landing;
+        const double impact = impactTime(input, pair, first, duration);
+        if (!(impact < first)) break;
+        first = impact;
     }
     return first;
 }
@@ -153,8 +153,8 @@ double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pai
 // When something of a pair that touches elsewhere comes down hard that was no point of it at the start: of a
 // disk that falls flat some place of the rim, seldom one of those it was found by. Infinite if nothing has by
 // `time`; a part of it where a contact rolled on too far.
-double IslandMotion::landingTime(const MotionInput& input, const ContactPair& pair, double time,
-                                 double duration) const {
+double IslandMotion::impactTime(const MotionInput& input, const ContactPair& pair, double time,
+                                double duration) const {
     const Pose poseA = poseAt(input, pair.a, time, duration), poseB = poseAt(input, pair.b, time, duration);
     double first = std::numeric_limits<double>::infinity();
     if (!poseA.position.allFinite() || !poseB.position.allFinite()) return first; // the step is lost
@@ -172,14 +172,14 @@ double IslandMotion::landingTime(const MotionInput& input, const ContactPair& pa
         const Vec3 velocityA = velocityAt(pair.a, deep.onA - poseA.position, time, duration);
         const Vec3 velocityB = velocityAt(pair.b, deep.onB - poseB.position, time, duration);
         const double closing = manifold.normal.dot(velocityA - velocityB);
-        double landing = 0;
+        double corner = 0;
         if (closing > gentleClosing(pair)) {
             ContactConstraint point;
             point.anchor = anchorPose.toBody(0.5 * (deep.onA + deep.onB));
-            landing = cornerTime(input, pair, point, time, duration);
+            corner = cornerTime(input, pair, point, time, duration);
         }
-        if (landing >= rolledOn * time)
-            first = std::min(first, landing);
+        if (corner >= rolledOn * time)
+            first = std::min(first, corner);
         else if (!overlapped && deep.separation < -deepRoll * pair.size)
             first = std::min(first, 0.5 * time);
     }
@@ -212,7 +212,7 @@ double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pai
     return t;
 }
 
-// A body's path as a flight: a parabola, and the mean spin.
+// A body's path as a ballistic one: a parabola, and the mean spin.
 MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, double duration) const {
     MovingShape moving{.start = {&input.bodies.shape[i], &input.state.pose[i]}};
     const int local = localOf(i);
@@ -266,7 +266,7 @@ double IslandMotion::firstStop(const MotionInput& input, double duration) {
     if (!findStop(braked)) return duration;
     const double stop = findStopTime(input, braked, duration);
     if (stop < (1 - shortestPart) * duration) return stop;
-    smooth(input, duration, true); // back from the trials
+    solveVelocities(input, duration, true); // back from the trials
     return duration;
 }
 
@@ -276,7 +276,7 @@ double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked
     double low = 0, speedLow = braked.before, high = duration;
     double guess = 0.9 * std::min(1.0, braked.part) * duration;
     for (int trial = 0; trial < mostTrials && !m_unsolved; ++trial) {
-        smooth(input, guess, true);
+        solveVelocities(input, guess, true);
         const double speed = speedOf(braked);
         if (speed > stopped * braked.before) {
             const double slope = (speed - speedLow) / (guess - low);

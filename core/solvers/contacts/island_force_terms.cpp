@@ -61,7 +61,7 @@ void IslandMotion::endTerms(const MotionInput& input) {
     }
 }
 
-void IslandMotion::bookTerms(const MotionInput& input) {
+void IslandMotion::recordTerms(const MotionInput& input) {
     m_forced.record(input.bodies.forces, *input.ledger);
 }
 

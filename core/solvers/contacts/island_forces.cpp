@@ -23,12 +23,12 @@ constexpr int mostRounds = 8;
 } // namespace
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
-void IslandMotion::smooth(const MotionInput& input, double duration, bool locating) {
+void IslandMotion::solveVelocities(const MotionInput& input, double duration, bool findsImpacts) {
     m_unsolved = false;
     beginPart(input, duration);
-    chooseRows(input, duration, locating);
+    chooseRows(input, duration, findsImpacts);
     solveForces(input, duration);
-    if (locating && !m_unsolved && contactsTurn(input, duration)) turnContacts(input, duration);
+    if (findsImpacts && !m_unsolved && contactsTurn(input, duration)) turnContacts(input, duration);
     if (!m_forced.isEmpty()) endTerms(input);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
@@ -88,8 +88,8 @@ double IslandMotion::gentleOpening(const ContactPair& pair) const {
 }
 
 // Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
-// left to firstImpact while locating.
-void IslandMotion::chooseRows(const MotionInput& input, double duration, bool locating) {
+// left to firstImpact, if `findsImpacts`.
+void IslandMotion::chooseRows(const MotionInput& input, double duration, bool findsImpacts) {
     m_problem.rows.clear();
     m_rowPoint.clear();
     m_stuck.clear();
@@ -100,7 +100,7 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool lo
         const double open = point.separation - touchingWithin(pair);
         ContactRow row = rowOf(input.bodies, pair, point);
         row.bound = std::max(0.0, open) / duration;
-        if (open > 0 && locating) {
+        if (open > 0 && findsImpacts) {
             const double closing = -relativeVelocity(m_problem, row).x();
             if (closing > gentleClosing(pair) || m_scale == 0) {
                 point.force.setZero();
@@ -110,7 +110,7 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool lo
             }
         }
         const double opening = relativeVelocity(m_problem, row).x();
-        if (open <= 0 && locating && opening > gentleOpening(pair)) {
+        if (open <= 0 && findsImpacts && opening > gentleOpening(pair)) {
             point.force.setZero();
             point.rollingTorque.setZero();
             m_waits[i] = 1;

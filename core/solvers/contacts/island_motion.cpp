@@ -30,9 +30,9 @@ constexpr double relocationEnd = 1e-12;
 bool IslandMotion::advance(const MotionInput& input, const Island& island, const ContactSet& found) {
     load(input, island, found);
     const bool wereStill = island.links.empty() && areStill(input.state, island.bodies);
-    if (!bounce(input, island) && !swing(input, island)) move(input, island);
+    if (!bounce(input, island) && !integrateSprings(input, island)) move(input, island);
     report.work.operations += m_work;
-    return wereStill && !m_parted && m_left == 0 && areStill(input.state, island.bodies);
+    return wereStill && !m_isCorrected && m_left == 0 && areStill(input.state, island.bodies);
 }
 
 void IslandMotion::move(const MotionInput& input, const Island& island) {
@@ -41,45 +41,45 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
     int events = 0;
     for (double left = input.substep; left > 0;) {
-        const bool locating = events < most;
+        const bool findsImpacts = events < most;
         m_rattles = 2 * events > most;
         m_left = left;
         // What is not finished has not happened: bodies that are parted again and again, and sink again on
         // the base path in between, would never come to rest.
-        const Ledger booked = input.ledger != nullptr ? *input.ledger : Ledger{};
-        m_unparted.clear();
+        const Ledger recorded = input.ledger != nullptr ? *input.ledger : Ledger{};
+        m_uncorrected.clear();
         for (const BodyIndex i : island.bodies)
-            m_unparted.push_back({input.state.pose[i], input.state.velocity[i]});
+            m_uncorrected.push_back({input.state.pose[i], input.state.velocity[i]});
         const auto giveUp = [&] {
             for (std::size_t k = 0; k < island.bodies.size(); ++k) {
-                input.state.pose[island.bodies[k]] = m_unparted[k].pose;
-                input.state.velocity[island.bodies[k]] = m_unparted[k].velocity;
+                input.state.pose[island.bodies[k]] = m_uncorrected[k].pose;
+                input.state.velocity[island.bodies[k]] = m_uncorrected[k].velocity;
             }
-            if (input.ledger != nullptr) *input.ledger = booked;
+            if (input.ledger != nullptr) *input.ledger = recorded;
         };
-        part(input, island);
+        correctPositions(input, island);
         loadBodies(input, island);
-        impacts(input, left, locating);
+        impacts(input, left, findsImpacts);
         if (remaining(input) <= 0) return giveUp();
         double duration = left;
-        smooth(input, duration, locating);
-        if (locating && !m_unsolved && remaining(input) > 0) {
+        solveVelocities(input, duration, findsImpacts);
+        if (findsImpacts && !m_unsolved && remaining(input) > 0) {
             double event = firstImpact(input, duration);
             if (event >= duration && accurate) event = firstStop(input, duration);
             if (event < (1 - shortestPart) * duration) {
                 duration = std::max(event, shortestPart * input.substep);
-                smooth(input, duration, locating);
+                solveVelocities(input, duration, findsImpacts);
                 ++events;
                 if (!m_springs.empty()) duration = relocated(input, duration);
             }
         }
         if (duration == left && !isWithin(1) && isWithin(nearlyStill)) {
             m_tolerance *= finerTolerance;
-            smooth(input, duration, locating);
+            solveVelocities(input, duration, findsImpacts);
         }
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if ((report.loss = findLoss(island))) break;
-        if (input.ledger != nullptr) bookForces(input, duration);
+        if (input.ledger != nullptr) recordForces(input, duration);
         if (duration == left) settle(input, island);
         commit(input, island, duration);
         left = duration < left ? left - duration : 0;
@@ -89,9 +89,9 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     // No overlap is shown in an accurate run, nor where impacts turned a body whose rim came down unseen.
     // Parting is linear in the displacement: what turns far overlaps a little again. Deep overlaps are left
     // to the substeps to come, or bodies would part faster than they may.
-    for (int round = 0; (accurate || events > 0) && !report.loss && round < mostPartings; ++round) {
-        if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostParting) break;
-        part(input, island);
+    for (int round = 0; (accurate || events > 0) && !report.loss && round < mostCorrectionRounds; ++round) {
+        if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostCorrection) break;
+        correctPositions(input, island);
     }
 }
 
@@ -103,20 +103,20 @@ double IslandMotion::relocated(const MotionInput& input, double duration) {
         const double event = firstImpact(input, duration);
         if (duration == shortest || !(event < (1 - relocationEnd) * duration)) break;
         duration = std::max(event, shortest);
-        smooth(input, duration, true);
+        solveVelocities(input, duration, true);
     }
     return duration;
 }
 
 // So that islands of the usual size allocate nothing, whatever they begin to do.
-void IslandMotion::makeRoom() {
+void IslandMotion::reserve() {
     constexpr std::size_t points = pointsRefined, bodies = points / 2;
     if (m_presses.capacity() >= points) return;
     for (ContactSet* set : {&m_contacts, &m_before}) {
         set->pairs.reserve(points);
         set->points.reserve(points);
     }
-    for (ContactProblem* problem : {&m_problem, &m_parting}) {
+    for (ContactProblem* problem : {&m_problem, &m_correction}) {
         problem->bodies.reserve(bodies);
         problem->rows.reserve(points);
     }
@@ -132,8 +132,8 @@ void IslandMotion::makeRoom() {
     m_warmRows.reserve(points);
     m_followed.pairs.reserve(1);
     m_followed.points.reserve(Manifold::capacity);
-    m_newton.makeRoom(bodies, points);
-    m_impacts.makeRoom(bodies, points);
+    m_newton.reserve(bodies, points);
+    m_impacts.reserve(bodies, points);
 }
 
 void IslandMotion::load(const MotionInput& input, const Island& island, const ContactSet& found) {
@@ -144,11 +144,11 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     for (const std::uint32_t pair : island.pairs)
         m_contacts.append(found.pairs[pair], found.pointsOf(found.pairs[pair]));
     m_springs.assign(island.links.begin(), island.links.end());
-    makeRoom();
+    reserve();
     m_scale = input.gravity.norm() * input.substep;
     m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
     m_work = m_left = 0;
-    m_unsolved = m_parted = false;
+    m_unsolved = m_isCorrected = false;
     m_overlap = 0;
     for (const ContactPair& pair : m_contacts.pairs)
         for (const ContactConstraint& point : m_contacts.pointsOf(pair))
@@ -234,40 +234,40 @@ double IslandMotion::relativeOverlap() const {
 
 // Parts bodies that overlap by the least displacement, in the sense of kinetic energy, that opens the gaps:
 // the contact problem with lengths for velocities.
-void IslandMotion::part(const MotionInput& input, const Island& island) {
+void IslandMotion::correctPositions(const MotionInput& input, const Island& island) {
     const double overlap = relativeOverlap();
     m_overlap = std::max(m_overlap, overlap);
     if (overlap == 0) return;
-    m_parted = true;
+    m_isCorrected = true;
     loadBodies(input, island);
-    m_parting.clear();
-    m_parting.bodies = m_problem.bodies;
-    for (ContactBody& body : m_parting.bodies) body.freeVelocity.setZero();
+    m_correction.clear();
+    m_correction.bodies = m_problem.bodies;
+    for (ContactBody& body : m_correction.bodies) body.freeVelocity.setZero();
     double narrowest = std::numeric_limits<double>::infinity(); // [m]
     for (const ContactPair& pair : m_contacts.pairs) {
         narrowest = std::min(narrowest, touchingWithin(pair));
         for (const ContactConstraint& point : m_contacts.pointsOf(pair)) {
             ContactRow row = rowOf(input.bodies, pair, point);
             row.friction = row.rolling = 0;
-            row.bound = std::max(point.separation, -mostParting * pair.size);
-            m_parting.rows.push_back(row);
+            row.bound = std::max(point.separation, -mostCorrection * pair.size);
+            m_correction.rows.push_back(row);
         }
     }
     const double spinBefore =
         input.ledger != nullptr ? spinEnergy(input.bodies, island.bodies, input.state) : 0;
     const double tolerance = 1e-3 * narrowest;
     const double stored = storedInSprings(input);
-    const NewtonReport parting = m_newton.solve(m_parting, tolerance, std::max(0.0, remaining(input)));
-    m_work += parting.work;
-    report.work.factorisations += static_cast<std::uint64_t>(parting.factorisations);
+    const NewtonReport correction = m_newton.solve(m_correction, tolerance, std::max(0.0, remaining(input)));
+    m_work += correction.work;
+    report.work.factorisations += static_cast<std::uint64_t>(correction.factorisations);
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
         Pose& pose = input.state.pose[island.bodies[i]];
-        const Vec6& displacement = m_parting.bodies[i].velocity;
+        const Vec6& displacement = m_correction.bodies[i].velocity;
         pose.position += displacement.head<3>();
         if (displacement.tail<3>() != Vec3::Zero())
             pose.orientation = (fromRotationVector(displacement.tail<3>()) * pose.orientation).normalized();
     }
-    if (input.ledger != nullptr) bookParting(input, island, spinBefore);
+    if (input.ledger != nullptr) recordPositionCorrection(input, island, spinBefore);
     takeEnergy(input, island, storedInSprings(input) - stored);
     recollide(input);
 }
@@ -280,8 +280,8 @@ double IslandMotion::storedInSprings(const MotionInput& input) const {
     return energy;
 }
 
-// What parting has added to springs is taken from the motion, as far as there is any: of bodies that touch or
-// hang on what is fixed all of it, of others that about their centre of mass.
+// What position correction has added to springs is taken from the motion, as far as there is any: of bodies
+// that touch or hang on what is fixed all of it, of others that about their centre of mass.
 void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, double energy) {
     if (!(energy > 0)) return;
     const auto isFixed = [&](BodyIndex i) { return i == noBody || input.bodies.mobile[i] == 0; };
@@ -305,12 +305,12 @@ void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, do
     for (const BodyIndex i : island.bodies)
         input.state.velocity[i] = drift + part * (input.state.velocity[i] - drift);
     if (input.ledger == nullptr) return;
-    LedgerEntry& parting = (*input.ledger)[LedgerAccount::Parting];
-    parting.energy -= (1 - part * part) * kinetic;
-    parting.momentum -= (1 - part) * (momentum - mass * drift);
+    LedgerEntry& correction = (*input.ledger)[LedgerAccount::Parting];
+    correction.energy -= (1 - part * part) * kinetic;
+    correction.momentum -= (1 - part) * (momentum - mass * drift);
 }
 
-void IslandMotion::impacts(const MotionInput& input, double duration, bool locating) {
+void IslandMotion::impacts(const MotionInput& input, double duration, bool findsImpacts) {
     m_problem.rows.clear();
     m_impactRows.clear();
     double fastest = 0;
@@ -326,7 +326,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
             ContactRow row = rowOf(input.bodies, pair, point);
             const double closing = -relativeVelocity(m_problem, row).x();
             const bool touching = point.separation <= touchingWithin(pair) ||
-                                  (!locating && closing * duration > point.separation);
+                                  (!findsImpacts && closing * duration > point.separation);
             m_problem.rows.push_back(row);
             m_impactRows.push_back({e, threshold, p, touching});
             any = any || (touching && closing > threshold);
@@ -335,7 +335,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool locat
     m_impacts.ledger = input.ledger;
     if (any) {
         const ImpactReport impacts = m_impacts.solve(
-            m_problem, m_impactRows, input.settings.simultaneous || !locating, remaining(input));
+            m_problem, m_impactRows, input.settings.simultaneous || !findsImpacts, remaining(input));
         report.work.impacts += static_cast<std::uint64_t>(impacts.impacts);
         report.work.factorisations += static_cast<std::uint64_t>(impacts.factorisations);
         m_work += impacts.work;
@@ -383,9 +383,9 @@ void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) 
         if (touching != 1 || only == nullptr) continue;
         const Vec3 normal = only->frame.row(0).transpose();
         if ((spin - normal.dot(spin) * normal).norm() * radius > m_still) continue;
-        if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
+        if (input.ledger != nullptr) recordMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
         velocity.tail<3>().setZero();
-        if (input.ledger != nullptr) bookMotion(m_problem, 1, LedgerAccount::Rest, *input.ledger);
+        if (input.ledger != nullptr) recordMotion(m_problem, 1, LedgerAccount::Rest, *input.ledger);
     }
 }
 
@@ -393,7 +393,7 @@ void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) 
 void IslandMotion::settle(const MotionInput& input, const Island& island) {
     stopPivoting(input, island);
     if (!isWithin(1)) return;
-    if (input.ledger != nullptr) bookMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
+    if (input.ledger != nullptr) recordMotion(m_problem, -1, LedgerAccount::Rest, *input.ledger);
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         m_problem.bodies[i].velocity.setZero();
         m_problem.bodies[i].freeVelocity.setZero();
@@ -421,7 +421,7 @@ void IslandMotion::commit(const MotionInput& input, const Island& island, double
         input.state.angularVelocity[body] = after.tail<3>();
         rotateBetween(input.bodies, body, m_start[i].angularMomentum, endMomentum(i), duration, input.state);
     }
-    if (input.ledger != nullptr) bookTurning(input, island);
+    if (input.ledger != nullptr) recordTurning(input, island);
 }
 
 } // namespace carom

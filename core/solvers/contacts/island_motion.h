@@ -22,10 +22,10 @@
 // Moves the bodies of one island through a substep. The order of operations:
 //
 //     until the substep is used up
-//         part       overlaps are moved apart; velocities do not know of it
+//         positions  overlaps are corrected; velocities do not know of it
 //         impacts    contacts that touch and close at a speed change velocities at once (impacts.h)
-//         smooth     v̂ = v + T g, contact forces keep bodies apart: v₁
-//         locate     does a contact that was open close hard before T? does a sliding one stop? then T ends
+//         velocities v̂ = v + T g, contact forces keep bodies apart: v₁
+//         events     does a contact that was open close hard before T? does a sliding one stop? then T ends
 //         there commit     x += T (v₀ + v₁)/2, rotation likewise
 //
 // v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
@@ -104,31 +104,31 @@ class IslandMotion {
     void load(const MotionInput& input, const Island& island, const ContactSet& found);
     void move(const MotionInput& input, const Island& island);
     bool bounce(const MotionInput& input, const Island& island);
-    bool swing(const MotionInput& input, const Island& island);
+    bool integrateSprings(const MotionInput& input, const Island& island);
     bool staysApart(const MotionInput& input) const;
     void recollide(const MotionInput& input);
     void loadBodies(const MotionInput& input, const Island& island);
     double relativeOverlap() const;
-    void part(const MotionInput& input, const Island& island);
+    void correctPositions(const MotionInput& input, const Island& island);
     double storedInSprings(const MotionInput& input) const;
     void takeEnergy(const MotionInput& input, const Island& island, double energy);
-    void impacts(const MotionInput& input, double duration, bool locating);
-    void smooth(const MotionInput& input, double duration, bool locating);
+    void impacts(const MotionInput& input, double duration, bool findsImpacts);
+    void solveVelocities(const MotionInput& input, double duration, bool findsImpacts);
     void beginPart(const MotionInput& input, double duration);
     Vec3 endMomentum(std::size_t body) const;
-    void chooseRows(const MotionInput& input, double duration, bool locating);
+    void chooseRows(const MotionInput& input, double duration, bool findsImpacts);
     void solve(const MotionInput& input);
     void solveForces(const MotionInput& input, double duration);
     void beginTerms(const MotionInput& input, double duration);
     void applyTerms();
     bool followTerms(const MotionInput& input);
     void endTerms(const MotionInput& input);
-    void bookTerms(const MotionInput& input);
+    void recordTerms(const MotionInput& input);
     NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
-    void makeRoom();
+    void reserve();
     void turnContacts(const MotionInput& input, double duration);
-    void foreseePoses(const MotionInput& input, double duration);
+    void predictPoses(const MotionInput& input, double duration);
     void moveRows(const MotionInput& input);
     void followPair(const MotionInput& input, const ContactPair& pair, const std::vector<Pose>& poses,
                     std::vector<Place>& places);
@@ -152,11 +152,11 @@ class IslandMotion {
     void stopPivoting(const MotionInput& input, const Island& island);
     void settle(const MotionInput& input, const Island& island);
 
-    void bookForces(const MotionInput& input, double duration);
+    void recordForces(const MotionInput& input, double duration);
     void swapPushes();
-    void bookTurning(const MotionInput& input, const Island& island);
-    void bookParting(const MotionInput& input, const Island& island, double spinBefore);
-    void bookBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
+    void recordTurning(const MotionInput& input, const Island& island);
+    void recordPositionCorrection(const MotionInput& input, const Island& island, double spinBefore);
+    void recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
 
     bool findStop(Braked& first) const;
     double speedOf(const Braked& braked) const;
@@ -164,9 +164,9 @@ class IslandMotion {
     double gentleClosing(const ContactPair& pair) const;
     double gentleOpening(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
-    double nextMeeting(const MotionInput& input, const ContactPair& pair, double first, double duration);
+    double nextContact(const MotionInput& input, const ContactPair& pair, double first, double duration);
     double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
-    double landingTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
+    double impactTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
     double cornerTime(const MotionInput& input, const ContactPair& pair, const ContactConstraint& point,
                       double t, double duration) const;
     MovingShape movingShape(const MotionInput& input, BodyIndex body, double duration) const;
@@ -180,21 +180,21 @@ class IslandMotion {
     double m_left = 0;     // of the substep [s]
     double m_residual = 0; // of the last solve [m/s]
     double m_overlap = 0;  // the deepest in this substep, relative to the smaller body
-    struct Unparted {
+    struct Uncorrected {
         Pose pose;
         Vec3 velocity;
     };
-    std::vector<Unparted> m_unparted;     // by body of the island: as it was before overlaps were parted
-    bool m_parted = false;                // in this substep
-    bool m_unsolved = false;              // the forces of this part were not found
-    bool m_rattles = false;               // most of the events of this substep are used up
-    double m_scale = 0;                   // |g| h, or the speed of the problem without gravity [m/s]
-    double m_tolerance = 0;               // of velocities [m/s]
-    double m_still = 0;                   // what is no faster is at rest [m/s]
-    std::vector<int> m_local;             // by body of the scene: its index in m_problem, or immobile
-    std::span<const BodyIndex> m_members; // of the scene, by body of m_problem
+    std::vector<Uncorrected> m_uncorrected; // by body of the island: before its position was corrected
+    bool m_isCorrected = false;             // in this substep
+    bool m_unsolved = false;                // the forces of this part were not found
+    bool m_rattles = false;                 // most of the events of this substep are used up
+    double m_scale = 0;                     // |g| h, or the speed of the problem without gravity [m/s]
+    double m_tolerance = 0;                 // of velocities [m/s]
+    double m_still = 0;                     // what is no faster is at rest [m/s]
+    std::vector<int> m_local;               // by body of the scene: its index in m_problem, or immobile
+    std::span<const BodyIndex> m_members;   // of the scene, by body of m_problem
     ContactSet m_contacts, m_before;
-    ContactProblem m_problem, m_parting;
+    ContactProblem m_problem, m_correction;
     std::vector<std::uint32_t> m_springs;      // of the island, into Bodies::springs
     std::vector<Mat3> m_springSlopes;          // by spring of the island
     std::vector<Vec6> m_lastVelocity;          // by body of m_problem, of the round before
@@ -219,7 +219,7 @@ class IslandMotion {
     NewtonSolver m_newton;
     SpringSolver m_springSolver;
     SpringSteps m_springSteps;
-    SpringNetwork::Scratch m_springRoom;
+    SpringNetwork::Scratch m_springScratch;
     ImpactSolver m_impacts;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/island_scheduler.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 #include "core/solvers/coasting.h"
 
 #include <algorithm>
@@ -19,37 +19,38 @@ bool isNetwork(const SolverInput& input, const Island& island) {
 
 } // namespace
 
-struct IslandCrew::Task {
+struct IslandScheduler::Task {
     const SolverInput& input;
     const SolverSettings& settings;
     const Islands& islands;
     const ContactSet& found;
 };
 
-void IslandCrew::move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
-                      std::span<const Refinement::Choice> chosen, const ContactSet& found, ContactSet& kept) {
+void IslandScheduler::move(const SolverInput& input, const SolverSettings& settings, const Islands& islands,
+                           std::span<const Refinement::Choice> chosen, const ContactSet& found,
+                           ContactSet& kept) {
     share(islands, chosen);
-    m_hands.resize(static_cast<std::size_t>(input.workers.threads()));
+    m_workers.resize(static_cast<std::size_t>(input.workers.threads()));
     const std::size_t points =
         std::max(found.points.size(), found.pairs.size()); // those of balls may come later
     kept.makeRoom(found.pairs.size(), points);
-    for (Hand& hand : m_hands) {
-        hand.kept.makeRoom(found.pairs.size(), points);
-        makeRoomFor(found.pairs.size(), hand.places);
-        hand.motion.report = {};
-        hand.kept.clear();
-        hand.places.clear();
+    for (Worker& worker : m_workers) {
+        worker.kept.makeRoom(found.pairs.size(), points);
+        reserveFor(found.pairs.size(), worker.places);
+        worker.motion.report = {};
+        worker.kept.clear();
+        worker.places.clear();
     }
     const Task task{input, settings, islands, found};
     input.workers.forEach(m_batch.size() - 1, [&](std::size_t thread, std::size_t batch) {
         for (std::uint32_t work = m_batch[batch]; work < m_batch[batch + 1]; ++work)
-            moveOne(task, work, m_hands[thread]);
+            moveOne(task, work, m_workers[thread]);
     });
     collect(input, found.pairs.size(), kept);
 }
 
 // Small islands go together.
-void IslandCrew::share(const Islands& islands, std::span<const Refinement::Choice> chosen) {
+void IslandScheduler::share(const Islands& islands, std::span<const Refinement::Choice> chosen) {
     m_work.clear();
     m_batch.assign(1, 0);
     std::size_t weight = 0;
@@ -65,14 +66,14 @@ void IslandCrew::share(const Islands& islands, std::span<const Refinement::Choic
     m_outcomes.resize(m_work.size());
 }
 
-void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
+void IslandScheduler::moveOne(const Task& task, std::uint32_t work, Worker& worker) {
     const SolverInput& input = task.input;
     const Island island = task.islands[m_work[work].island];
     Outcome& outcome = m_outcomes[work];
     outcome = {};
     Ledger* ledger = input.ledger != nullptr ? &outcome.ledger : nullptr;
     if (isNetwork(input, island)) {
-        SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, hand.room};
+        SpringNetwork network{input.bodies, island.bodies, island.links, input.gravity, worker.room};
         moveNetwork(input, network, ledger);
         return;
     }
@@ -83,40 +84,40 @@ void IslandCrew::moveOne(const Task& task, std::uint32_t work, Hand& hand) {
                              .state = input.state,
                              .ledger = ledger,
                              .budget = m_work[work].budget};
-    outcome.isStill = hand.motion.advance(motion, island, task.found);
-    outcome.spent = hand.motion.work();
-    outcome.loss = hand.motion.report.loss;
-    hand.motion.report.loss = {};
-    outcome.left = hand.motion.left();
+    outcome.isStill = worker.motion.advance(motion, island, task.found);
+    outcome.spent = worker.motion.work();
+    outcome.loss = worker.motion.report.loss;
+    worker.motion.report.loss = {};
+    outcome.left = worker.motion.left();
     if (outcome.left > 0) return; // its contacts are found again
-    const ContactSet& left = hand.motion.contacts();
+    const ContactSet& left = worker.motion.contacts();
     for (std::size_t i = 0; i < left.pairs.size(); ++i) {
         const ContactPair& pair = left.pairs[i];
         if (pair.count == 0) continue;
-        hand.kept.append(pair, left.pointsOf(pair));
-        hand.places.push_back(island.pairs[i]);
+        worker.kept.append(pair, left.pointsOf(pair));
+        worker.places.push_back(island.pairs[i]);
     }
 }
 
-void IslandCrew::collect(const SolverInput& input, std::size_t pairs, ContactSet& kept) {
+void IslandScheduler::collect(const SolverInput& input, std::size_t pairs, ContactSet& kept) {
     m_report = {};
     kept.clear();
     kept.pairs.resize(pairs);
-    for (Hand& hand : m_hands) {
-        const MotionReport& part = hand.motion.report;
+    for (Worker& worker : m_workers) {
+        const MotionReport& part = worker.motion.report;
         m_report.residual = std::max(m_report.residual, part.residual);
         m_report.maxPenetration = std::max(m_report.maxPenetration, part.maxPenetration);
         m_report.work.add(part.work);
         const std::uint32_t before = static_cast<std::uint32_t>(kept.points.size());
-        for (std::size_t i = 0; i < hand.places.size(); ++i) {
-            ContactPair& pair = kept.pairs[hand.places[i]];
-            pair = hand.kept.pairs[i];
+        for (std::size_t i = 0; i < worker.places.size(); ++i) {
+            ContactPair& pair = kept.pairs[worker.places[i]];
+            pair = worker.kept.pairs[i];
             pair.first += before;
         }
         if (before == 0)
-            std::swap(kept.points, hand.kept.points);
+            std::swap(kept.points, worker.kept.points);
         else
-            kept.points.insert(kept.points.end(), hand.kept.points.begin(), hand.kept.points.end());
+            kept.points.insert(kept.points.end(), worker.kept.points.begin(), worker.kept.points.end());
     }
     std::erase_if(kept.pairs, [](const ContactPair& pair) { return pair.count == 0; });
     m_still.clear();

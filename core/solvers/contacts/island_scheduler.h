@@ -11,12 +11,12 @@
 #include <vector>
 
 // Moves the islands of a substep, side by side where there are several threads. Islands know nothing of each
-// other: each is moved by one hand alone, and what the hands have done is collected in the order of islands.
-// So the bits depend neither on the number of threads nor on who took what.
+// other: each is moved by one worker alone, and what the workers have done is collected in the order of
+// islands. So the bits depend neither on the number of threads nor on who took what.
 
 namespace carom {
 
-class IslandCrew {
+class IslandScheduler {
   public:
     /// An island whose budget has ended, or whose forces were not found.
     struct Unfinished {
@@ -39,7 +39,7 @@ class IslandCrew {
 
   private:
     /// What one thread needs for itself.
-    struct Hand {
+    struct Worker {
         IslandMotion motion;
         SpringNetwork::Scratch room;
         ContactSet kept;
@@ -56,10 +56,10 @@ class IslandCrew {
     struct Task;
 
     void share(const Islands& islands, std::span<const Refinement::Choice> chosen);
-    void moveOne(const Task& task, std::uint32_t work, Hand& hand);
+    void moveOne(const Task& task, std::uint32_t work, Worker& worker);
     void collect(const SolverInput& input, std::size_t pairs, ContactSet& kept);
 
-    std::vector<Hand> m_hands;              // by thread
+    std::vector<Worker> m_workers;          // by thread
     std::vector<Refinement::Choice> m_work; // islands to be moved
     std::vector<Unfinished> m_unfinished;
     std::vector<std::uint32_t> m_finished;

@@ -67,7 +67,7 @@ double leastGap(const Bodies& bodies, BodyIndex a, const Vec3& placeA, BodyIndex
 
 // An island that springs hold together, through a substep in which no two bodies meet. False if two may, and
 // nothing has moved.
-bool IslandMotion::swing(const MotionInput& input, const Island& island) {
+bool IslandMotion::integrateSprings(const MotionInput& input, const Island& island) {
     if (m_springs.empty()) return false;
     const Forces& forces = input.bodies.forces;
     if (!forces.empty() && std::ranges::any_of(island.bodies, [&](BodyIndex i) { return forces.actOn(i); }))
@@ -77,7 +77,7 @@ bool IslandMotion::swing(const MotionInput& input, const Island& island) {
                         input.state.pose[pair.b].position) > 0;
     };
     if (!std::ranges::all_of(m_contacts.pairs, isApart)) return false;
-    const SpringNetwork network{input.bodies, island.bodies, m_springs, input.gravity, m_springRoom};
+    const SpringNetwork network{input.bodies, island.bodies, m_springs, input.gravity, m_springScratch};
     const int order = input.settings.tolerance < accurateTolerance ? 6 : 4;
     const bool isFound = m_springSteps.find(network, input.substep, order, input.state);
     m_work += work::pull * static_cast<double>(m_springSteps.looks());

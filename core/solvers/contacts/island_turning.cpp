@@ -110,7 +110,7 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
             m_unsolved = true;
             return;
         }
-        foreseePoses(input, duration);
+        predictPoses(input, duration);
         moveRows(input);
         m_lastVelocity.resize(m_problem.bodies.size());
         for (std::size_t i = 0; i < m_lastVelocity.size(); ++i)
@@ -133,7 +133,7 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
 }
 
 // Poses in the middle and at the end of the part as the present velocities give them, and inertia at the end.
-void IslandMotion::foreseePoses(const MotionInput& input, double duration) {
+void IslandMotion::predictPoses(const MotionInput& input, double duration) {
     const std::size_t count = m_problem.bodies.size();
     m_middlePose.resize(count);
     m_endPose.resize(count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/islands.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +71,7 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
         m_first[i].link += m_first[i - 1].link;
     }
     m_bodies.resize(members.size());
-    makeRoomFor(pairs.size(), m_pairs);
+    reserveFor(pairs.size(), m_pairs);
     m_pairs.resize(used);
     m_links.resize(live);
     m_next.assign(m_first.begin(), m_first.end() - 1);

@@ -49,7 +49,7 @@ class LanePacker {
         restart();
     }
     /// Bodies are numbered below `bodies` from now on.
-    void makeRoom(std::size_t bodies) {
+    void reserve(std::size_t bodies) {
         if (m_next.size() < bodies) m_next.resize(bodies, 0);
     }
     /// Bodies without motion do not exclude each other: `shared` is one.

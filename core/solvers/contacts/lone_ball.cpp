@@ -64,7 +64,7 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     moveBy(across + (after.gap - gap) * normal, place, placeRest);
     velocity = end;
     body.velocity.head<3>() = end;
-    if (input.ledger != nullptr) bookBounce(input, before, normal, after.gap - gap);
+    if (input.ledger != nullptr) recordBounce(input, before, normal, after.gap - gap);
     const double inertia = input.bodies.inertia[ball].x();
     input.state.angularVelocity[ball] = body.velocity.tail<3>();
     rotateBetween(input.bodies, ball, inertia * before.tail<3>(), inertia * body.velocity.tail<3>(), h,

@@ -189,12 +189,12 @@ bool inherit(const PersistentManifold& old, double within, PersistentManifold& f
 }
 
 /// Where two spheres will be when they meet within the substep, or when they are nearest.
-struct Meeting {
+struct ClosestApproach {
     Vec3 between = Vec3::Zero(); ///< from the centre of A to that of B [m]
     double gap = 0;              ///< then [m]; not negative
 };
 
-Meeting meetingOf(const ManifoldInput& input, BodyPair pair, double radii) {
+ClosestApproach closestApproachOf(const ManifoldInput& input, BodyPair pair, double radii) {
     const State& state = input.state;
     const Vec3 between = state.pose[pair.b].position - state.pose[pair.a].position;
     Vec3 velocity = state.velocity[pair.b] - state.velocity[pair.a];
@@ -215,16 +215,16 @@ bool areSpheres(const Bodies& bodies, BodyPair pair) {
 }
 
 // Spheres that are apart meet with another normal than they have now, or pass each other by: the normal is
-// that of the moment of their meeting, or of their nearest approach, within the substep. So is the normal of
+// that of the time of impact, or of their closest approach, within the substep. So is the normal of
 // a sphere and another round contact, which is left as it is.
 void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3& normal) {
     if (!areSpheres(input.bodies, pair)) return;
     const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
     if (!(separation > openBeyond * radii)) return;
-    const Meeting meeting = meetingOf(input, pair, radii);
-    const double distance = meeting.between.norm();
+    const ClosestApproach approach = closestApproachOf(input, pair, radii);
+    const double distance = approach.between.norm();
     if (!(distance > 0)) return;
-    normal = meeting.between / distance;
+    normal = approach.between / distance;
     separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
 }
 
@@ -315,7 +315,7 @@ bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     const bool isBallistic = !forces.actOn(pair.a) && !forces.actOn(pair.b);
     if (!areSpheres(input.bodies, pair) || !isBallistic) return true;
     const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
-    return meetingOf(input, pair, radii).gap <= slack;
+    return closestApproachOf(input, pair, radii).gap <= slack;
 }
 
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/neighbours.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,7 +172,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     std::sort(m_found.begin(), m_found.end());
     std::erase_if(m_pairs,
                   [this](BodyPair pair) { return m_isOutrun[pair.a] != 0 || m_isOutrun[pair.b] != 0; });
-    makeRoomFor(m_pairs.size() + m_found.size(), m_merged);
+    reserveFor(m_pairs.size() + m_found.size(), m_merged);
     m_merged.resize(m_pairs.size() + m_found.size());
     std::merge(m_pairs.begin(), m_pairs.end(), m_found.begin(), m_found.end(), m_merged.begin());
     std::swap(m_pairs, m_merged);
@@ -186,7 +186,7 @@ void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex 
     const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
     const std::size_t count =
         overlapping(m_columns, boxWithSkin(bodies, state, body), {&all, 1}, m_hits.data());
-    makeRoomFor(m_found.size() + count + bodies.walls.size(), m_found);
+    reserveFor(m_found.size() + count + bodies.walls.size(), m_found);
     for (std::size_t k = 0; k < count; ++k) {
         const BodyIndex other = bodies.bounded[m_hits[k]];
         const BodyPair pair{std::min(body, other), std::max(body, other)};
@@ -216,7 +216,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
         m_pairs.push_back(pair);
     }
     m_pairs.insert(m_pairs.end(), wall, m_wallPairs.end());
-    makeRoomFor(m_pairs.size() + m_found.capacity(), m_merged);
+    reserveFor(m_pairs.size() + m_found.capacity(), m_merged);
     listAround(bodies.count());
 }
 
@@ -241,7 +241,7 @@ void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
         }
     }
     std::sort(m_wallPairs.begin(), m_wallPairs.end());
-    makeRoomFor(2 * m_wallPairs.size(), m_wallPairs);
+    reserveFor(2 * m_wallPairs.size(), m_wallPairs);
 }
 
 // Counting sort of both ends; pairs ascend, so the others of a body do.

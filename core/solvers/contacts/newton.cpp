@@ -70,7 +70,7 @@ Vec6 momentumChange(const ContactBody& body, const Vec6& velocity) {
 
 } // namespace
 
-void NewtonSolver::makeRoom(std::size_t bodies, std::size_t rows) {
+void NewtonSolver::reserve(std::size_t bodies, std::size_t rows) {
     m_rows.reserve(rows);
     m_units.length.reserve(bodies);
     m_edges.reserve(rows);
@@ -78,7 +78,7 @@ void NewtonSolver::makeRoom(std::size_t bodies, std::size_t rows) {
     m_gradient.reserve(bodies);
     m_step.reserve(bodies);
     m_saved.reserve(bodies);
-    m_matrix.makeRoom(bodies);
+    m_matrix.reserve(bodies);
 }
 
 NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, double mostWork) {

@@ -50,7 +50,7 @@ struct NewtonReport {
 class NewtonSolver {
   public:
     /// So that problems of so many bodies and rows allocate nothing.
-    void makeRoom(std::size_t bodies, std::size_t rows);
+    void reserve(std::size_t bodies, std::size_t rows);
     /// Changes impulses and velocities of the problem. `tolerance` [m/s] > 0 bounds residualOf. If it is not
     /// reached within `mostWork` operations (work_budget.h; exceeded by one factorisation at most) the
     /// impulses are the best that were found, those of the start if none were better.

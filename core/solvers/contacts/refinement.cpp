@@ -55,7 +55,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     m_lone.clear();
     m_expected.clear();
     m_isTriedSoon.assign(islands.count(), 0);
-    m_patience.assign(islands.count(), (1 << mostFailures) - 1);
+    m_backOff.assign(islands.count(), (1 << mostFailures) - 1);
     double items = 0;
     for (std::uint32_t i = 0; i < islands.count(); ++i) {
         const Island island = islands[i];
@@ -79,7 +79,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         for (const BodyIndex body : island.bodies) wait = std::max(wait, m_wait[body]);
         if (wait > 0) {
             m_isTriedSoon[i] = wait < input.parts - input.part ? 1 : 0;
-            m_patience[i] = wait;
+            m_backOff[i] = wait;
             m_base.push_back(i);
             continue;
         }

@@ -81,7 +81,7 @@ class Refinement {
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
     /// In how many substeps an island that is stepped is to be tried again.
-    std::uint8_t patienceOf(std::uint32_t island) const { return m_patience[island]; }
+    std::uint8_t backOffOf(std::uint32_t island) const { return m_backOff[island]; }
     /// A body has been on the base path for a substep.
     void waited(BodyIndex body) {
         if (m_wait[body] > 0) --m_wait[body];
@@ -140,7 +140,7 @@ class Refinement {
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
     std::vector<Choice> m_refined;
     std::vector<std::uint32_t> m_base;
-    std::vector<std::uint8_t> m_patience;    // by island [substeps]
+    std::vector<std::uint8_t> m_backOff;     // by island [substeps]
     std::vector<std::uint8_t> m_isTriedSoon; // by island
     std::vector<BodyIndex> m_lone;
     std::vector<std::uint8_t> m_isLone; // by body

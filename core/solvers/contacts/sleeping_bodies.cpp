@@ -21,14 +21,14 @@ void eachPair(const ContactSet& one, const ContactSet& other, const OnPair& onPa
 
 } // namespace
 
-void Resting::lay(std::span<const BodyIndex> island) {
+void SleepingBodies::putToSleep(std::span<const BodyIndex> island) {
     for (std::size_t i = 0; i < island.size(); ++i) m_next[island[i]] = island[(i + 1) % island.size()];
-    m_laid.insert(m_laid.end(), island.begin(), island.end());
+    m_fallenAsleep.insert(m_fallenAsleep.end(), island.begin(), island.end());
     m_changed = true;
 }
 
-void Resting::wake(BodyIndex body, std::vector<BodyIndex>& woken) {
-    while (rests(body)) {
+void SleepingBodies::wake(BodyIndex body, std::vector<BodyIndex>& woken) {
+    while (isAsleep(body)) {
         woken.push_back(body);
         const BodyIndex next = m_next[body];
         m_next[body] = noBody;
@@ -37,7 +37,7 @@ void Resting::wake(BodyIndex body, std::vector<BodyIndex>& woken) {
     m_changed = true;
 }
 
-void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
+void SleepingBodies::exchange(const Bodies& bodies, ContactSet& moving) {
     // Room for all in each, so that it is there when the first or the last come to rest.
     const std::size_t pairs = m_contacts.pairs.size() + moving.pairs.size();
     const std::size_t points = m_contacts.points.size() + moving.points.size();
@@ -45,15 +45,15 @@ void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
         set->makeRoom(pairs, points);
     if (!m_changed) return;
     m_changed = false;
-    m_bodies.insert(m_bodies.end(), m_laid.begin(), m_laid.end());
-    m_laid.clear();
-    std::erase_if(m_bodies, [&](BodyIndex i) { return !rests(i); });
+    m_bodies.insert(m_bodies.end(), m_fallenAsleep.begin(), m_fallenAsleep.end());
+    m_fallenAsleep.clear();
+    std::erase_if(m_bodies, [&](BodyIndex i) { return !isAsleep(i); });
     std::sort(m_bodies.begin(), m_bodies.end());
     m_rests.clear();
     m_moves.clear();
     m_deepest = 0;
     eachPair(m_contacts, moving, [&](const ContactSet& set, const ContactPair& pair) {
-        const bool rest = rests(bodies.mobile[pair.a] != 0 ? pair.a : pair.b);
+        const bool rest = isAsleep(bodies.mobile[pair.a] != 0 ? pair.a : pair.b);
         (rest ? m_rests : m_moves).append(pair, set.pointsOf(pair));
         if (!rest) return;
         for (const ContactConstraint& point : set.pointsOf(pair))
@@ -63,7 +63,8 @@ void Resting::exchange(const Bodies& bodies, ContactSet& moving) {
     std::swap<ContactSet>(moving, m_moves);
 }
 
-void Resting::book(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const {
+void SleepingBodies::record(const Bodies& bodies, const Vec3& gravity, double duration,
+                            Ledger& ledger) const {
     double mass = 0;
     for (const BodyIndex i : m_bodies) mass += bodies.mass[i];
     const Vec3 weight = (mass * duration) * gravity;

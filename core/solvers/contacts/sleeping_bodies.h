@@ -9,51 +9,51 @@
 #include <span>
 #include <vector>
 
-// Bodies that have come to rest are left alone until something may touch them.
+// Bodies at rest sleep: they are left alone until something may touch them.
 //
-// A refined island is laid to rest after a substep that began and ended with all its velocities zero and
+// A refined island is put to sleep after a substep that began and ended with all its velocities zero and
 // moved nothing: its forces balance, and the substeps to come would find the same. (What is slower than the
 // tolerance of the contact problem has been stopped before, IslandMotion::settle.) One on the base path,
 // whose forces balance less exactly, after it has been slow for long enough that nothing unstable can hide in
-// it (contacts.cpp). An island is woken whole, with the forces it was laid down with:
+// it (contacts.cpp). An island is woken whole, with the forces it had when it fell asleep:
 //
 //     reach      a body that moves may touch one of it within the substep
-//     velocity   somebody gave one of it a velocity: a ball that struck it in flight, an edit
+//     velocity   somebody gave one of it a velocity: a ball that hit it, an edit
 //
 // Until then a substep does not look at it: its pairs are not searched, collided or solved for.
 
 namespace carom {
 
-class Resting {
+class SleepingBodies {
   public:
-    explicit Resting(std::size_t bodies) : m_next(bodies, noBody) {
+    explicit SleepingBodies(std::size_t bodies) : m_next(bodies, noBody) {
         m_bodies.reserve(bodies);
-        m_laid.reserve(bodies);
+        m_fallenAsleep.reserve(bodies);
     }
 
-    bool rests(BodyIndex body) const { return m_next[body] != noBody; }
-    /// All that rest, ascending; as of the last exchange.
+    bool isAsleep(BodyIndex body) const { return m_next[body] != noBody; }
+    /// All that sleep, ascending; as of the last exchange.
     std::span<const BodyIndex> bodies() const { return m_bodies; }
-    /// Among those that rest and with what is immobile.
+    /// Among those that sleep and with what is immobile.
     const ContactSet& contacts() const { return m_contacts; }
     double deepest() const { return m_deepest; } ///< overlap of these contacts [m]
     /// Of what a copy holds.
-    std::size_t bytes() const { return heldBytes(m_next, m_bodies, m_laid, m_contacts); }
+    std::size_t bytes() const { return heldBytes(m_next, m_bodies, m_fallenAsleep, m_contacts); }
 
-    /// Lays an island to rest. exchange() must follow before the next substep.
-    void lay(std::span<const BodyIndex> island);
-    /// Wakes the island of a body that rests and appends it to `woken`. exchange() must follow.
+    /// Puts an island to sleep. exchange() must follow before the next substep.
+    void putToSleep(std::span<const BodyIndex> island);
+    /// Wakes the island of a body that sleeps and appends it to `woken`. exchange() must follow.
     void wake(BodyIndex body, std::vector<BodyIndex>& woken);
-    /// Takes over the contacts of those that rest by now, and gives back the contacts of those that were
+    /// Takes over the contacts of those that sleep by now, and gives back the contacts of those that were
     /// woken. Pairs ascend in both sets.
     void exchange(const Bodies& bodies, ContactSet& moving);
 
-    /// Books that the forces of what rests bear its weight over `duration` [s].
-    void book(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const;
+    /// Records in the audit that the forces of what sleeps bear its weight over `duration` [s].
+    void record(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const;
 
   private:
-    std::vector<BodyIndex> m_next; // by body: the next one of its island, in a ring; noBody: it does not rest
-    std::vector<BodyIndex> m_bodies, m_laid; // m_laid: since the last exchange
+    std::vector<BodyIndex> m_next; // by body: the next one of its island, in a ring; noBody: it is awake
+    std::vector<BodyIndex> m_bodies, m_fallenAsleep; // m_fallenAsleep: since the last exchange
     ContactSet m_contacts;
     Scratch<ContactSet> m_rests, m_moves; // of an exchange
     double m_deepest = 0;

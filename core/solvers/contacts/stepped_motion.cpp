@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
-#include "core/base/room.h"
+#include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
@@ -18,7 +18,7 @@ namespace {
 
 /// How often a step is solved on with contacts of bodies that were struck within it.
 constexpr int mostRounds = 4;
-/// How often impacts of balls go through all that is stirred in a step. In a break of fifteen balls, of
+/// How often impacts of balls go through all that is active in a step. In a break of fifteen balls, of
 /// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
 constexpr int mostStrikes = 4;
 /// The body that cannot move.
@@ -134,7 +134,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
                   .radiusB = input.bodies.boundingRadius[b],
                   .friction = laws.friction,
                   .restitution = laws.restitution,
-                  .push = mostParting * laws.size / m_substep};
+                  .push = mostCorrection * laws.size / m_substep};
     const Vec3& placeB = input.state.pose[b].position;
     if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[a])) {
         pair.wall = true;
@@ -185,7 +185,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     report.contacts = wideLanes * m_balls.activeGroups();
     m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
-    makeRoomFor(m_general.size(), m_watched);
+    reserveFor(m_general.size(), m_watched);
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     for (const std::uint32_t entry : m_general) {
         PersistentManifold& manifold = manifolds[m_entries[entry].place];
@@ -214,7 +214,7 @@ void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const
                 .friction = laws.friction,
                 .restitution = laws.restitution,
                 .rolling = laws.rolling,
-                .push = mostParting * laws.size / m_substep,
+                .push = mostCorrection * laws.size / m_substep,
                 .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
                entry, m_bodies);
 }
@@ -338,7 +338,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     }
-    if (input.ledger != nullptr && !m_forced.isEmpty()) bookTerms(input);
+    if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
 }
 
 // Force terms as if nothing else but gravity acted: an impulse of its own before those of the contacts.
@@ -355,8 +355,8 @@ void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     }
 }
 
-// What terms did is in the difference that is booked for the contacts.
-void SteppedMotion::bookTerms(const SteppedInput& input) {
+// What terms did is in the difference that is recorded for the contacts.
+void SteppedMotion::recordTerms(const SteppedInput& input) {
     for (ForcedSteps::Step& step : m_forced.steps()) {
         step.given = m_forced.impulseOf(step);
         step.after = vectorOf(m_bodies[step.owner].velocity);
@@ -377,19 +377,19 @@ void SteppedMotion::weakenImpulses() {
 }
 
 void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
-    m_stirred.assign(m_bodies.size(), 0);
-    const Stirred stirred{m_stirred, immobile};
-    const int impacts = m_balls.stir(stirred) + stir(m_rows, stirred);
+    m_active.assign(m_bodies.size(), 0);
+    const ActiveBodies active{m_active, immobile};
+    const int impacts = m_balls.activate(active) + activate(m_rows, active);
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
         m_energy.allow(m_island[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
     m_before = m_bodies;
-    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, stirred);
+    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
-    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes, stirred);
+    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes, active);
     m_energy.keep(m_before, m_island, m_bodies);
 }
 

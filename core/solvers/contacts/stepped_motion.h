@@ -202,7 +202,7 @@ class SteppedMotion {
     void weakenImpulses();
     void rebound(const StepSettings& settings, SteppedReport& report);
     void applyTerms(const SteppedInput& input, double duration);
-    void bookTerms(const SteppedInput& input);
+    void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
     /// A ball without springs: where it points matters to nobody before the next look.
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
@@ -219,10 +219,10 @@ class SteppedMotion {
     std::vector<BodyPlace> m_places;
     std::vector<Quat> m_orientations;
     std::vector<std::uint32_t> m_island;
-    std::vector<std::array<double, 3>> m_free;    // velocities that only gravity and force terms have changed
-    std::vector<std::uint8_t> m_struck;           // by anything since the last look
-    Scratch<std::vector<SolverBody>> m_before;    // the rebound of an impact
-    Scratch<std::vector<std::uint8_t>> m_stirred; // by it
+    std::vector<std::array<double, 3>> m_free;   // velocities that only gravity and force terms have changed
+    std::vector<std::uint8_t> m_struck;          // by anything since the last look
+    Scratch<std::vector<SolverBody>> m_before;   // the rebound of an impact
+    Scratch<std::vector<std::uint8_t>> m_active; // by it
 
     std::vector<Group> m_groups; // by what islandOf() returns, and by what has been joined to another
     std::size_t m_joined = 0;    // of these that are part of another

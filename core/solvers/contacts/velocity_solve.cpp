@@ -15,10 +15,10 @@ namespace {
 template<Pass pass, bool first>
 CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody* bodies,
                              const Displacement* moved, const StepSettings& settings,
-                             const Softnesses& softness, const Stirred& stirred) {
+                             const Softnesses& softness, const ActiveBodies& active) {
     Wide reached{};
     if constexpr (pass == Pass::Rebound)
-        if (!anyLane(reached = stirredLanes(group, stirred))) return Wide{};
+        if (!anyLane(reached = activeLanes(group, active))) return Wide{};
     Motion a, b;
     gather(bodies, group.a, a);
     gather(bodies, group.b, b);
@@ -50,7 +50,7 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
     }
     scatter(bodies, group.a, a);
     scatter(bodies, group.b, b);
-    if constexpr (pass == Pass::Rebound) stirLanes(group, most, stirred);
+    if constexpr (pass == Pass::Rebound) activateLanes(group, most, active);
     return worst;
 }
 
@@ -101,7 +101,7 @@ struct Sweep {
     const Displacement* moved;
     const StepSettings& settings;
     bool back;
-    Stirred stirred = {};
+    ActiveBodies active = {};
 };
 
 template<Pass pass, bool first>
@@ -112,7 +112,7 @@ CAROM_INLINE double sweepGroups(const Sweep& with) {
     for (std::size_t i = 0; i < count; ++i)
         worst = larger(worst, solveGroup<pass, first>(with.groups[with.back ? count - 1 - i : i], with.points,
                                                       with.bodies, with.moved, with.settings, softness,
-                                                      with.stirred));
+                                                      with.active));
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
@@ -175,25 +175,25 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::spa
                  {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings, back});
 }
 
-int stir(const ContactRows& rows, const Stirred& stirred) {
+int activate(const ContactRows& rows, const ActiveBodies& active) {
     int struck = 0;
     for (const RowGroup& group : rows.groups()) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {
             const RowPoint& row = rows.points()[group.firstPoint + k];
-            const Wide lanes = isStruck(row) ? wideOf(1) : Wide{};
+            const Wide lanes = isImpact(row) ? wideOf(1) : Wide{};
             struck += lanesOf(lanes);
-            stirLanes(group, lanes, stirred);
+            activateLanes(group, lanes, active);
         }
     }
     return struck;
 }
 
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes, const Stirred& stirred) {
+             const StepSettings& settings, int passes, const ActiveBodies& active) {
     for (int pass = 0; pass < passes; ++pass)
         sweep(Pass::Rebound, {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings,
-                              pass % 2 != 0, stirred});
+                              pass % 2 != 0, active});
     for (const RowGroup& group : rows.groups()) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {

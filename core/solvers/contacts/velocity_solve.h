@@ -75,18 +75,18 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::spa
                        const StepSettings& settings, bool back);
 /// The bodies that a rebound reaches, by body: 1, or 1 more than the pass in which an impact of balls changed
 /// it last. What cannot move is none of them: 0.
-struct Stirred {
+struct ActiveBodies {
     std::span<std::uint8_t> bodies;
     std::uint32_t immobile = 0;
 };
 
 /// The number of rows that recordApproach remembered and that took an impulse since. Their bodies are
-/// stirred from then on.
-int stir(const ContactRows& rows, const Stirred& stirred);
-/// Makes them rebound. Rows of which no body is stirred are left as they are; those that change by more than
-/// what rests stir their bodies. The impulses of those that part faster than what rests are forgotten: they
-/// are no forces.
+/// active from then on.
+int activate(const ContactRows& rows, const ActiveBodies& active);
+/// Makes them rebound. Rows of which no body is active are left as they are; those that change by more than
+/// what rests activate their bodies. The impulses of those that part faster than what rests are forgotten:
+/// they are no forces.
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes, const Stirred& stirred);
+             const StepSettings& settings, int passes, const ActiveBodies& active);
 
 } // namespace carom

@@ -46,7 +46,7 @@ class EventCells {
 
     /// Takes all balls out of the cells.
     void clear();
-    /// A quarter of the balls is beyond the region the cells were laid for.
+    /// A quarter of the balls is beyond the region the cells were made for.
     bool areOutgrown(ConstEventRecords records) const;
     void insert(EventRecords records, std::uint32_t i, const Vec3& position);
     /// Moves ball i one cell along an axis, in direction +1 or −1.
@@ -54,7 +54,7 @@ class EventCells {
 
     static constexpr unsigned wallBits = 8;
     /// One bit a wall that a ball can reach from its cell; the last one means all from there on. All where
-    /// the cell is none that the tables were laid for, but one they stand for too.
+    /// the cell is none that the tables were made for, but one they stand for too.
     unsigned wallsNear(const EventRecord& record) const {
         const Level& level = m_levels[record.level];
         const Place& place = record.place;

@@ -46,7 +46,7 @@ Impact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const V
                 const Vec3& point);
 
 /// u [m/s], negative while the bodies approach each other.
-inline double partingSpeed(const Impact& impact, const State& state) {
+inline double separationSpeed(const Impact& impact, const State& state) {
     double speed = impact.normal.dot(state.velocity[impact.b] - state.velocity[impact.a]);
     if (impact.turns) // n·(ω×r) = ω·(r×n)
         speed += impact.armB.dot(state.angularVelocity[impact.b]) -

@@ -12,13 +12,13 @@
 #include <numeric>
 #include <vector>
 
-// The reference's own method (its chapter 3.6.2): smooth motion, then every colliding pair in turn. Resting
-// contact is a hail of small collisions, hence the name, after B. Mirtich, J. Canny, "Impulse-based
-// simulation of rigid bodies", 1995. For one pair that touches or overlaps:
+// The reference's own method (its chapter 3.6.2): smooth motion, then every colliding pair in turn.
+// Resting contact is a hail of small collisions, hence the name, after B. Mirtich, J. Canny,
+// "Impulse-based simulation of rigid bodies", 1995. For one pair that touches or overlaps:
 //
 //     1. line of action     through the witness points; they lie along the contact normal
 //     2. incident velocity  relative velocity of the two witness points along it, rotation included
-//     3. parting            no response at all, the overlap stays
+//     3. separation         no response at all, the overlap stays
 //     4. displacement       half the greatest depth each, along the line; all of it where one is immobile
 //     5. impulse            impulse.h, with the pair's restitution e
 //
@@ -87,9 +87,9 @@ class Microcollisions final : public Solver {
     }
 
   private:
-    void moveSmoothly(const SolverInput& input);
-    void bookSpin(const SolverInput& input, double sign);
-    void book(const SolverInput& input, const Impact& impact, double speed, const Vec3& displacement);
+    void integrate(const SolverInput& input);
+    void recordSpin(const SolverInput& input, double sign);
+    void record(const SolverInput& input, const Impact& impact, double speed, const Vec3& displacement);
     void updateBoxes(const SolverInput& input);
     void meetPairsInOrder(const SolverInput& input);
     void meetWall(const SolverInput& input, std::size_t wall, BodyIndex body);
@@ -107,9 +107,9 @@ class Microcollisions final : public Solver {
     Manifold m_manifold;                  // of the pair in turn
     std::vector<BodyIndex> m_free;        // mobile, and nothing but gravity acts on them
     std::vector<BodyIndex> m_turning;     // of bodies.rotating, those of m_free
-    std::vector<BodyIndex> m_swinging;    // mobile, at an end of a spring or under a force term
+    std::vector<BodyIndex> m_integrated;  // mobile, at an end of a spring or under a force term
     std::vector<std::uint32_t> m_springs; // all of them
-    SpringNetwork::Scratch m_swingRoom;
+    SpringNetwork::Scratch m_springScratch;
     Stopwatch m_watch;
     SolverReport m_report;
 };
@@ -131,7 +131,7 @@ Microcollisions::Microcollisions(const Bodies& bodies)
     }
     for (const BodyIndex i : bodies.mobileBodies) {
         if (bodies.forces.actOn(i)) sprung[i] = 1;
-        (sprung[i] != 0 ? m_swinging : m_free).push_back(i);
+        (sprung[i] != 0 ? m_integrated : m_free).push_back(i);
     }
     for (const BodyIndex i : bodies.rotating)
         if (sprung[i] == 0) m_turning.push_back(i);
@@ -142,7 +142,7 @@ Microcollisions::Microcollisions(const Bodies& bodies)
 SolverReport Microcollisions::advance(const SolverInput& input) {
     m_report = {};
     m_watch.lap();
-    moveSmoothly(input);
+    integrate(input);
     m_report.loss = findLoss(input.bodies, input.state);
     m_report.integrate = m_watch.lap();
     if (m_report.loss) return m_report;
@@ -162,16 +162,16 @@ SolverReport Microcollisions::advance(const SolverInput& input) {
 }
 
 // Angular velocities are constant, so the energy of turning is not where moments are unequal.
-void Microcollisions::bookSpin(const SolverInput& input, double sign) {
+void Microcollisions::recordSpin(const SolverInput& input, double sign) {
     (*input.ledger)[LedgerAccount::Rotation].energy +=
         sign * spinEnergy(input.bodies, m_turning, input.state);
 }
 
-void Microcollisions::moveSmoothly(const SolverInput& input) {
+void Microcollisions::integrate(const SolverInput& input) {
     if (input.ledger != nullptr) {
         recordBallisticAdvance(input.bodies, m_free, {input.gravity, input.gravity, input.substep},
                                input.state, *input.ledger);
-        bookSpin(input, -1);
+        recordSpin(input, -1);
     }
     const std::span<const BodyIndex> free = m_free;
     input.workers.forRanges(free.size(), [&](std::size_t begin, std::size_t end) {
@@ -181,9 +181,9 @@ void Microcollisions::moveSmoothly(const SolverInput& input) {
     input.workers.forRanges(turning.size(), [&](std::size_t begin, std::size_t end) {
         input.motion.turn(turning.subspan(begin, end - begin), input.substep, input.state);
     });
-    if (input.ledger != nullptr) bookSpin(input, 1);
-    if (m_swinging.empty()) return;
-    SpringNetwork network{input.bodies, m_swinging, m_springs, input.gravity, m_swingRoom};
+    if (input.ledger != nullptr) recordSpin(input, 1);
+    if (m_integrated.empty()) return;
+    SpringNetwork network{input.bodies, m_integrated, m_springs, input.gravity, m_springScratch};
     moveNetwork(input, network, input.ledger);
 }
 
@@ -274,7 +274,7 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
     const Bodies& bodies = input.bodies;
     const auto [a, b] = contact.pair;
     const Impact impact = impactAt(bodies, input.state, contact.pair, contact.normal, contact.point);
-    const double speed = partingSpeed(impact, input.state);
+    const double speed = separationSpeed(impact, input.state);
     if (speed > 0) return;
 
     const bool bothMobile = bodies.mobile[a] != 0 && bodies.mobile[b] != 0;
@@ -282,13 +282,13 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
     if (bodies.mobile[a] != 0) input.state.pose[a].position -= displacement;
     if (bodies.mobile[b] != 0) input.state.pose[b].position += displacement;
 
-    if (input.ledger != nullptr) book(input, impact, speed, displacement);
+    if (input.ledger != nullptr) record(input, impact, speed, displacement);
     apply(impact, speed, std::min(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
 }
 
 // Before the impact is applied: its impulse j is known, and the speeds on both sides of it are u and −e u.
-void Microcollisions::book(const SolverInput& input, const Impact& impact, double speed,
-                           const Vec3& displacement) {
+void Microcollisions::record(const SolverInput& input, const Impact& impact, double speed,
+                             const Vec3& displacement) {
     const Bodies& bodies = input.bodies;
     const bool aMoves = bodies.mobile[impact.a] != 0, bMoves = bodies.mobile[impact.b] != 0;
     const double e = std::min(bodies.elastic[impact.a], bodies.elastic[impact.b]);

@@ -76,7 +76,7 @@ class BallRowsTest : public QObject {
                     QVERIFY(agrees());
                 }
                 std::vector<std::uint8_t> everybody(scene.bodies.size(), 1);
-                const int struck = rows.stir({everybody, scene.immobile()});
+                const int struck = rows.activate({everybody, scene.immobile()});
                 QCOMPARE(struck, expected.struckRows());
                 impacts += struck;
                 for (BodyPlace& place : scene.places)
@@ -198,16 +198,16 @@ class BallRowsTest : public QObject {
                 QVERIFY(agrees());
             }
             std::vector<std::uint8_t> ofBalls(scene.bodies.size(), 1), ofGeneral = ofBalls;
-            const int struck = rows.stir({ofBalls, scene.immobile()});
-            QCOMPARE(struck, stir(general, {ofGeneral, scene.immobile()}));
+            const int struck = rows.activate({ofBalls, scene.immobile()});
+            QCOMPARE(struck, activate(general, {ofGeneral, scene.immobile()}));
             impacts += struck;
         }
         qInfo("impacts %d", impacts);
         QVERIFY(impacts > 50);
     }
 
-    // A row of equal balls that touch, the first of which comes: one impact after another hands its speed on
-    // to the last. Two balls part at e times the speed they met at.
+    // A row of equal balls that touch, the first of which comes: one impact after another hands its speed
+    // on to the last. Two balls part at e times the speed they met at.
     void aRowOfBallsPassesAnImpactOn() {
         constexpr double speed = 2, radius = 0.1;
         struct Trial {
@@ -230,10 +230,10 @@ class BallRowsTest : public QObject {
             QVERIFY(rows.recordApproach(scene.bodies, settings));
             const std::vector<Displacement> moved = scene.still();
             for (int pass = 0; pass < 4; ++pass) rows.relax(scene.bodies, moved, settings, false);
-            std::vector<std::uint8_t> stirring(scene.bodies.size(), 0);
-            const Stirred stirred{stirring, scene.immobile()};
-            QCOMPARE(rows.stir(stirred), 1);
-            rows.rebound(scene.bodies, moved, settings, 40, stirred);
+            std::vector<std::uint8_t> isActive(scene.bodies.size(), 0);
+            const ActiveBodies active{isActive, scene.immobile()};
+            QCOMPARE(rows.activate(active), 1);
+            rows.rebound(scene.bodies, moved, settings, 40, active);
             const auto of = [&](int k) { return scene.bodies[static_cast<std::size_t>(k)].velocity[0]; };
             if (elastic == 1)
                 for (int k = 0; k < count; ++k)
@@ -271,11 +271,11 @@ class BallRowsTest : public QObject {
             rows.recordApproach(scene.bodies, settings);
             const std::vector<Displacement> moved = scene.still();
             for (int pass = 0; pass < 20; ++pass) rows.relax(scene.bodies, moved, settings, false);
-            std::vector<std::uint8_t> stirring(scene.bodies.size(), 0);
-            const Stirred stirred{stirring, scene.immobile()};
-            impacts += rows.stir(stirred);
+            std::vector<std::uint8_t> isActive(scene.bodies.size(), 0);
+            const ActiveBodies active{isActive, scene.immobile()};
+            impacts += rows.activate(active);
             constexpr int most = 1000;
-            finished += rows.rebound(scene.bodies, moved, settings, most, stirred) < most ? 1 : 0;
+            finished += rows.rebound(scene.bodies, moved, settings, most, active) < most ? 1 : 0;
             QVERIFY((momentum() - momentumBefore).norm() < 1e-9 * (1 + momentumBefore.norm()));
             QVERIFY(kineticEnergyOf(scene.bodies) <= before * (1 + 1e-9));
         }

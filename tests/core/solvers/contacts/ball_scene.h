@@ -345,9 +345,9 @@ int step(BallRows& rows, BallScene& scene, const StepSettings& settings, int pas
     }
     for (int pass = 0; pass < passes; ++pass) rows.relax(scene.bodies, moved, settings, pass % 2 != 0);
     std::vector<std::uint8_t> bodies(scene.bodies.size(), 0);
-    const Stirred stirred{bodies, scene.immobile()};
-    const int impacts = rows.stir(stirred);
-    rows.rebound(scene.bodies, moved, settings, passes, stirred);
+    const ActiveBodies active{bodies, scene.immobile()};
+    const int impacts = rows.activate(active);
+    rows.rebound(scene.bodies, moved, settings, passes, active);
     return impacts;
 }
 

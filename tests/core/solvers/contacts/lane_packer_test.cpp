@@ -52,7 +52,7 @@ std::vector<PackerScene> packerScenes() {
 
 void begin(const PackerScene& scene, LanePacker& packer) {
     packer.clear();
-    packer.makeRoom(scene.bodies);
+    packer.reserve(scene.bodies);
 }
 
 /// True if every place is the next free lane of its group.
@@ -203,7 +203,7 @@ class LanePackerTest : public QObject {
 
     void aClosedGroupTakesNoMore() {
         LanePacker packer;
-        packer.makeRoom(9);
+        packer.reserve(9);
         QVERIFY(packer.place(1, 2, shared).isNew);
         packer.closeAll();
         const LanePacker::Place next = packer.place(3, 4, shared);

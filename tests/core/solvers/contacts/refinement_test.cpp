@@ -261,7 +261,7 @@ class RefinementTest : public QObject {
         for (int frame = 0; frame < 3; ++frame) {
             refinement.choose(crowd.input(0, 4), {});
             QVERIFY(refinement.refined().empty() && !refinement.isTriedSoon(0));
-            QCOMPARE(static_cast<int>(refinement.patienceOf(0)), 15 - 4 * frame);
+            QCOMPARE(static_cast<int>(refinement.backOffOf(0)), 15 - 4 * frame);
             wait(refinement, crowd.islands[0], 4);
         }
         for (int part = 0; part < 3; ++part) {

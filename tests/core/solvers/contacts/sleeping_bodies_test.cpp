@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-// Islands laid to rest and woken, against lists that say of every body whether it rests: contacts follow
+// Islands put to sleep and woken, against lists that say of every body whether it rests: contacts follow
 // their bodies, none is lost, none is doubled.
 
 namespace carom {
@@ -83,59 +83,59 @@ class SleepingBodiesTest : public QObject {
         const Bodies bodies = stacks();
         const ContactSet all = contactsOfAll();
         ContactSet moving = all;
-        Resting resting(bodyCount);
-        std::vector<bool> rests(islandCount, false);
-        const auto bodyRests = [&](BodyIndex body) { return rests[(body - 1) / islandSize]; };
+        SleepingBodies sleeping(bodyCount);
+        std::vector<bool> isAsleep(islandCount, false);
+        const auto shouldSleep = [&](BodyIndex body) { return rests[(body - 1) / islandSize]; };
         for (int turn = 0; turn < 500; ++turn) {
             for (BodyIndex island = 0; island < islandCount; ++island) {
                 if (random.below(4) != 0) continue;
                 const std::vector<BodyIndex> members = islandOf(island);
                 if (rests[island]) {
-                    std::vector<BodyIndex> woken{bodyCount};                // what is there stays
-                    resting.wake(members[random.below(islandSize)], woken); // whoever is touched wakes all
+                    std::vector<BodyIndex> woken{bodyCount};                 // what is there stays
+                    sleeping.wake(members[random.below(islandSize)], woken); // whoever is touched wakes all
                     std::sort(woken.begin(), woken.end());
                     std::vector<BodyIndex> expected = members;
                     expected.push_back(bodyCount);
                     QCOMPARE(woken, expected);
                 } else {
-                    resting.lay(members);
+                    sleeping.putToSleep(members);
                 }
                 rests[island] = !rests[island];
             }
-            resting.exchange(bodies, moving);
+            sleeping.exchange(bodies, moving);
             std::vector<BodyIndex> expected;
             double deepest = 0;
             for (BodyIndex body = 1; body < bodyCount; ++body) {
-                QCOMPARE(resting.rests(body), bodyRests(body));
-                if (bodyRests(body)) expected.push_back(body);
+                QCOMPARE(sleeping.isAsleep(body), shouldSleep(body));
+                if (shouldSleep(body)) expected.push_back(body);
             }
             for (const ContactPair& pair : all.pairs)
-                if (bodyRests(pair.b)) deepest = std::max(deepest, overlapOf(pair.a, pair.b));
-            QCOMPARE(std::vector<BodyIndex>(resting.bodies().begin(), resting.bodies().end()), expected);
-            QCOMPARE(resting.deepest(), deepest);
-            QVERIFY(isPartOf(all, resting.contacts(), bodyRests));
-            QVERIFY(isPartOf(all, moving, [&](BodyIndex body) { return !bodyRests(body); }));
-            QVERIFY(isPartOf(all, merged(resting.contacts(), moving), [](BodyIndex) { return true; }));
+                if (shouldSleep(pair.b)) deepest = std::max(deepest, overlapOf(pair.a, pair.b));
+            QCOMPARE(std::vector<BodyIndex>(sleeping.bodies().begin(), sleeping.bodies().end()), expected);
+            QCOMPARE(sleeping.deepest(), deepest);
+            QVERIFY(isPartOf(all, sleeping.contacts(), shouldSleep));
+            QVERIFY(isPartOf(all, moving, [&](BodyIndex body) { return !shouldSleep(body); }));
+            QVERIFY(isPartOf(all, merged(sleeping.contacts(), moving), [](BodyIndex) { return true; }));
         }
     }
 
     void whoDoesNotRestWakesNobody() {
-        Resting resting(bodyCount);
-        resting.lay(islandOf(0));
+        SleepingBodies sleeping(bodyCount);
+        sleeping.putToSleep(islandOf(0));
         std::vector<BodyIndex> woken;
-        resting.wake(islandOf(1).front(), woken);
+        sleeping.wake(islandOf(1).front(), woken);
         QVERIFY(woken.empty());
-        QVERIFY(resting.rests(islandOf(0).front()));
+        QVERIFY(sleeping.isAsleep(islandOf(0).front()));
     }
 
     void theFloorBearsTheWeightOfWhatRests() {
         const Bodies bodies = stacks();
         ContactSet moving = contactsOfAll();
-        Resting resting(bodyCount);
-        resting.lay(islandOf(2)); // masses 7, 8 and 9 kg
-        resting.exchange(bodies, moving);
+        SleepingBodies sleeping(bodyCount);
+        sleeping.putToSleep(islandOf(2)); // masses 7, 8 and 9 kg
+        sleeping.exchange(bodies, moving);
         Ledger ledger;
-        resting.book(bodies, Vec3(0, -10, 0), 0.5, ledger);
+        sleeping.record(bodies, Vec3(0, -10, 0), 0.5, ledger);
         QCOMPARE(ledger[LedgerAccount::Gravity].momentum.y(), -120.0);
         QCOMPARE(ledger[LedgerAccount::Contact].momentum.y(), 120.0);
     }

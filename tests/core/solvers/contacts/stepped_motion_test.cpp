@@ -71,11 +71,11 @@ class SteppedMotionTest : public QObject {
                 Body wall = test::wall(Vec3::UnitY(), 0);
                 BasePath path(test::sceneOf({wall, ball({0, radius + gap, 0}, {0, -speed, 0}, elastic)}));
                 for (int n = 0; n < 4; ++n) path.step();
-                const double parting = path.state.velocity[1].y();
-                QVERIFY2(std::abs(parting - elastic * speed) < roundingOfSteps,
+                const double separation = path.state.velocity[1].y();
+                QVERIFY2(std::abs(separation - elastic * speed) < roundingOfSteps,
                          qPrintable(QStringLiteral("gap %1 of v h: parts at %2 of %3 m/s")
                                         .arg((k + 0.5) / 20)
-                                        .arg(parting)
+                                        .arg(separation)
                                         .arg(elastic * speed)));
             }
     }

@@ -101,9 +101,9 @@ int step(RowScene& scene, ContactRows& rows, const StepSettings& settings, int p
         relaxVelocities(rows, scene.bodies, moved, settings, pass % 2 != 0);
     const std::vector<SolverBody> before = scene.bodies;
     std::vector<std::uint8_t> bodies(scene.bodies.size(), 0);
-    const Stirred stirred{bodies, scene.immobile()};
-    const int impacts = stir(rows, stirred);
-    rebound(rows, scene.bodies, moved, settings, reboundPasses, stirred);
+    const ActiveBodies active{bodies, scene.immobile()};
+    const int impacts = activate(rows, active);
+    rebound(rows, scene.bodies, moved, settings, reboundPasses, active);
     limit.keep(before, islands, scene.bodies);
     return impacts;
 }
@@ -191,10 +191,10 @@ class VelocitySolveTest : public QObject {
                 QVERIFY(agrees(roundingOfSweeps));
             }
             std::vector<std::uint8_t> everybody(scene.bodies.size(), 1);
-            const Stirred stirred{everybody, scene.immobile()};
-            const int struck = stir(rows, stirred);
+            const ActiveBodies active{everybody, scene.immobile()};
+            const int struck = activate(rows, active);
             QCOMPARE(struck, expected.struckRows());
-            rebound(rows, scene.bodies, moved, settings, 3, stirred);
+            rebound(rows, scene.bodies, moved, settings, 3, active);
             for (int pass = 0; pass < 3; ++pass)
                 expected.pass(ObviousContacts::Pass::Rebound, moved, settings, pass % 2 != 0);
             expected.forgetImpulses(settings);
@@ -336,8 +336,8 @@ class VelocitySolveTest : public QObject {
         }
     }
 
-    /// A row whose bodies nothing stirs is left as it is; the one beside it rebounds.
-    void aReboundReachesOnlyWhoIsStirred() {
+    /// A row whose bodies nothing activates is left as it is; the one beside it rebounds.
+    void aReboundReachesOnlyWhoIsActive() {
         const StepSettings settings{.duration = 0.01};
         const RowScene one = ballOnWall(Vec3::UnitY(), 2, 0.5, 0, 0);
         RowScene scene;
@@ -407,15 +407,15 @@ class VelocitySolveTest : public QObject {
             ContactRows rows = scene.rows();
             const StepSettings settings{.duration = duration, .resting = 0.01};
             const int impacts = step(scene, rows, settings, 2, 2);
-            const double parting = normal.dot(vectorOf(scene.bodies[0].velocity));
+            const double separation = normal.dot(vectorOf(scene.bodies[0].velocity));
             if (restitution > 0) {
                 QCOMPARE(impacts, 1);
-                QVERIFY(std::abs(parting - restitution * speed) < roundingOfSweeps * speed);
+                QVERIFY(std::abs(separation - restitution * speed) < roundingOfSweeps * speed);
                 QVERIFY(rows.impulseOf(rows.groups()[0], 0, 0) == Vec3::Zero());
             } else {
                 // It stops at the surface.
                 QCOMPARE(impacts, 0);
-                QVERIFY(parting >= -roundingOfSweeps && parting < roundingOfSweeps + 1e-3 * speed);
+                QVERIFY(separation >= -roundingOfSweeps && separation < roundingOfSweeps + 1e-3 * speed);
             }
             QVERIFY(scene.energy() <= before * (1 + roundingOfSweeps));
         }

@@ -30,7 +30,7 @@ struct Impacted {
 Impacted collided(const Scene& scene, const Vec3& normal, const Vec3& point, double restitution) {
     Impacted result{bodiesOf(scene), initialStateOf(scene), initialStateOf(scene)};
     const Impact impact = impactAt(result.bodies, result.before, {0, 1}, normal, point);
-    apply(impact, partingSpeed(impact, result.before), restitution, result.bodies, result.after);
+    apply(impact, separationSpeed(impact, result.before), restitution, result.bodies, result.after);
     return result;
 }
 
@@ -120,8 +120,8 @@ class ImpulseTest : public QObject {
             const Impacted hit = collided(scene, normal, point, e);
 
             const Impact law = impactAt(hit.bodies, hit.before, {0, 1}, normal, point);
-            const double u = partingSpeed(law, hit.before);
-            QVERIFY(std::abs(partingSpeed(law, hit.after) + e * u) < tight * (1 + std::abs(u)));
+            const double u = separationSpeed(law, hit.before);
+            QVERIFY(std::abs(separationSpeed(law, hit.after) + e * u) < tight * (1 + std::abs(u)));
 
             const Vec3 momentum = invariantsOf(hit.bodies, hit.before, Vec3::Zero()).momentum;
             const Vec3 momentumAfter = invariantsOf(hit.bodies, hit.after, Vec3::Zero()).momentum;

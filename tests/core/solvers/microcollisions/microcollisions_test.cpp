@@ -85,8 +85,8 @@ class MicrocollisionsTest : public QObject {
         hard.elastic = 0.75;
         World world = worldOf(sceneOf({soft, hard}), instant());
         world.step();
-        const double parting = world.state().velocity[1].x() - world.state().velocity[0].x();
-        QVERIFY(std::abs(parting - 0.25 * 4) < roundingOfImpacts);
+        const double separation = world.state().velocity[1].x() - world.state().velocity[0].x();
+        QVERIFY(std::abs(separation - 0.25 * 4) < roundingOfImpacts);
         QVERIFY((world.statistics().momentum - Vec3(3 * 2 - 5 * 2, 0, 0)).norm() < roundingOfImpacts);
     }
 

@@ -9,7 +9,7 @@ namespace carom {
 /// Sees that a vector holds `count` elements without taking memory, and when it must take some, takes it for
 /// twice as many: what grows a little from step to step then takes none.
 template<class Element>
-void makeRoomFor(std::size_t count, std::vector<Element>& in) {
+void reserveFor(std::size_t count, std::vector<Element>& in) {
     if (in.capacity() < count) in.reserve(2 * count);
 }
 
