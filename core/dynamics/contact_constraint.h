@@ -63,7 +63,7 @@ struct ContactSet {
         points.clear();
     }
     /// Makes room for so many pairs and points, and some more.
-    void makeRoom(std::size_t pairCount, std::size_t pointCount);
+    void reserve(std::size_t pairCount, std::size_t pointCount);
     std::size_t bytes() const { return heldBytes(pairs, points); }
     /// Appends a pair of another set with its points.
     void append(const ContactPair& pair, std::span<const ContactConstraint> itsPoints);

@@ -63,7 +63,7 @@ double coneViolationOf(const ContactSet& set) {
     return worst;
 }
 
-void ContactSet::makeRoom(std::size_t pairCount, std::size_t pointCount) {
+void ContactSet::reserve(std::size_t pairCount, std::size_t pointCount) {
     if (pairs.capacity() < pairCount) pairs.reserve(pairCount + pairCount / 2);
     if (points.capacity() < pointCount) points.reserve(pointCount + pointCount / 2);
 }

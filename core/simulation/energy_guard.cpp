@@ -26,7 +26,7 @@ EnergyGuard::EnergyGuard(const Pipeline& pipeline, const FrameStatistics& start)
 std::optional<EnergyRise> EnergyGuard::look(const FrameStatistics& frame) {
     m_given.add(frame.ledger);
     m_least = std::min(m_least, frame.potential);
-    const double corrected = std::max(0.0, m_given[LedgerAccount::Parting].energy);
+    const double corrected = std::max(0.0, m_given[LedgerAccount::PositionCorrection].energy);
     double supplied = 0;
     for (const LedgerAccount account : m_suppliers) supplied += std::max(0.0, m_given[account].energy);
     supplied = std::min(supplied, m_carried + std::max(0.0, frame.potential - m_potential));
@@ -38,7 +38,7 @@ std::optional<EnergyRise> EnergyGuard::look(const FrameStatistics& frame) {
     double most = 0;
     for (std::size_t k = 0; k < ledgerAccounts; ++k) {
         const LedgerAccount account = static_cast<LedgerAccount>(k);
-        if (account == LedgerAccount::Parting || !(m_given[account].energy > most)) continue;
+        if (account == LedgerAccount::PositionCorrection || !(m_given[account].energy > most)) continue;
         most = m_given[account].energy;
         found.account = account;
     }

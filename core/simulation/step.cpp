@@ -56,7 +56,7 @@ void closeLedger(const Pipeline& pipeline, const State& state, const Invariants&
         if (stored.account == LedgerAccount::Gravity) rise -= ledger.lifted;
         ledger[stored.account].energy += rise;
     }
-    ledger[LedgerAccount::Parting].energy += ledger.lifted;
+    ledger[LedgerAccount::PositionCorrection].energy += ledger.lifted;
     const LedgerEntry total = ledger.total();
     frame.unexplained.energy =
         frame.kinetic - before.kinetic + (frame.potential - before.potential) - total.energy;

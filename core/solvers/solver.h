@@ -61,7 +61,7 @@ struct SolverInput {
     Broadphase& broadphase;
     Workers& workers;
     State& state;             ///< changed in place
-    Ledger* ledger = nullptr; ///< books what is done, where somebody keeps one
+    Ledger* ledger = nullptr; ///< records what is done, where somebody keeps one
     /// This substep of the frame, and how many it has. Only at the end of the last one need the state be that
     /// of one time for all bodies.
     int part = 0, parts = 1;
@@ -139,8 +139,8 @@ class Solver {
 
     /// A copy of everything that the motion to come depends on, apart from the state.
     virtual std::unique_ptr<const SolverMemory> memory() const = 0;
-    /// Takes up what memory() of this method gave for the same bodies and settings: with the state of that
-    /// moment the motion goes on to the bit as it did then.
+    /// Recovers what memory() of this method gave for the same bodies and settings: with the state of that
+    /// time the motion goes on to the bit as it did then.
     virtual void recall(const SolverMemory& memory) = 0;
 };
 

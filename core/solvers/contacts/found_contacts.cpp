@@ -23,7 +23,7 @@ void FoundContacts::find(const ManifoldInput& here, std::span<const BodyPair> ca
                          const Candidates& margins, const Refinement& refinement,
                          const ContactSet& remembered, WorkCounters& work) {
     m_found.clear();
-    m_found.makeRoom(candidates.size(), candidates.size());
+    m_found.reserve(candidates.size(), candidates.size());
     m_place.clear();
     m_canMeet.clear();
     m_gap.clear();

@@ -29,7 +29,7 @@ namespace carom {
 class FoundContacts {
   public:
     FoundContacts() {
-        for (ContactSet* set : {&m_scratch, &m_fresh}) set->makeRoom(1, Manifold::capacity);
+        for (ContactSet* set : {&m_scratch, &m_fresh}) set->reserve(1, Manifold::capacity);
     }
     /// `remembered` are the contacts with forces of those that have no manifolds.
     void find(const ManifoldInput& here, std::span<const BodyPair> candidates, const Candidates& margins,

@@ -60,7 +60,7 @@ void IslandMotion::recordPositionCorrection(const MotionInput& input, const Isla
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
         ledger.lifted -= input.bodies.mass[island.bodies[i]] *
                          input.gravity.dot(m_correction.bodies[i].velocity.head<3>());
-    ledger[LedgerAccount::Parting].energy +=
+    ledger[LedgerAccount::PositionCorrection].energy +=
         spinEnergy(input.bodies, island.bodies, input.state) - spinBefore;
 }
 

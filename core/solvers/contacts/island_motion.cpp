@@ -305,7 +305,7 @@ void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, do
     for (const BodyIndex i : island.bodies)
         input.state.velocity[i] = drift + part * (input.state.velocity[i] - drift);
     if (input.ledger == nullptr) return;
-    LedgerEntry& correction = (*input.ledger)[LedgerAccount::Parting];
+    LedgerEntry& correction = (*input.ledger)[LedgerAccount::PositionCorrection];
     correction.energy -= (1 - part * part) * kinetic;
     correction.momentum -= (1 - part) * (momentum - mass * drift);
 }

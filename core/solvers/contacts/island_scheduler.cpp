@@ -33,9 +33,9 @@ void IslandScheduler::move(const SolverInput& input, const SolverSettings& setti
     m_workers.resize(static_cast<std::size_t>(input.workers.threads()));
     const std::size_t points =
         std::max(found.points.size(), found.pairs.size()); // those of balls may come later
-    kept.makeRoom(found.pairs.size(), points);
+    kept.reserve(found.pairs.size(), points);
     for (Worker& worker : m_workers) {
-        worker.kept.makeRoom(found.pairs.size(), points);
+        worker.kept.reserve(found.pairs.size(), points);
         reserveFor(found.pairs.size(), worker.places);
         worker.motion.report = {};
         worker.kept.clear();

@@ -42,7 +42,7 @@ void SleepingBodies::exchange(const Bodies& bodies, ContactSet& moving) {
     const std::size_t pairs = m_contacts.pairs.size() + moving.pairs.size();
     const std::size_t points = m_contacts.points.size() + moving.points.size();
     for (ContactSet* set : std::initializer_list<ContactSet*>{&m_contacts, &m_rests, &m_moves})
-        set->makeRoom(pairs, points);
+        set->reserve(pairs, points);
     if (!m_changed) return;
     m_changed = false;
     m_bodies.insert(m_bodies.end(), m_fallenAsleep.begin(), m_fallenAsleep.end());
