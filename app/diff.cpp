@@ -70,7 +70,7 @@ int runDiff(const Arguments& arguments) {
         if (!(last.distance > nextLine)) return;
         printOut("frame " + std::to_string(frame) + ", " + figure(time, 6) + " s: " + figure(last.distance) +
                  " m apart, " + scene.nameOf(last.body) + "\n");
-        constexpr double apart = 10;
+        constexpr double apart = 10; // a line for every power of ten
         nextLine = apart * last.distance;
     };
     const auto conclude = [&] {

@@ -67,7 +67,7 @@ std::string spareOf(const Judgement& judgement) {
     if (judgement.share <= 0) return bound ? "" : "exact";
     const double digits = -std::log10(judgement.share);
     if (bound && digits < 1) return {}; // of a bound, how near it is says the figure itself
-    constexpr double few = 0.05;
+    constexpr double few = 0.05;        // digits, 11 % of the limit: would be printed as 0.0 or 0.1
     if (digits < few) return "at the limit";
     return figure(digits, digits < 1 ? 1 : 2) + " digits to spare";
 }

@@ -67,7 +67,7 @@ std::optional<double> looseNumberIn(std::string_view text) {
 }
 
 std::string sweepNumber(double value) {
-    constexpr int digits = 12;
+    constexpr int digits = 12; // so that 0.1 + 0.2 reads 0.3; steps of a range are off by some 1e-16
     const double rounded = numberIn(figure(value, digits)).value_or(value);
     return shortest(rounded == 0 ? 0 : rounded); // no minus before a zero
 }

@@ -11,7 +11,9 @@
 namespace carom {
 namespace {
 
+/// Both sums need about 9 √a terms: so many are enough up to a = 1e6, half of them to a quarter of that.
 constexpr int mostTerms = 10'000;
+/// A term below this part of the sum does not change a double.
 constexpr double precision = 1e-16;
 
 const double sqrtTwoOverPi = std::sqrt(2 / std::numbers::pi);

@@ -34,6 +34,9 @@ Summary summarise(std::span<const double> values) {
 }
 
 std::optional<Interval> medianInterval(std::span<const double> values) {
+    // Stretches, and values in each. Of fewer than six medians no two enclose the true one with 95 %; the
+    // median of fewer than three values is no better than a value. At most forty, so that stretches are long:
+    // neighbouring values depend on each other, the medians of long stretches hardly do.
     constexpr std::size_t mostStretches = 40, leastStretches = 6, leastLength = 3;
     constexpr double quantile = 1.959964; // of the normal distribution, for 95 %
     const std::size_t length = std::max(leastLength, (values.size() + mostStretches - 1) / mostStretches);

@@ -52,6 +52,8 @@ class AxisSearch {
     bool apartBy(double margin) const { return m_best.separation > margin; }
 
   private:
+    /// Relative: separations no further apart are equal, and the first direction stays. It is some tens of
+    /// roundings; below that rounding would choose, and mirrored poses could get different directions.
     static constexpr double tie = 1e-14;
 
     const Pair& m_pair;

@@ -143,6 +143,8 @@ class SolidPair {
 
   private:
     static constexpr Eigen::Index noEdge = -1;
+    /// Edges at a smaller angle [rad] count as parallel: the direction across them would be rounding to more
+    /// than 1e-7, and faces see what they could.
     static constexpr double smallestSine = 1e-9;
 
     void consider(const Vec3& direction, Eigen::Index edgeA, Eigen::Index edgeB) {

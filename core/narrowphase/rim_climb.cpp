@@ -7,6 +7,8 @@
 namespace carom {
 namespace {
 
+// Newton squares its error once it is near, in four or five steps; before, each step goes up to `longestStep`
+// of the way round a kink.
 constexpr int maxIterations = 24;
 // Newton has converged when it turns the direction by less than this [rad]; the gap's own error is its
 // square.

@@ -19,6 +19,7 @@
 namespace carom {
 namespace {
 
+/// Warnings of one kind: a list of problems that can be read.
 constexpr std::size_t mostOfAKind = 50;
 /// Substeps that are proposed, at most: beyond, nobody would run it.
 constexpr double mostSubsteps = 10000;

@@ -12,6 +12,7 @@
 namespace carom {
 namespace {
 
+/// Fewer are no crowd: of n balls an average scatters by 1/√n.
 constexpr std::size_t leastBalls = 50;
 /// The part of a run in which copies must have nothing in common any more.
 constexpr double leastPart = 0.5;

@@ -94,9 +94,9 @@ class Experiment {
     GasStudy run(const std::function<void(const GasStudy&)>& measured);
 
   private:
-    static constexpr int samplesPerBatch = 50;
-    static constexpr std::size_t speedBins = 40, heightBins = 12;
-    static constexpr double fastest = 5; // in √(kT/m): 1.5e-5 are faster
+    static constexpr int samplesPerBatch = 50;                    // of positions and velocities
+    static constexpr std::size_t speedBins = 40, heightBins = 12; // of the histograms
+    static constexpr double fastest = 5;                          // in √(kT/m): 1.5e-5 are faster
 
     void lookAtScene();
     void measureRegion();
@@ -189,7 +189,7 @@ void Experiment::measureRegion() {
 // Three diameters from the walls the density has come within a thousandth of the bulk's at moderate packing;
 // a small box must do with less.
 void Experiment::chooseInnerBox() {
-    constexpr double reach = 3, shareAtMost = 0.25;
+    constexpr double reach = 3, shareAtMost = 0.25; // diameters; of the box
     if (!m_region.isClosed() || !m_up.isZero(0)) {
         m_study.remarks.push_back(m_up.isZero(0) ? "no closed box of upright walls: no pressure"
                                                  : "gravity: the pressure differs from height to height");
@@ -427,7 +427,7 @@ GasStudy Experiment::judged() {
                 m_study.alike ? theory::freeTimeOf(n, m_study.diameter, m_study.mass, m_study.temperature)
                               : nothing);
     }
-    constexpr double thin = 0.01;
+    constexpr double thin = 0.01; // packing, where pressure is 4 % above that of points
     if (!m_study.heights.empty() && m_study.packing > thin)
         m_study.remarks.push_back(
             "the gas is not thin: its balls keep each other higher than the formula says");

@@ -7,7 +7,10 @@
 namespace carom {
 namespace {
 
-constexpr double alikeWithin = 0.5, strongEnough = 0.01;
+/// Two impacts may be the same if their changes of velocity differ by at most this part of the larger one.
+constexpr double alikeWithin = 0.5;
+/// Impacts below this part of the strongest are not compared: rounding decides whether they happen.
+constexpr double strongEnough = 0.01;
 
 /// The longest time up to `end` in which the body is not hit [s].
 double longestPause(const std::vector<SeenImpact>& impacts, double end) {

@@ -8,6 +8,7 @@
 namespace carom {
 namespace {
 
+/// In units of √(size/|g|); a fall through its size takes 1.4 of them.
 constexpr double calmTime = 5;
 /// Forces up to this part of the weight do not keep a body up. At twice as much one that sinks slowly in
 /// something dense could be taken for one at rest.

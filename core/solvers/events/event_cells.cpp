@@ -17,20 +17,21 @@ constexpr double slack = 1.1, shareOfSpacing = 0.5;
 // With fewer than three cells along an axis the same list would be walked twice.
 constexpr std::int32_t fewestAlongAxis = 3;
 
+// Sides up to a million to one; larger balls share the last level.
 constexpr std::size_t mostLevels = 20;
 
 // Of a side: far more than rounding can put a ball beyond its cell.
 constexpr double roundingOfPlaces = 1e-3;
 
 std::int32_t cellsAlong(double length, double side) {
-    constexpr double most = 1 << 20;
+    constexpr double most = 1 << 20; // far beyond the budget of cells: so that no count overflows
     return static_cast<std::int32_t>(std::clamp(std::ceil(length / side) + 1, double{fewestAlongAxis}, most));
 }
 
 /// The radius the finest cells are made for: the largest if nearly all balls are about as large, else the one
 /// that nine of ten do not exceed; twice as many crossings cost less than ten times as many pairs.
 double finestRadius(std::span<const TrajectoryOrigin> origins) {
-    constexpr double aboutEqual = 1.4;
+    constexpr double aboutEqual = 1.4; // cells have then up to 2.7 times the volume that most balls need
     std::vector<double> radii;
     radii.reserve(origins.size());
     for (const TrajectoryOrigin& origin : origins) radii.push_back(origin.radius);
@@ -46,6 +47,8 @@ double finestRadius(std::span<const TrajectoryOrigin> origins) {
 
 void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin> origins,
                          const Aabb& region) {
+    // A cell takes five bytes and a bit: 160 bytes a ball. Where a region has more, cells repeat, and lists
+    // hold balls that are far away; that costs looks, and no ball is missed.
     constexpr std::size_t cellsPerBall = 32, cellsAtLeast = 4096;
     const double finest = finestRadius(origins);
     const double ballCount = static_cast<double>(std::max<std::size_t>(1, origins.size()));

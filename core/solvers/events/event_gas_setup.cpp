@@ -200,6 +200,8 @@ void EventGas::fillQueue(double eventsPerSecond) {
 // days were cut for, they are cut anew: a break is over after some milliseconds, and empty days cost time
 // too.
 void EventGas::keepDaysFitting() {
+    // A day is then off by four, or sixteen, from one event. At half of these the queue is filled anew more
+    // often, at twice as much its lists, or its walks over empty days, are twice as long.
     constexpr double mostEventsADay = 4, mostDaysAnEvent = 16;
     const double passed = m_now - m_timeOfFilling, days = m_daysPerSecond * passed;
     const double events = static_cast<double>(m_handled - m_handledAtFilling);
