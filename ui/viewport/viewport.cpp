@@ -26,6 +26,16 @@ bool same(const CameraSettings& a, const CameraSettings& b) {
 
 bool declared(const CameraSettings& camera) { return camera.position || camera.target; }
 
+/// After a change of size the last picture is shown until the next has come: as high as the widget, since the
+/// camera's angle is from top to bottom, and as wide as that makes it.
+QRectF placeOfPicture(const QSize& picture, const QRectF& widget) {
+    if (picture.isEmpty()) return {};
+    constexpr double rounding = 1.5; // [px] by which one of fewer pixels may have another shape
+    const double width = widget.height() * picture.width() / picture.height();
+    if (std::abs(width - widget.width()) < rounding) return widget;
+    return {widget.center().x() - width / 2, widget.y(), width, widget.height()};
+}
+
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
@@ -317,13 +327,13 @@ void Viewport::paintLabelsOf(QPainter& painter, const PictureJob& job) const {
 
 void Viewport::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    if (m_shown.image.isNull()) {
+    const QRectF place = placeOfPicture(m_shown.image.size(), rect());
+    if (!place.contains(rect())) {
         const Eigen::Vector3f sky = viewTheme(m_dark).skyHorizon;
         painter.fillRect(rect(), QColor::fromRgbF(sky.x(), sky.y(), sky.z()));
-        return;
     }
-    // After a change of size the last picture is stretched until the next has come.
-    painter.drawImage(rect(), m_shown.image);
+    if (m_shown.image.isNull()) return;
+    painter.drawImage(place, m_shown.image);
     paintOver(painter, m_shown.job);
 }
 

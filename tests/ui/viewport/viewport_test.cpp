@@ -101,6 +101,31 @@ class ViewportTest : public QObject {
     }
     void cleanup() { m_viewport.reset(); }
 
+    // A window made half as wide showed eggs until the next picture had come.
+    void anotherSizeStretchesNoPicture() {
+        show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
+        const std::int64_t before = m_viewport->framesRendered();
+        QTRY_VERIFY_WITH_TIMEOUT(m_viewport->framesRendered() > before, longestWait);
+        const auto extent = [this] {
+            const QImage image = m_viewport->grab().toImage().convertToFormat(QImage::Format_RGB32);
+            QRect reds;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (qRed(image.pixel(x, y)) > 2 * qGreen(image.pixel(x, y))) reds |= QRect(x, y, 1, 1);
+            return reds;
+        };
+        constexpr int ofEdges = 2; // [px]
+        const QRect whole = extent();
+        QVERIFY(whole.width() > side / 8 && std::abs(whole.width() - whole.height()) <= ofEdges);
+        for (const QSize size : {QSize(side / 2, side), QSize(2 * side, side), QSize(side, side / 2)}) {
+            m_viewport->resize(size); // and no event in between
+            const QRect now = extent();
+            QVERIFY2(std::abs(now.width() - now.height()) <= ofEdges,
+                     qPrintable(QStringLiteral("%1 x %2").arg(now.width()).arg(now.height())));
+            QVERIFY(std::abs(now.center().x() - size.width() / 2) <= ofEdges);
+        }
+    }
+
     void aRedSphereIsRedWhereItShouldBe() {
         show(sceneOf({coloured(sphere(1, 1, {0, 0, 0}), red)}), frontCamera());
         const QImage image = picked();
