@@ -332,6 +332,10 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
         <source>`%1` has no ending of a chart; name it .png, .svg or .pdf</source>
         <translation>„%1“ hat keine Endung eines Diagramms; richtig wäre .png, .svg oder .pdf</translation>
     </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
 </context>
 <context>
     <name>Save</name>
@@ -4335,6 +4339,14 @@ Klicken Sie mit der rechten Maustaste auf eine Zahl im Text oder einen Wert im I
     <message>
         <source>Which chart is shown</source>
         <translation>Welches Diagramm gezeigt wird</translation>
+    </message>
+    <message>
+        <source>copied: %1; save the scene first, the command reads its file</source>
+        <translation>kopiert: %1; speichern Sie die Szene zuerst, der Befehl liest ihre Datei</translation>
+    </message>
+    <message>
+        <source>Click a cell to see its run.</source>
+        <translation>Klicken Sie auf eine Zelle, um ihren Lauf zu sehen.</translation>
     </message>
 </context>
 <context>

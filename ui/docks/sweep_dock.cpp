@@ -40,6 +40,7 @@ constexpr double chartShare = 0.1;    ///< of the window's time that charts may 
 constexpr int formWidth = 290;        ///< [px]
 constexpr int pointWidth = 220;       ///< [px] of what is said about a point
 constexpr int progressSteps = 1000;
+const QColor markOnMap(0xD5, 0x2B, 0x1E); ///< stands out from all colours of a map, and from both themes
 
 /// As a shell takes it.
 QString quotedForShell(const QString& text) {
@@ -48,6 +49,13 @@ QString quotedForShell(const QString& text) {
 
 /// Leaves one processor to the window and its simulation.
 int spareThreads() { return static_cast<int>(std::max(2U, std::thread::hardware_concurrency()) - 1); }
+
+/// Whether the file has this text.
+bool fileHas(const QString& path, const std::string& text) {
+    QFile file(path);
+    return !path.isEmpty() && file.size() == static_cast<qint64>(text.size()) &&
+           file.open(QIODevice::ReadOnly) && file.readAll() == QByteArrayView(text);
+}
 
 /// The series of another chart over the same axes, dashed.
 void addKept(const ChartSpec& kept, ChartSpec& shown, const QString& name) {
@@ -140,7 +148,10 @@ void SweepDock::connectControls() {
     connect(m_form, &SweepForm::changed, this, &SweepDock::updateControls);
     connect(m_copy, &QToolButton::clicked, this, [this] {
         QApplication::clipboard()->setText(command());
-        Q_EMIT reported(tr("copied: %1").arg(command()));
+        Q_EMIT reported(
+            fileHas(m_path, m_build->build.analysis.text)
+                ? tr("copied: %1").arg(command())
+                : tr("copied: %1; save the scene first, the command reads its file").arg(command()));
     });
     connect(m_shown, &QComboBox::currentIndexChanged, this, &SweepDock::showChart);
     connect(m_keep, &QToolButton::toggled, this, [this](bool kept) {
@@ -349,8 +360,9 @@ void SweepDock::finish() {
     m_state->setText(words);
     Q_EMIT reported(tr("sweep of %1: %2").arg(m_sweptName, words));
     if (!m_chosen)
-        m_point->setText(m_charts.empty() ? tr("There is no chart of this; export the table.")
-                                          : tr("Click a point to see its run."));
+        m_point->setText(m_charts.empty()        ? tr("There is no chart of this; export the table.")
+                         : m_charts[0].chart.map ? tr("Click a cell to see its run.")
+                                                 : tr("Click a point to see its run."));
 }
 
 const SweepChart* SweepDock::shownChart() const {
@@ -383,18 +395,24 @@ void SweepDock::showChart() {
         shown = chart.chart;
         shown.title.clear();
         if (m_kept) addKept(*m_kept, shown, tr("kept"));
-        for (std::size_t s = 0; m_chosen && !shown.map && s < chart.runs.size(); ++s) {
+        for (std::size_t s = 0; m_chosen && s < chart.runs.size(); ++s) {
             const std::size_t point = *m_chosen - *m_chosen % m_sweep->runsOfPoint();
             const auto at = std::ranges::find(chart.runs[s], point);
             if (at == chart.runs[s].end()) continue;
             const auto mark = static_cast<std::size_t>(at - chart.runs[s].begin());
-            shown.series.push_back({.name = {},
-                                    .x = {shown.series[s].x[mark]},
-                                    .y = {shown.series[s].y[mark]},
-                                    .style = SeriesStyle::Marks,
-                                    .colour = shown.series[s].colour,
-                                    .mark = SeriesMark::Halo,
-                                    .inLegend = false});
+            ChartSeries around{.name = {},
+                               .x = {static_cast<double>(mark)},
+                               .y = {static_cast<double>(s)},
+                               .style = SeriesStyle::Marks,
+                               .colour = markOnMap,
+                               .mark = SeriesMark::Halo,
+                               .inLegend = false};
+            if (!shown.map) {
+                around.x = {shown.series[s].x[mark]};
+                around.y = {shown.series[s].y[mark]};
+                around.colour = shown.series[s].colour;
+            }
+            shown.series.push_back(std::move(around));
         }
     }
     m_plot->setChart(shown);

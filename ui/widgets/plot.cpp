@@ -168,9 +168,7 @@ std::optional<PlotWidget::Cell> PlotWidget::cellAt(const QPointF& place) const {
     if (!(x >= 0 && y >= 0 && x < static_cast<double>(m_spec.map->columns) &&
           y < static_cast<double>(m_spec.map->rows)))
         return std::nullopt;
-    const Cell cell{static_cast<std::size_t>(x), static_cast<std::size_t>(y)};
-    if (std::isnan(m_spec.map->values[cell.row * m_spec.map->columns + cell.column])) return std::nullopt;
-    return cell;
+    return Cell{static_cast<std::size_t>(x), static_cast<std::size_t>(y)};
 }
 
 QString PlotWidget::describe(const Cell& cell) const {
@@ -178,9 +176,12 @@ QString PlotWidget::describe(const Cell& cell) const {
     const auto named = [](const ChartAxis& axis, std::size_t index) {
         return axis.label + u' ' + (index < axis.names.size() ? axis.names[index] : QString::number(index));
     };
+    const double value = map.values[cell.row * map.columns + cell.column];
+    QString figure = PlotTexts::tr("no value");
+    if (!std::isnan(value))
+        figure = QString::number(value) + (map.scale.unit.isEmpty() ? QString() : u' ' + map.scale.unit);
     return named(m_spec.x, cell.column) + u'\n' + named(m_spec.y, cell.row) + u'\n' + map.scale.label + u' ' +
-           QString::number(map.values[cell.row * map.columns + cell.column]) +
-           (map.scale.unit.isEmpty() ? QString() : u' ' + map.scale.unit);
+           figure;
 }
 
 void PlotWidget::setChart(const ChartSpec& spec) {

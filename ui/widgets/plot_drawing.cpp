@@ -189,6 +189,7 @@ void addMap(QCustomPlot& plot, const ChartMap& map, const ChartColours& colours)
         }
     if (map.range) std::tie(least, most) = *map.range;
     cells->setInterpolate(false);
+    cells->setGradient(mapColours());
     if (!(least <= most)) return; // a scale would say values that there are not
     QCPColorScale* scale = new QCPColorScale(&plot);
     int row = 0; // of the axes, below the headings
@@ -203,7 +204,8 @@ void addMap(QCustomPlot& plot, const ChartMap& map, const ChartColours& colours)
         element->setMarginGroup(QCP::msTop | QCP::msBottom, sameHeight);
     dress(*scale->axis(), map.scale, colours);
     cells->setColorScale(scale);
-    cells->setGradient(mapColours());
+    cells->setGradient(mapColours()); // this time of the scale, too
+
     const double half = most > least ? 0 : std::max(0.05 * std::abs(most), 1e-9); // about the only value
     cells->setDataRange({least - half, most + half});
 }
@@ -224,6 +226,7 @@ void addSeries(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         const QColor colour = series.colour.value_or(seriesColour(i));
         QCPGraph* graph = plot.addGraph();
         graph->setName(series.name);
+        if (spec.map) graph->setLayer(QStringLiteral("axes"));            // above the cells
         graph->setAdaptiveSampling(series.style != SeriesStyle::Stacked); // areas must share their corners
         const bool stacked = series.style == SeriesStyle::Stacked;
         if (stacked) stack.resize(std::max(stack.size(), series.y.size()), 0);

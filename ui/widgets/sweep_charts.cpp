@@ -16,6 +16,8 @@ namespace carom {
 namespace {
 
 constexpr std::size_t mostLines = 6, mostMaps = 12;
+/// Of a cell whose run is not made yet.
+constexpr std::size_t noRun = std::numeric_limits<std::size_t>::max();
 
 constexpr const char* runsOfPointText = QT_TRANSLATE_NOOP("SweepCharts", "%1 runs a point");
 constexpr const char* bandsText =
@@ -213,7 +215,8 @@ class Charts {
         const PointAxis &across = m_axes[m_columns], &upwards = m_axes[m_rows];
         ChartMap cells{.columns = across.count, .rows = upwards.count, .scale = measureAxis(measure)};
         cells.values.assign(cells.columns * cells.rows, std::numeric_limits<double>::quiet_NaN());
-        std::vector<std::vector<std::size_t>> runs(cells.rows, std::vector<std::size_t>(cells.columns));
+        std::vector<std::vector<std::size_t>> runs(cells.rows,
+                                                   std::vector<std::size_t>(cells.columns, noRun));
         for (const SweepPoint* point : points) {
             const std::size_t column = across.indexOf(numberOf(*point)),
                               row = upwards.indexOf(numberOf(*point));

@@ -25,8 +25,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTranslator>
 
+#include <cmath>
 #include <memory>
 
 // The Sweep panel: its form, the points as they come, what a click chooses, and what is written.
@@ -276,6 +278,41 @@ class SweepDockTest : public QObject {
         QVERIFY2(told.startsWith(QStringLiteral("run 29\nball.vel.x 4\nball.vel.y 5\n")), qPrintable(told));
     }
 
+    // Where the ball never came was nothing to click at: the runs that one wants to look at.
+    void aCellWithoutAValueIsARunToo() {
+        ask("ball.vel.x=1:9:9\nball.vel.y=0:7:8", "first x of ball above 1");
+        child<QSpinBox>("sweepFrames")->setValue(2);
+        sweep();
+        const std::vector<double>& values = plot().chart().map.value().values;
+        QVERIFY(std::isnan(values.front()) && !std::isnan(values.back()));
+        QCOMPARE(child<QLabel>("sweepPoint")->text(), QStringLiteral("Click a cell to see its run."));
+        QVERIFY(plot().chart().series.empty());
+        // On the left, below the middle, by the mouse.
+        QWidget* axes = plot().findChildren<QWidget*>(Qt::FindDirectChildrenOnly).front();
+        const QPoint low(static_cast<int>(plot().xOf(0)), axes->height() * 2 / 3);
+        QTest::mouseMove(axes, low + QPoint(1, 0));
+        QTest::mouseMove(axes, low);
+        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().endsWith(QStringLiteral("no value")), longestWait);
+        QTest::mouseClick(axes, Qt::LeftButton, {}, low);
+        const QString told = child<QLabel>("sweepPoint")->text();
+        QVERIFY2(told.startsWith(QStringLiteral("run ")) && told.endsWith(QStringLiteral("above 1 –")),
+                 qPrintable(told));
+        QCOMPARE(plot().chart().series.size(), std::size_t(1)); // a ring around the cell
+        QCOMPARE(plot().chart().series[0].x, std::vector<double>{0});
+    }
+
+    void aCellOfNoRunYetIsNone() {
+        ask("ball.vel.x=1:9:9\nball.vel.y=0:7:8", "final x of ball");
+        child<QSpinBox>("sweepFrames")->setValue(200'000);
+        m_start->click();
+        QTRY_VERIFY_WITH_TIMEOUT(plot().chart().map.has_value(), longestWait);
+        Q_EMIT plot().cellClicked(7, 8);
+        QVERIFY2(child<QLabel>("sweepPoint")->text().isEmpty(),
+                 qPrintable(child<QLabel>("sweepPoint")->text()));
+        m_start->click();
+        QTRY_VERIFY_WITH_TIMEOUT(m_start->text() != QStringLiteral("Pause"), longestWait);
+    }
+
     void aKeptChartStandsBesideTheNext() {
         ask("ball.vel.x=1:4:4", "final x of ball");
         child<QSpinBox>("sweepFrames")->setValue(6);
@@ -307,6 +344,26 @@ class SweepDockTest : public QObject {
                  QStringLiteral("carom sweep '/tmp/a b/ball.sdl' --vary 'ball.vel.x=1:4:4' --vary "
                                 "'ball.vel.y=log 1:2:3' --frames 6 --measure 'final x of ball' -o "
                                 "'ball-sweep'"));
+    }
+
+    // The command of a text that was never saved swept another one, and nobody was told.
+    void whatTheCommandReadsIsSaved() {
+        QSignalSpy reported(m_dock.get(), &SweepDock::reported);
+        const QString path = m_folder.filePath(QStringLiteral("ball.sdl"));
+        const auto said = [&] {
+            child<QToolButton>("sweepCopy")->click();
+            return reported.takeLast()[0].toString();
+        };
+        ask("ball.vel.x=1:4:4", "final x of ball");
+        QVERIFY2(said().endsWith(QStringLiteral("save the scene first, the command reads its file")),
+                 "no file");
+        test::writeFile(path, QByteArray::fromStdString(gliding));
+        m_dock->setScene(built(gliding), QStringLiteral("ball.sdl"), path);
+        ask("ball.vel.x=1:4:4", "final x of ball");
+        QCOMPARE(said(), QStringLiteral("copied: ") + m_dock->command());
+        m_dock->setScene(built(gliding + "// more"), QStringLiteral("ball.sdl"), path);
+        ask("ball.vel.x=1:4:4", "final x of ball");
+        QVERIFY2(said().contains(QStringLiteral("save the scene")), "another text");
     }
 
     // Three million frames became one million, and what a declaration switches on could not be switched off.
