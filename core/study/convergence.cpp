@@ -64,12 +64,19 @@ std::optional<double> orderOf(const AccuracyFamily& family, const AccuracyStudy&
     return order;
 }
 
+namespace {
+
+bool isOursWithFigures(const AccuracyStudy& study, const AccuracyPoint& point) {
+    return point.usable() && point.setting.engine.empty() && !point.times.empty() &&
+           std::isfinite(study.errorOf(point));
+}
+
+} // namespace
+
 std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study) {
     std::vector<const AccuracyPoint*> byError;
     for (const AccuracyPoint& point : study.points)
-        if (point.usable() && point.setting.engine.empty() && !point.times.empty() &&
-            std::isfinite(study.errorOf(point)))
-            byError.push_back(&point);
+        if (isOursWithFigures(study, point)) byError.push_back(&point);
     std::sort(byError.begin(), byError.end(), [&](const AccuracyPoint* a, const AccuracyPoint* b) {
         const double errorA = study.errorOf(*a), errorB = study.errorOf(*b);
         return errorA != errorB ? errorA < errorB : a->cost() < b->cost();
@@ -87,13 +94,6 @@ const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error) {
     return best;
 }
 
-const AccuracyPoint* recommended(const AccuracyStudy& study) {
-    const double enough = std::max(study.plan.target, equalErrorsOf(study));
-    if (const AccuracyPoint* best = cheapestWithin(study, enough)) return best;
-    const std::vector<const AccuracyPoint*> front = paretoFront(study);
-    return front.empty() ? nullptr : front.front();
-}
-
 const AccuracyPoint* ownPoint(const AccuracyStudy& study) {
     const auto own = std::find_if(study.points.begin(), study.points.end(),
                                   [](const AccuracyPoint& point) { return point.isDefault; });
@@ -102,10 +102,67 @@ const AccuracyPoint* ownPoint(const AccuracyStudy& study) {
 
 namespace {
 
-/// The cheapest setting that is no worse than the scene's own: errors below the reference solution's own are
-/// equal.
+/// By the study's measure: the target, or what can be told.
+double enoughFor(const AccuracyStudy& study) { return std::max(study.plan.target, equalErrorsOf(study)); }
+
+/// What a setting may err by, by one measure.
+struct Limit {
+    const MeasureRow* measure = nullptr;
+    double most = 0;
+};
+
+/// `most` by the study's measure. By every other one that says something of the scene, what the scene's own
+/// setting errs by, chance, or the target, whichever is the greatest: a setting is not good enough for a
+/// short way while its bodies overlap or its energy is lost.
+std::vector<Limit> limitsFor(const AccuracyStudy& study, double most) {
+    const AccuracyPoint* own = ownPoint(study);
+    std::vector<Limit> limits = {{study.measure, most}};
+    for (const MeasureRow& row : measures()) {
+        if (&row == study.measure || !objectionTo(row, study).empty()) continue;
+        const double ofOwn = own != nullptr ? row.value(*own, study).value_or(0) : 0;
+        limits.push_back({&row, std::max({ofOwn, study.plan.target, equalErrorsOf(row, study)})});
+    }
+    return limits;
+}
+
+/// The first that the point exceeds, or null.
+const Limit* exceededBy(const AccuracyStudy& study, const AccuracyPoint& point,
+                        const std::vector<Limit>& limits) {
+    const auto exceeded = std::ranges::find_if(limits, [&](const Limit& limit) {
+        return limit.measure->value(point, study).value_or(HUGE_VAL) > limit.most;
+    });
+    return exceeded == limits.end() ? nullptr : &*exceeded;
+}
+
+const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, const std::vector<Limit>& limits) {
+    const AccuracyPoint* best = nullptr;
+    for (const AccuracyPoint& point : study.points)
+        if (isOursWithFigures(study, point) && exceededBy(study, point, limits) == nullptr &&
+            (best == nullptr || point.cost() < best->cost()))
+            best = &point;
+    return best;
+}
+
+} // namespace
+
+const AccuracyPoint* recommended(const AccuracyStudy& study) {
+    const double enough = enoughFor(study);
+    if (const AccuracyPoint* best = cheapestWithin(study, limitsFor(study, enough))) return best;
+    if (const AccuracyPoint* best = cheapestWithin(study, enough)) return best;
+    const std::vector<const AccuracyPoint*> front = paretoFront(study);
+    return front.empty() ? nullptr : front.front();
+}
+
+namespace {
+
+/// Errors below the reference solution's own are equal.
+std::vector<Limit> limitsOfOwn(const AccuracyStudy& study, const AccuracyPoint& own) {
+    return limitsFor(study, std::max(study.errorOf(own), equalErrorsOf(study)));
+}
+
+/// The cheapest setting that is no worse than the scene's own by any measure.
 const AccuracyPoint* cheapestNoWorse(const AccuracyStudy& study, const AccuracyPoint& own) {
-    const AccuracyPoint* best = cheapestWithin(study, std::max(study.errorOf(own), equalErrorsOf(study)));
+    const AccuracyPoint* best = cheapestWithin(study, limitsOfOwn(study, own));
     return best != nullptr && best->cost() < own.cost() ? best : nullptr;
 }
 
@@ -130,12 +187,28 @@ void addOwn(const AccuracyStudy& study, const AccuracyPoint* named, Reason& text
         }
         if (const AccuracyPoint* same = cheapestNoWorse(study, *own)) {
             text.add(saidOf(same->setting));
-            text.add(
-                Sentence{" is %1 times cheaper at no greater error", {figure(own->cost() / same->cost(), 2)}},
-                "");
+            text.add(Sentence{" is %1 times cheaper and no worse by any measure",
+                              {figure(own->cost() / same->cost(), 2)}},
+                     "");
         }
     }
     text.add(verbatim("."), "");
+}
+
+/// What is cheaper and accurate enough by the study's measure, but not by another one.
+void addCheaperByThisMeasure(const AccuracyStudy& study, const AccuracyPoint& named, Reason& text) {
+    const double enough = enoughFor(study);
+    const AccuracyPoint* cheaper = cheapestWithin(study, enough);
+    if (cheaper == nullptr || cheaper->cost() >= named.cost()) return;
+    const std::vector<Limit> limits = limitsFor(study, enough);
+    const Limit* exceeded = exceededBy(study, *cheaper, limits);
+    if (exceeded == nullptr) return;
+    text.add(Sentence{"By this measure alone, "}, " ");
+    text.add(saidOf(cheaper->setting), "");
+    text.add(Sentence{" would do at %1 ms; by `%2` it errs by %3.",
+                      {figure(cheaper->cost()), std::string(exceeded->measure->name),
+                       figure(exceeded->measure->value(*cheaper, study).value_or(HUGE_VAL))}},
+             "");
 }
 
 Reason sentenceOfRest(const AccuracyStudy& study) {
@@ -176,6 +249,12 @@ Reason sentenceOfRest(const AccuracyStudy& study) {
 
 } // namespace
 
+bool isNoWorseThanOwn(const AccuracyStudy& study, const AccuracyPoint& point) {
+    const AccuracyPoint* own = ownPoint(study);
+    return own != nullptr && isOursWithFigures(study, point) &&
+           exceededBy(study, point, limitsOfOwn(study, *own)) == nullptr;
+}
+
 std::optional<double> distanceFromFront(const AccuracyStudy& study) {
     const AccuracyPoint* own = ownPoint(study);
     if (own == nullptr || !std::isfinite(study.errorOf(*own))) return std::nullopt;
@@ -209,6 +288,7 @@ Reason recommendation(const AccuracyStudy& study) {
                  "");
     addSetting(study, best->setting, text);
     addOwn(study, best, text);
+    addCheaperByThisMeasure(study, *best, text);
     return text;
 }
 

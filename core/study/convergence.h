@@ -30,14 +30,21 @@ std::vector<const AccuracyPoint*> paretoFront(const AccuracyStudy& study);
 /// The cheapest usable point with at most this error, or null.
 const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error);
 
-/// The cheapest usable point within the plan's target, or the most accurate one if none is; null without any.
+/// The cheapest usable point that is accurate enough: within the plan's target by the study's measure, and by
+/// every other that says something no worse than the scene's own setting, chance or the target. Where there
+/// is none the cheapest by the study's measure alone, then the most accurate one; null without any.
 const AccuracyPoint* recommended(const AccuracyStudy& study);
 
 /// What the scene runs with as it is; null where it was not measured.
 const AccuracyPoint* ownPoint(const AccuracyStudy& study);
 
-/// How many times cheaper the cheapest usable setting is that is no worse than the scene's own, as far as
-/// the reference solution can tell; 1 where none is cheaper. Nothing where the own setting has no figures.
+/// Whether a setting of ours is no worse than the scene's own by any measure, as far as the study can tell:
+/// by those that the diagram does not show, what is below the target is as good as none.
+bool isNoWorseThanOwn(const AccuracyStudy& study, const AccuracyPoint& point);
+
+/// How many times cheaper the cheapest usable setting is that is no worse than the scene's own by any
+/// measure, as far as the reference solution can tell; 1 where none is cheaper. Nothing where the own setting
+/// has no figures.
 std::optional<double> distanceFromFront(const AccuracyStudy& study);
 
 /// Whether nothing moves in the reference solution, by what is accurate enough.

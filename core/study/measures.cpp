@@ -174,8 +174,10 @@ double AccuracyStudy::errorOf(const AccuracyPoint& point) const {
 
 double AccuracyStudy::resolution() const { return measure->resolution(*this); }
 
-double equalErrorsOf(const AccuracyStudy& study) {
-    return std::max(rounding, study.measure->equalBelow * study.resolution());
+double equalErrorsOf(const MeasureRow& measure, const AccuracyStudy& study) {
+    return std::max(rounding, measure.equalBelow * measure.resolution(study));
 }
+
+double equalErrorsOf(const AccuracyStudy& study) { return equalErrorsOf(*study.measure, study); }
 
 } // namespace carom

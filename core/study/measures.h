@@ -30,7 +30,8 @@ struct MeasureRow {
 
 std::span<const MeasureRow> measures();
 
-/// Errors of the study up to this are equal, as far as it can tell.
+/// Errors by a measure up to this are equal, as far as the study can tell; without one, by its own.
+double equalErrorsOf(const MeasureRow& measure, const AccuracyStudy& study);
 double equalErrorsOf(const AccuracyStudy& study);
 const MeasureRow* findMeasure(std::string_view name);
 

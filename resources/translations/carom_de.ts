@@ -2217,8 +2217,16 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <translation>, hat einen Fehler von %1 bei %2 ms</translation>
     </message>
     <message>
-        <source> is %1 times cheaper at no greater error</source>
-        <translation> ist %1-mal so billig bei keinem größeren Fehler</translation>
+        <source> is %1 times cheaper and no worse by any measure</source>
+        <translation> ist %1-mal so billig und nach keinem Maß schlechter</translation>
+    </message>
+    <message>
+        <source>By this measure alone, </source>
+        <translation>Nach diesem Maß allein reichte </translation>
+    </message>
+    <message>
+        <source> would do at %1 ms; by `%2` it errs by %3.</source>
+        <translation> bei %1 ms; nach `%2` ist der Fehler %3.</translation>
     </message>
     <message>
         <source>Nothing moves: every setting holds; the cheapest costs %1 ms per simulated second: </source>

@@ -6,7 +6,6 @@
 #include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/study/convergence.h"
-#include "core/study/measures.h"
 
 #include <QMap>
 #include <QRegularExpression>
@@ -28,8 +27,6 @@ using namespace test;
 constexpr double mostTimes = 3;
 /// carom-frames leaves the first frames out, in which lists get their size, and counts the next ones.
 constexpr int warmUp = 10, counted = 30;
-/// Errors so small are rounding.
-constexpr double rounding = 1e-12;
 
 QByteArray textOf(const QString& scene) {
     return readFile(source(("scenes/" + scene.toStdString() + ".sdl").c_str()));
@@ -81,10 +78,9 @@ std::vector<AccuracySetting> noWorseThanOwn(const Scene& scene, double duration)
     const AccuracyPoint* own = ownPoint(study);
     if (own == nullptr) return {};
     std::vector<AccuracySetting> settings = {own->setting};
-    const double most = std::max(study.errorOf(*own), rounding);
     for (const AccuracyFamily& family : familiesOf(study))
         for (const AccuracyPoint* point : family.points)
-            if (point->usable() && study.errorOf(*point) <= most) {
+            if (isNoWorseThanOwn(study, *point)) {
                 if (!(point->setting == own->setting)) settings.push_back(point->setting);
                 break; // finer ones cost more
             }

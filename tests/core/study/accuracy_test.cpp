@@ -229,6 +229,36 @@ class AccuracyTest : public QObject {
         QVERIFY(cheapestWithin(study, 0) == nullptr);
     }
 
+    void aSettingThatLetsBodiesOverlapIsNotCheaperAtTheSameError() {
+        AccuracyStudy study;
+        study.measure = findMeasure("trajectory");
+        const auto add = [&study](int substeps, double error, double overlap, double cost) {
+            AccuracyPoint point{.setting = {&generalSolver(), &integrators()[0], substeps, 0}};
+            point.status = PointStatus::Measured;
+            point.errors.position = error;
+            point.penetration = overlap;
+            point.times = {cost};
+            study.points.push_back(point);
+        };
+        add(4, 1e-5, 1e-6, 10);
+        study.points.front().isDefault = true;
+        add(2, 1e-5, 0.6, 1);  // a tenth of the cost, and bodies within each other
+        add(1, 1e-6, 1e-4, 5); // overlaps more than the scene's own does, but less than the target
+        QVERIFY(!isNoWorseThanOwn(study, study.points[1]));
+        QVERIFY(isNoWorseThanOwn(study, study.points[2]));
+        QCOMPARE(distanceFromFront(study).value_or(0), 2.0);
+        QCOMPARE(recommended(study), &study.points[2]);
+        const QString sentence = q(recommendation(study).text());
+        QVERIFY2(
+            sentence.contains(QStringLiteral("2 times cheaper and no worse by any measure. By this measure "
+                                             "alone, contacts, euler, 2 substeps would do at 1 ms; by "
+                                             "`overlap` it errs by 0.6.")),
+            qPrintable(sentence));
+        study.points.resize(2); // better than nothing, where no other is accurate enough
+        study.points.front().errors.position = 0.1;
+        QCOMPARE(recommended(study), &study.points[1]);
+    }
+
     void figuresReadBackAndAreNotMeasuredAgain() {
         const Scene scene = oscillating();
         const AccuracyPlan plan = quickPlan(scene, {1, 2}, 0.25);
