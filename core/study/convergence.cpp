@@ -394,8 +394,26 @@ Reason omissionsOf(const AccuracyStudy& study) {
                                        : Sentence{"%1 settings were left out, which do not fit into it: ",
                                                   {std::to_string(study.leftOut.size())}},
              " ");
-    for (const AccuracySetting& setting : study.leftOut)
-        text.add(saidOf(setting), &setting == &study.leftOut.front() ? "" : "; ");
+    std::vector<std::vector<const AccuracySetting*>> families; // in the order of the plan
+    for (const AccuracySetting& setting : study.leftOut) {
+        auto family = std::ranges::find_if(families, [&](const std::vector<const AccuracySetting*>& known) {
+            return known.front()->family() == setting.family();
+        });
+        if (family == families.end()) family = families.insert(family, std::vector<const AccuracySetting*>());
+        family->push_back(&setting);
+    }
+    for (const std::vector<const AccuracySetting*>& family : families) {
+        const std::string_view joint = &family == &families.front() ? "" : "; ";
+        if (family.size() == 1) {
+            text.add(saidOf(*family.front()), joint);
+            continue;
+        }
+        std::string substeps;
+        for (const AccuracySetting* setting : family)
+            substeps += (substeps.empty() ? "" : ", ") + std::to_string(setting->substeps);
+        text.add(verbatim(family.front()->family()), joint);
+        text.add(Sentence{", %1 substeps", {substeps}}, "");
+    }
     text.add(verbatim("."), "");
     return text;
 }
