@@ -106,10 +106,8 @@ std::string engineProgram(const std::string& engine) {
 
 std::string runEngineProgram(const std::string& scene, const EngineRequest& request) {
     const Stopwatch watch;
-    std::vector<std::string> words = {engineProgram(request.engine), scene,
-                                      "--frames=" + std::to_string(request.frames),
-                                      "--substeps=" + std::to_string(request.substeps)};
-    if (!request.isTuned) words.emplace_back("--own-rules");
+    std::vector<std::string> words = argumentsFor(scene, request);
+    words.insert(words.begin(), engineProgram(request.engine));
     Child child(words);
     if (!child.isStarted()) return "its program could not be started";
     while (const std::optional<std::string> piece = child.read()) {

@@ -88,7 +88,8 @@ struct AccuracyPoint {
 struct EngineRequest {
     std::string engine{};
     bool isTuned = false;
-    int substeps = 1; ///< steps a frame
+    int substeps = 1;    ///< steps a frame
+    int iterations = 50; ///< of its contact solver a step, where it is tuned; 0: its own number
     std::int64_t frames = 0;
     double limit = 0;                             ///< [s] of wall time that it may take
     std::function<void(std::string_view)> read{}; ///< what it prints, in pieces

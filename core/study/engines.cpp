@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 namespace carom {
 namespace {
@@ -20,6 +21,12 @@ constexpr int mostSteps = 16;
 constexpr std::string_view traceHeading = "frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
 
 } // namespace
+
+std::vector<std::string> argumentsFor(const std::string& scene, const EngineRequest& request) {
+    return {scene, "--frames=" + std::to_string(request.frames),
+            "--substeps=" + std::to_string(request.substeps),
+            request.isTuned ? "--iterations=" + std::to_string(request.iterations) : "--own-rules"};
+}
 
 EngineOutput::EngineOutput(const Pipeline& pipeline, std::function<void(const State&)> frame)
     : m_pipeline(pipeline), m_frame(std::move(frame)), m_state(pipeline.initialState()) {}
@@ -36,6 +43,12 @@ void EngineOutput::end() {
     if (!m_rest.empty() && m_problem.empty()) m_problem = "its last line has no end";
 }
 
+double EngineOutput::cost() const {
+    if (m_times.size() < 2) return m_times.empty() ? 0 : m_times[0] / m_pipeline.settings().step;
+    const double later = std::accumulate(m_times.begin() + 1, m_times.end(), 0.0);
+    return later / (static_cast<double>(m_times.size() - 1) * m_pipeline.settings().step);
+}
+
 void EngineOutput::readLine(std::string_view line) {
     if (!m_problem.empty()) return;
     const std::size_t comma = std::min(line.find(','), line.size());
@@ -46,8 +59,8 @@ void EngineOutput::readLine(std::string_view line) {
         m_differences.emplace_back(rest);
     else if (word == "lacks")
         m_lacking = rest;
-    else if (word == "cost")
-        m_cost = numberIn(rest).value_or(0);
+    else if (word == "spent")
+        m_times.push_back(numberIn(rest).value_or(0));
     else if (line == traceHeading)
         m_inTrace = true;
     else if (m_inTrace)

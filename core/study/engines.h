@@ -16,9 +16,12 @@
 //     lacks,WHAT IT CANNOT DO OF THE SCENE     then nothing follows
 //     frame,time,body,label,x,y,z,...          the trace, as `carom run --trace` writes it, frame 0 first
 //     0,0,1,,0.1,...
-//     cost,MILLISECONDS                        of processor time a simulated second, without the first frame
+//     spent,MILLISECONDS                       of processor time, a line for each frame behind the start
 
 namespace carom {
+
+/// What its program is started with, behind its name.
+std::vector<std::string> argumentsFor(const std::string& scene, const EngineRequest& request);
 
 /// Reads that text in pieces, as they come.
 class EngineOutput {
@@ -33,7 +36,9 @@ class EngineOutput {
     const std::vector<std::string>& differences() const { return m_differences; }
     /// Empty, if it could do all.
     const std::string& lacking() const { return m_lacking; }
-    double cost() const { return m_cost; }                   ///< [ms] a simulated second; 0 if it did not say
+    const std::vector<double>& times() const { return m_times; } ///< [ms], by frame
+    /// [ms] a simulated second, without the first frame, in which engines allocate; 0 if it did not say.
+    double cost() const;
     std::int64_t frames() const { return m_frames; }         ///< whole ones, the start among them
     const std::string& problem() const { return m_problem; } ///< what could not be read, or nothing
 
@@ -46,10 +51,10 @@ class EngineOutput {
     State m_state;
     std::string m_rest, m_version, m_lacking, m_problem;
     std::vector<std::string> m_differences;
+    std::vector<double> m_times;
     std::size_t m_bodies = 0; // of the frame so far
     std::int64_t m_frames = 0;
     bool m_inTrace = false;
-    double m_cost = 0;
 };
 
 /// Adds the settings of these engines to a plan: 1 to 16 steps a frame, with the engine's own rules and tuned

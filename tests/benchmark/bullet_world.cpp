@@ -104,8 +104,8 @@ class BulletWorld final : public PeerWorld {
 
 } // namespace
 
-std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline,
-                                           const PeerSettings& settings) {
+std::unique_ptr<PeerWorld> makePeerWorld(std::shared_ptr<const Pipeline> pipeline,
+                                         const PeerSettings& settings) {
     return std::make_unique<BulletWorld>(std::move(pipeline), settings);
 }
 

@@ -9,25 +9,26 @@
 #include "core/base/text.h"
 #include "core/simulation/build.h"
 
-// carom-engine-NAME SCENE --frames N [--substeps K] [--own-rules]: a scene of ours, read by our own parser,
-// in another engine. What it prints is the protocol of `carom study accuracy --engines`
+// carom-engine-NAME SCENE --frames N [--substeps K] [--iterations I] [--own-rules]: a scene of ours, read by
+// our own parser, in another engine. What it prints is the protocol of `carom study accuracy --engines`
 // (resources/help/diagrams.md).
 
 namespace carom {
 namespace {
 
-std::unique_ptr<PeerWorld> makeWorld(std::shared_ptr<const Pipeline> pipeline, const PeerSettings& settings) {
-#ifdef CAROM_ENGINE_BULLET
-    return makeBulletWorld(std::move(pipeline), settings);
-#else
-    return makeOdeWorld(std::move(pipeline), settings);
-#endif
+/// What these engines have no counterpart for in the scene, a clause; empty: nothing.
+std::string lackingIn(const Pipeline& pipeline) {
+    if (!pipeline.scene().springs.empty()) return "springs";
+    if (pipeline.simulates("rolling_resistance")) return "rolling resistance";
+    if (!pipeline.bodies().forces.empty()) return "air";
+    return {};
 }
 
 int runEngine(std::span<const std::string> words) {
     const std::vector<OptionRow> options = {
         {"frames", 'n', "N", "frames to run (default 120)"},
         {"substeps", 0, "K", "steps of the engine a frame (default 1)"},
+        {"iterations", 0, "I", "iterations of its contact solver a step, 0: as it has them (default 50)"},
         {"own-rules", 0, "", "leave restitution, friction, iterations and sleeping as the engine has them"},
     };
     if (words.empty()) throw UsageError("a scene is missing");
@@ -38,7 +39,8 @@ int runEngine(std::span<const std::string> words) {
     PeerSettings settings;
     settings.substeps = static_cast<int>(arguments.wholeNumber("substeps", 1, 4096).value_or(1));
     settings.tuned = !arguments.has("own-rules");
-    if (settings.tuned) settings.iterations = 50;
+    if (settings.tuned)
+        settings.iterations = static_cast<int>(arguments.wholeNumber("iterations", 0, 100'000).value_or(50));
     SimulationSettings general;
     general.method = std::string(generalSolver().name);
     const Build built = build(readText(path), general);
@@ -48,39 +50,27 @@ int runEngine(std::span<const std::string> words) {
         printOut("lacks," + lacking + "\n");
         return exitcode::done;
     }
-    const std::unique_ptr<PeerWorld> world = makeWorld(pipeline, settings);
+    const std::unique_ptr<PeerWorld> world = makePeerWorld(pipeline, settings);
     std::string heading = "engine," + world->name() + "\n";
     for (const std::string& rule : world->differences()) heading += "differs," + rule + "\n";
     printOut(heading);
     TraceWriter trace("-", 1);
     State state = pipeline->initialState();
     trace.record(*pipeline, state);
-    double spent = 0;
     for (std::int64_t frame = 1; frame <= frames; ++frame) {
         const double start = processorTimeOfThread();
         world->step();
-        if (frame > 1) spent += processorTimeOfThread() - start; // engines allocate in the first one
+        printOut("spent," + shortest(processorTimeOfThread() - start) + "\n");
         world->read(state);
         state.frame = frame;
         state.time = static_cast<double>(frame) * pipeline->settings().step;
         trace.record(*pipeline, state);
     }
     trace.close();
-    const double seconds =
-        static_cast<double>(std::max<std::int64_t>(1, frames - 1)) * pipeline->settings().step;
-    printOut("cost," + shortest(spent / seconds) + "\n");
     return exitcode::done;
 }
 
 } // namespace
-
-std::string lackingIn(const Pipeline& pipeline) {
-    if (!pipeline.scene().springs.empty()) return "springs";
-    if (pipeline.simulates("rolling_resistance")) return "rolling resistance";
-    if (!pipeline.bodies().forces.empty()) return "air";
-    return {};
-}
-
 } // namespace carom
 
 int main(int argc, char** argv) {

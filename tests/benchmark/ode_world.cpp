@@ -142,8 +142,8 @@ class OdeWorld final : public PeerWorld {
 
 } // namespace
 
-std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline,
-                                        const PeerSettings& settings) {
+std::unique_ptr<PeerWorld> makePeerWorld(std::shared_ptr<const Pipeline> pipeline,
+                                         const PeerSettings& settings) {
     return std::make_unique<OdeWorld>(std::move(pipeline), settings);
 }
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-// Other engines behind two interfaces, so that one loop measures them all.
+// Other engines behind two interfaces: one program runs a scene in any of them, and one loop measures all
+// broad-phases.
 
 namespace carom {
 
@@ -25,10 +26,8 @@ class PeerWorld {
     virtual std::vector<std::string> differences() const { return {}; }
     /// One frame of the scene's step, in as many steps as its settings say.
     virtual void step() = 0;
-    /// Poses and velocities of all bodies, in our numbering, so that one code keeps the accounts of all.
+    /// Poses and velocities of all bodies, in our numbering.
     virtual void read(State& state) const = 0;
-    /// Bodies that the last step left alone because they rest.
-    virtual std::uint64_t resting() const { return 0; }
 };
 
 /// How an engine is used. Tuned is what an informed user would choose for these scenes: friction and
@@ -39,12 +38,9 @@ struct PeerSettings {
     bool tuned = true;
     int iterations = 0; ///< 0: the engine's own
 };
-std::unique_ptr<PeerWorld> makeBulletWorld(std::shared_ptr<const Pipeline> pipeline,
-                                           const PeerSettings& settings = {});
-std::unique_ptr<PeerWorld> makeOdeWorld(std::shared_ptr<const Pipeline> pipeline,
-                                        const PeerSettings& settings = {});
-/// What these engines have no counterpart for in the scene, a clause; empty: nothing.
-std::string lackingIn(const Pipeline& pipeline);
+/// Each program has one of its own.
+std::unique_ptr<PeerWorld> makePeerWorld(std::shared_ptr<const Pipeline> pipeline,
+                                         const PeerSettings& settings);
 
 /// Bullet's broad-phases as ours; what they report is what they keep as overlapping, which includes pairs
 /// whose fattened or quantised boxes overlap, in an order of their own.

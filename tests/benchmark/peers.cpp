@@ -2,9 +2,11 @@
 #include "tests/benchmark/overlaps.h"
 #include "tests/benchmark/peer.h"
 
+#include "app/engines.h"
 #include "app/errors.h"
 #include "app/files.h"
 #include "app/options.h"
+#include "app/temporary_file.h"
 
 #include "core/dynamics/energy.h"
 #include "core/generators/generator.h"
@@ -18,40 +20,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
-// carom-peers [--scene LIST] [-n LIST] [--frames F] [--seconds S]: our scenes, read by our own parser, in our
-// methods, in Bullet and in ODE, taking turns on one machine, in processor time; before that the broad-phases
-// alone on the motion of the first scene.
+// carom-peers [--scene LIST] [-n LIST] [--frames F] [--engines LIST] [--seconds S]: our scenes, read by our
+// own parser, in our methods and in other engines, one after another, in processor time; before that the
+// broad-phases alone on the motion of the first scene. Other engines are the programs of `carom study
+// accuracy --engines`.
 
 namespace carom {
 namespace {
 
-constexpr std::int64_t turn = 10; // frames one engine advances before the next
+/// Overlaps are looked at after so many frames, and at the end.
+constexpr std::int64_t framesBetweenLooks = 10;
 
-class CaromWorld final : public PeerWorld {
-  public:
-    explicit CaromWorld(std::shared_ptr<const Pipeline> pipeline) : m_world(std::move(pipeline)) {}
-    std::string name() const override {
-        return "Carom " + std::string(m_world.pipeline().settings().method->name);
+/// A run in one engine.
+struct PeerRun {
+    std::string name;
+    std::string problem;                ///< why it ended early, or nothing
+    std::vector<double> milliseconds{}; ///< of each frame
+    Overlaps onTheWay{};                ///< of every state looked at
+    State last{};
+    std::optional<std::uint64_t> resting{}; ///< bodies that the last step left alone, where the engine tells
+
+    void look(const Bodies& bodies, const State& state) {
+        last = state;
+        if (state.frame > 0 && state.frame % framesBetweenLooks == 0) onTheWay.add(overlapsAt(bodies, state));
     }
-    void step() override { m_world.step(); }
-    void read(State& state) const override { state = m_world.state(); }
-    std::uint64_t resting() const override { return m_world.statistics().resting; }
-
-  private:
-    World m_world;
-};
-
-/// What is said about one engine.
-struct Account {
-    std::vector<double> milliseconds; ///< of each frame
-    double used = 0;                  ///< their sum [ms]
-    Overlaps onTheWay;                ///< of every state looked at
-    Overlaps atTheEnd;
-    double energyDrift = 0;  ///< relative to the energy at the start
-    double speed = 0;        ///< mean of the mobile bodies at the end [m/s]
-    std::size_t escaped = 0; ///< bodies whose centres are behind a wall at the end
 };
 
 double energyOf(const Pipeline& pipeline, const State& state) {
@@ -120,79 +115,81 @@ std::vector<std::shared_ptr<const Pipeline>> pipelinesOf(const std::string& text
     return pipelines;
 }
 
-/// Advances a world by a turn, and looks at it once.
-void takeTurn(PeerWorld& world, const Bodies& bodies, std::int64_t frames, State& state, Account& account) {
-    for (std::int64_t frame = 0; frame < frames; ++frame) {
-        const double start = processorTimeOfThread();
-        world.step();
-        account.milliseconds.push_back(processorTimeOfThread() - start);
-        account.used += account.milliseconds.back();
-    }
-    world.read(state);
-    account.atTheEnd = overlapsAt(bodies, state);
-    account.onTheWay.add(account.atTheEnd);
-}
-
-/// One line a world. The first frame is given apart: engines allocate in it.
-std::string rowOf(const PeerWorld& world, const Account& account, std::size_t nameWidth) {
-    const std::span<const double> later = std::span(account.milliseconds).subspan(1);
-    const Summary summary = summarise(later);
-    std::string row = "  " + world.name();
-    row.resize(std::max(row.size(), nameWidth), ' ');
-    row += column(std::to_string(account.milliseconds.size()), 8);
-    for (const double time : {account.milliseconds.front(), summary.mean, summary.median, summary.maximum})
-        row += column(figure(time), 9);
-    row += column(figure(summary.maximum / summary.median, 2), 8);
-    for (const double part : {account.energyDrift, account.onTheWay.mean(), account.onTheWay.largest,
-                              account.atTheEnd.largest, account.speed})
-        row += column(figure(part, 2), 10);
-    return row + column(std::to_string(world.resting()), 8) + column(std::to_string(account.escaped), 8) +
-           "\n";
-}
-
-std::string headingOf(const ComparedScene& scene, std::int64_t n, std::size_t nameWidth) {
-    std::string heading = scene.name + ", N = " + std::to_string(n);
-    heading.resize(std::max(heading.size(), nameWidth), ' ');
-    heading += column("frames", 8);
-    for (const char* time : {"first", "mean", "median", "worst"}) heading += column(time, 9);
-    heading += column("/median", 8);
-    for (const char* part : {"energy", "overlap", "largest", "at end", "speed"}) heading += column(part, 10);
-    return heading + column("asleep", 8) + column("escaped", 8) + "\n";
-}
-
 struct Limits {
     std::int64_t frames = 120;
-    double seconds = 0; ///< of processor time, for each engine
+    double seconds = 60; ///< of wall time, for each run
 };
 
-void compareEngines(const ComparedScene& scene, std::int64_t n, const Limits& limits) {
-    constexpr std::size_t nameWidth = 30;
-    const std::vector<std::shared_ptr<const Pipeline>> pipelines = pipelinesOf(textOf(scene, n));
-    const Pipeline& pipeline = *pipelines.front();
-    std::vector<std::unique_ptr<PeerWorld>> worlds;
-    for (const std::shared_ptr<const Pipeline>& each : pipelines)
-        worlds.push_back(std::make_unique<CaromWorld>(each));
-    worlds.push_back(makeBulletWorld(pipelines.front()));
-    worlds.push_back(makeOdeWorld(pipelines.front()));
-
-    std::vector<Account> accounts(worlds.size());
-    State state = pipeline.initialState();
-    for (std::int64_t begin = 0; begin < limits.frames; begin += turn)
-        for (std::size_t k = 0; k < worlds.size(); ++k)
-            if (accounts[k].used < 1e3 * limits.seconds)
-                takeTurn(*worlds[k], pipeline.bodies(), std::min(turn, limits.frames - begin), state,
-                         accounts[k]);
-
-    const double energy = energyOf(pipeline, pipeline.initialState());
-    std::string table = headingOf(scene, n, nameWidth);
-    for (std::size_t k = 0; k < worlds.size(); ++k) {
-        worlds[k]->read(state);
-        accounts[k].energyDrift = energyOf(pipeline, state) / energy - 1;
-        accounts[k].speed = meanSpeedOf(pipeline.bodies(), state);
-        accounts[k].escaped = escapedFrom(pipeline.bodies(), state);
-        table += rowOf(*worlds[k], accounts[k], nameWidth);
+PeerRun runOurs(const std::shared_ptr<const Pipeline>& pipeline, const Limits& limits) {
+    World world(pipeline);
+    PeerRun run{.name = "Carom " + std::string(pipeline->settings().method->name), .problem = {}};
+    const Stopwatch watch;
+    for (std::int64_t frame = 0; frame < limits.frames && watch.elapsed() < 1e3 * limits.seconds; ++frame) {
+        const double start = processorTimeOfThread();
+        world.step();
+        run.milliseconds.push_back(processorTimeOfThread() - start);
+        run.look(pipeline->bodies(), world.state());
     }
-    printOut(table + "\n");
+    run.resting = world.statistics().resting;
+    return run;
+}
+
+PeerRun runPeer(const std::string& engine, const std::string& scene, const Pipeline& pipeline,
+                const Limits& limits) {
+    PeerRun run{.name = engine, .problem = {}};
+    EngineOutput output(pipeline, [&](const State& state) { run.look(pipeline.bodies(), state); });
+    run.problem = runEngineProgram(scene, {.engine = engine,
+                                           .isTuned = true,
+                                           .iterations = 0,
+                                           .frames = limits.frames,
+                                           .limit = limits.seconds,
+                                           .read = [&](std::string_view piece) { output.add(piece); },
+                                           .goOn = [] { return true; }});
+    if (!output.problem().empty()) run.problem = output.problem();
+    if (!output.lacking().empty()) run.problem = "it has no " + output.lacking();
+    if (!output.version().empty()) run.name = output.version();
+    run.milliseconds = output.times();
+    return run;
+}
+
+std::string lineOf(std::string name, const std::vector<std::string>& cells) {
+    constexpr std::size_t nameWidth = 30, width = 10;
+    name.resize(std::max(name.size(), nameWidth), ' ');
+    for (const std::string& cell : cells) name += column(cell, width);
+    return name + "\n";
+}
+
+/// One line a run. The first frame is given apart: engines allocate in it.
+std::string rowOf(const Pipeline& pipeline, const PeerRun& run) {
+    if (run.milliseconds.size() < 2) return "  " + run.name + ": " + run.problem + "\n";
+    const Summary later = summarise(std::span(run.milliseconds).subspan(1));
+    const double drift = energyOf(pipeline, run.last) / energyOf(pipeline, pipeline.initialState()) - 1;
+    std::vector<std::string> cells = {std::to_string(run.milliseconds.size())};
+    for (const double time : {run.milliseconds.front(), later.mean, later.median, later.maximum})
+        cells.push_back(figure(time));
+    for (const double part :
+         {later.maximum / later.median, drift, run.onTheWay.mean(), run.onTheWay.largest,
+          overlapsAt(pipeline.bodies(), run.last).largest, meanSpeedOf(pipeline.bodies(), run.last)})
+        cells.push_back(figure(part, 2));
+    cells.push_back(run.resting ? std::to_string(*run.resting) : "-");
+    cells.push_back(std::to_string(escapedFrom(pipeline.bodies(), run.last)));
+    return lineOf("  " + run.name, cells);
+}
+
+void compareEngines(const ComparedScene& scene, std::int64_t n, const std::vector<std::string>& engines,
+                    const Limits& limits) {
+    const std::string text = textOf(scene, n);
+    const TemporaryFile file((std::filesystem::temp_directory_path() / "carom-peers").string());
+    replaceFile(file.path(), text);
+    printOut(lineOf(scene.name + ", N = " + std::to_string(n),
+                    {"frames", "first", "mean", "median", "worst", "/median", "energy", "overlap", "largest",
+                     "at end", "speed", "asleep", "escaped"}));
+    const std::vector<std::shared_ptr<const Pipeline>> pipelines = pipelinesOf(text);
+    const Pipeline& pipeline = *pipelines.front();
+    for (const auto& each : pipelines) printOut(rowOf(pipeline, runOurs(each, limits)));
+    for (const std::string& engine : engines)
+        printOut(rowOf(pipeline, runPeer(engine, file.path(), pipeline, limits)));
+    printOut("\n");
 }
 
 /// The boxes of every frame of a run.
@@ -252,8 +249,8 @@ int comparePeers(std::span<const std::string> words) {
          "brownian,pool_breaks,pyramid,pile)"},
         {"n", 'n', "LIST", "numbers of bodies, separated by commas (default 1000,2000,10000)"},
         {"frames", 0, "F", "frames of each run (default 120)"},
-        {"seconds", 0, "S",
-         "an engine that has used so much processor time on a scene takes no more turns (default 60)"},
+        {"engines", 0, "LIST", "programs carom-engine-NAME, separated by commas (default bullet,ode)"},
+        {"seconds", 0, "S", "wall time after which a run is ended (default 60)"},
     };
     const Arguments arguments = readArguments(words, options);
     if (arguments.has("help")) return printOut(describe(options)), exitcode::done;
@@ -267,13 +264,15 @@ int comparePeers(std::span<const std::string> words) {
             throw UsageError("`-n` has `" + word + "`; it must be a whole number from 1 on");
         counts.push_back(*count);
     }
+    const std::vector<std::string> engines = wordsOf(arguments.text("engines").value_or("bullet,ode"));
+    for (const std::string& engine : engines) engineProgram(engine);
     std::vector<ComparedScene> scenes;
     for (const std::string& name :
          wordsOf(arguments.text("scene").value_or("brownian,pool_breaks,pyramid,pile")))
         scenes.push_back(sceneNamed(name));
     for (const std::int64_t n : counts) compareBroadphases(scenes.front(), n);
     for (const ComparedScene& scene : scenes)
-        for (const std::int64_t n : counts) compareEngines(scene, n, limits);
+        for (const std::int64_t n : counts) compareEngines(scene, n, engines, limits);
     return exitcode::done;
 }
 
@@ -286,5 +285,8 @@ int main(int argc, char** argv) {
     } catch (const carom::UsageError& error) {
         carom::printError(std::string("carom-peers: ") + error.what() + "\n");
         return carom::exitcode::wrongUsage;
+    } catch (const carom::FileError& error) {
+        carom::printError(std::string("carom-peers: ") + error.what() + "\n");
+        return carom::exitcode::fileError;
     }
 }

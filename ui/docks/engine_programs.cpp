@@ -43,9 +43,9 @@ std::string runEngineOn(const QByteArray& scene, const EngineRequest& request) {
     QTemporaryFile file;
     if (program.isEmpty() || !file.open() || file.write(scene) != scene.size() || !file.flush())
         return "its program could not be started";
-    QStringList words = {file.fileName(), QStringLiteral("--frames=%1").arg(request.frames),
-                         QStringLiteral("--substeps=%1").arg(request.substeps)};
-    if (!request.isTuned) words.append(QStringLiteral("--own-rules"));
+    QStringList words;
+    for (const std::string& word : argumentsFor(file.fileName().toStdString(), request))
+        words.append(QString::fromStdString(word));
     QProcess process;
     process.setStandardInputFile(QProcess::nullDevice());
     process.setStandardErrorFile(QProcess::nullDevice());
