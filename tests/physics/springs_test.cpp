@@ -143,6 +143,8 @@ class SpringsTest : public QObject {
                         // An error of the phase of so much of it is one of the place of so much.
                         worst = std::max(worst, std::abs(between.norm() - 1 - expected) / (0.1 * rate * t));
                     }
+                    qInfo("ωh %.2f, damping %.2f of the critical one, %s: off by %.1e", phase, damping,
+                          isPair ? "two balls" : "one ball", worst);
                     QVERIFY2(worst < good, qPrintable(QStringLiteral("ωh %1, damped %2, pair %3: %4")
                                                           .arg(phase)
                                                           .arg(damping)
