@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QSysInfo>
 #include <QToolButton>
@@ -138,12 +139,17 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_use->setToolTip(tr("Write this setting into the scene's `simulation` declaration"));
     QWidget* figures = new QWidget;
     QVBoxLayout* side = new QVBoxLayout;
-    side->addWidget(m_point, 1);
+    QScrollArea* words = new QScrollArea; // of a study that leaves much out they are many
+    words->setWidgetResizable(true);
+    words->setFrameShape(QFrame::NoFrame);
+    words->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    words->setWidget(m_point);
+    words->setFixedWidth(pointWidth);
+    side->addWidget(words, 1);
     QHBoxLayout* buttons = new QHBoxLayout;
     buttons->addWidget(m_run);
     buttons->addWidget(m_use);
     side->addLayout(buttons);
-    m_point->setFixedWidth(pointWidth);
     QVBoxLayout* underVerdict = new QVBoxLayout(figures);
     underVerdict->setContentsMargins(0, 0, 0, 0);
     underVerdict->addWidget(m_verdict);
