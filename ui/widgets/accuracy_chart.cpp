@@ -90,10 +90,11 @@ ChartSeries marksOnly(const QString& name, SeriesMark mark, const QColor& colour
 }
 
 /// The same colour for an integrator in every chart; exact events have their own, and other engines by name.
+/// Theirs can be seen on light and dark ground.
 QColor colourOf(const AccuracySetting& setting) {
-    if (setting.engine == "bullet") return QColor(0x80, 0x20, 0x50);
-    if (setting.engine == "ode") return QColor(0x30, 0x20, 0x90);
-    if (!setting.engine.empty()) return QColor(0x60, 0x40, 0x10);
+    if (setting.engine == "bullet") return QColor(0xA0, 0x70, 0x3A);
+    if (setting.engine == "ode") return QColor(0x7C, 0x6F, 0xD6);
+    if (!setting.engine.empty()) return QColor(0x6F, 0x8A, 0x1E);
     if (setting.integrator == nullptr) return seriesColour(integrators().size());
     return seriesColour(static_cast<std::size_t>(setting.integrator - integrators().data()));
 }

@@ -299,12 +299,37 @@ double freePlace(const QCustomPlot& plot, const ChartSpec& spec, Part part, cons
     return best;
 }
 
+/// Of a column with all names [px].
+int widthOfNames(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr int mark = 60; // with its margins
+    const QFontMetrics metrics(plot.legend->font());
+    int longest = 0;
+    for (const ChartSeries& series : spec.series)
+        if (series.inLegend) longest = std::max(longest, metrics.horizontalAdvance(series.name));
+    return longest + mark;
+}
+
+/// For the names in a column beside the axes.
+bool hasRoomBeside(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr double most = 0.45; // of the width
+    const auto rows = static_cast<int>(
+        std::ranges::count_if(spec.series, [](const ChartSeries& series) { return series.inLegend; }));
+    return widthOfNames(plot, spec) < most * plot.width() &&
+           rows * QFontMetrics(plot.legend->font()).lineSpacing() < plot.height();
+}
+
+/// The axes have their places when the plot is drawn: about so much of it is theirs [px].
+QSizeF sizeOfAxes(const QCustomPlot& plot, const ChartSpec& spec) {
+    constexpr double part = 0.8; // of what the names leave
+    const int names = spec.legendBeside && hasRoomBeside(plot, spec) ? widthOfNames(plot, spec) : 0;
+    return {part * std::max(1, plot.width() - names), part * std::max(1, plot.height())};
+}
+
 /// Once the axes are fitted: a level at the very top has its name below it, and one that is far away an arrow
 /// that shows where; both beside the points.
 void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& colours) {
     constexpr double top = 0.92, edge = 0.01;
-    // The axes have their places when the plot is drawn: about so much of it is theirs.
-    const QSizeF axes(0.8 * std::max(1, plot.width()), 0.8 * std::max(1, plot.height()));
+    const QSizeF axes = sizeOfAxes(plot, spec);
     for (const ChartLevel& level : spec.levels) {
         QCPItemStraightLine* line = new QCPItemStraightLine(&plot);
         line->point1->setCoords(0, level.y);
@@ -387,25 +412,6 @@ void addHeading(QCustomPlot& plot, const QString& text, const QFont& font, const
     heading->setFont(font);
     plot.plotLayout()->insertRow(0);
     plot.plotLayout()->addElement(0, 0, heading);
-}
-
-/// Of a column with all names [px].
-int widthOfNames(const QCustomPlot& plot, const ChartSpec& spec) {
-    constexpr int mark = 60; // with its margins
-    const QFontMetrics metrics(plot.legend->font());
-    int longest = 0;
-    for (const ChartSeries& series : spec.series)
-        if (series.inLegend) longest = std::max(longest, metrics.horizontalAdvance(series.name));
-    return longest + mark;
-}
-
-/// For the names in a column beside the axes.
-bool hasRoomBeside(const QCustomPlot& plot, const ChartSpec& spec) {
-    constexpr double most = 0.4; // of the width
-    const auto rows = static_cast<int>(
-        std::ranges::count_if(spec.series, [](const ChartSeries& series) { return series.inLegend; }));
-    return widthOfNames(plot, spec) < most * plot.width() &&
-           rows * QFontMetrics(plot.legend->font()).lineSpacing() < plot.height();
 }
 
 /// Beside or below the axes instead of over the curves; one that is not shown would keep its place there.

@@ -4,11 +4,13 @@
 #include "core/integrators/integrator.h"
 #include "core/simulation/build.h"
 #include "core/study/measures.h"
+#include "ui/base/theme.h"
 #include "ui/widgets/accuracy_chart.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 // The work–precision diagram as a plain value.
 
@@ -56,6 +58,33 @@ class AccuracyChartTest : public QObject {
                                    lines[a]->dashed == lines[b]->dashed;
                 QVERIFY2(!alike, qPrintable(lines[a]->name + QStringLiteral(" and ") + lines[b]->name));
             }
+    }
+
+    // Bullet's and ODE's lines were dark on dark ground: contrasts of 1.7 and 1.4.
+    void otherEnginesCanBeSeenOnLightAndDarkGround() {
+        constexpr double least = 3; // for lines and marks (Web Content Accessibility Guidelines 2.1, 1.4.11)
+        AccuracyStudy study = everyFamily();
+        for (const char* engine : {"bullet", "ode", "another"}) {
+            AccuracyPoint point = study.points.front();
+            point.setting.engine = engine;
+            study.points.push_back(point);
+        }
+        const auto luminance = [](const QColor& colour) {
+            const auto linear = [](double part) {
+                return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+            };
+            return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+                   0.0722 * linear(colour.blueF()) + 0.05;
+        };
+        const double dark = luminance(loadTheme(true).panel);
+        int seen = 0;
+        for (const ChartSeries& series : accuracyChart(study, QStringLiteral("all")).spec.series) {
+            if (!series.name.endsWith(QStringLiteral("its own rules"))) continue;
+            ++seen;
+            const double own = luminance(*series.colour), light = luminance(Qt::white);
+            QVERIFY2(own / dark >= least && light / own >= least, qPrintable(series.name));
+        }
+        QCOMPARE(seen, 3);
     }
 
     // One run that was lost after a millionth of the time, and one that took a thousand times as long as the

@@ -135,6 +135,29 @@ class PlotTest : public QObject {
         }
     }
 
+    // The width of the name was taken for a smaller part of the axes than it is where names stand beside
+    // them: it ended over the points on its right.
+    void theNameOfALevelCoversNoPointWhereSeriesAreNamedBesideTheAxes() {
+        ChartSpec spec = example(SeriesStyle::Marks);
+        spec.x.logarithmic = spec.y.logarithmic = true;
+        spec.legendBeside = true;
+        spec.series[1].name = QString(26, QLatin1Char('m'));
+        spec.series[1].x = spec.series[1].y = {1};
+        spec.series[0].y = {1, 16, 1};
+        const QString path = m_folder.filePath(QStringLiteral("beside.png"));
+        const auto seen = [&](double level) {
+            spec.levels = {{level, QStringLiteral("a level far away"), true}};
+            if (!writeChart(spec, path, {800, 400}).isEmpty()) return -1;
+            return pixelsOf(QImage(path), seriesColour(0));
+        };
+        for (const double at : {4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0}) {
+            spec.series[0].x = {1, at, 16}; // its point at the top
+            const int all = seen(4);        // a line across, without a name there
+            QVERIFY(all > 100);
+            QCOMPARE(seen(1e6), all);
+        }
+    }
+
     void namesStandBesideTheAxesWhereThereIsRoom() {
         ChartSpec spec = example(SeriesStyle::Line);
         spec.legendBeside = true;
