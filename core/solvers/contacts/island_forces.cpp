@@ -149,6 +149,7 @@ NewtonReport IslandMotion::solveCold(const MotionInput& input, const NewtonRepor
 void IslandMotion::solve(const MotionInput& input) {
     if (m_problem.rows.empty() && m_problem.springs.empty()) {
         velocitiesFromImpulses(m_problem);
+        m_residual = 0;
         return;
     }
     NewtonReport solved = m_newton.solve(m_problem, m_tolerance, remaining(input));
