@@ -85,12 +85,12 @@ class SleepingBodiesTest : public QObject {
         ContactSet moving = all;
         SleepingBodies sleeping(bodyCount);
         std::vector<bool> isAsleep(islandCount, false);
-        const auto shouldSleep = [&](BodyIndex body) { return rests[(body - 1) / islandSize]; };
+        const auto shouldSleep = [&](BodyIndex body) { return isAsleep[(body - 1) / islandSize]; };
         for (int turn = 0; turn < 500; ++turn) {
             for (BodyIndex island = 0; island < islandCount; ++island) {
                 if (random.below(4) != 0) continue;
                 const std::vector<BodyIndex> members = islandOf(island);
-                if (rests[island]) {
+                if (isAsleep[island]) {
                     std::vector<BodyIndex> woken{bodyCount};                 // what is there stays
                     sleeping.wake(members[random.below(islandSize)], woken); // whoever is touched wakes all
                     std::sort(woken.begin(), woken.end());
@@ -100,7 +100,7 @@ class SleepingBodiesTest : public QObject {
                 } else {
                     sleeping.putToSleep(members);
                 }
-                rests[island] = !rests[island];
+                isAsleep[island] = !isAsleep[island];
             }
             sleeping.exchange(bodies, moving);
             std::vector<BodyIndex> expected;
