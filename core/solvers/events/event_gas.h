@@ -229,14 +229,14 @@ class EventGas {
     EventCounts m_counts;
     ImpulseTally m_tally;
     Aabb m_watched{Vec3::Constant(-never), Vec3::Constant(never)};
-    double m_slice = 1;              ///< of time, see above [s]
-    bool m_isWedged = false;         ///< a ball would be pushed into a wall on which it rests
-    bool m_isComputable = true;      ///< false: velocities or gravity are too large for any event
-    double m_sliceEnd = 0;           ///< borders up to then are passed, or in the queue
-    std::size_t m_queuedBorders = 0; ///< in this slice
-    std::uint64_t m_handled = 0;     ///< events of the queue
-    /// What costs as much as an event: balls that passed a border, balls of clusters, and pairs with
-    /// accelerations of their own.
+    double m_slice = 1;                ///< of time, see above [s]
+    bool m_isWedged = false;           ///< a ball would be pushed into a wall on which it rests
+    bool m_isComputable = true;        ///< false: velocities or gravity are too large for any event
+    double m_sliceEnd = 0;             ///< crossings up to then are made, or in the queue
+    std::size_t m_queuedCrossings = 0; ///< in this slice
+    std::uint64_t m_handled = 0;       ///< events of the queue
+    /// What costs as much as an event: balls that crossed into another cell, balls of clusters, and pairs
+    /// with accelerations of their own.
     std::uint64_t m_lookedAt = 0;
     std::uint64_t m_handledAtTurn = 0;    ///< when the clock was last set back
     double m_daysPerSecond = 1;           ///< of the queue
