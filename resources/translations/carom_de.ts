@@ -511,6 +511,10 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Zeit für die Studie</translation>
     </message>
     <message>
+        <source>About the study</source>
+        <translation>Zur Studie</translation>
+    </message>
+    <message>
         <source>How long the study may take; what does not fit is left out</source>
         <translation>Wie lange die Studie dauern darf; was nicht hineinpasst, entfällt</translation>
     </message>

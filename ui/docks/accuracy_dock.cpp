@@ -140,6 +140,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     QWidget* figures = new QWidget;
     QVBoxLayout* side = new QVBoxLayout;
     QScrollArea* words = new QScrollArea; // of a study that leaves much out they are many
+    words->setAccessibleName(tr("About the study"));
     words->setWidgetResizable(true);
     words->setFrameShape(QFrame::NoFrame);
     words->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

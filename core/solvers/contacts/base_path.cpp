@@ -354,7 +354,8 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
         for (std::size_t i = 0; i < m_islands.count(); ++i)
             for (const std::uint32_t index : m_islands[i].pairs)
                 if (m_isNear[index] == near)
-                    loadMember(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index], manifolds);
+                    loadMember(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index],
+                               manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
         for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
 }

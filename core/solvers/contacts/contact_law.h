@@ -117,7 +117,7 @@ CAROM_INLINE Wide3 changeIn(const Wide& lanes, const Row& before, const Wide3& c
 /// Activates the bodies of the lanes that are above 0, in a pass of this number.
 template<class Group>
 CAROM_INLINE void activateLanes(const Group& group, const Wide& lanes, const ActiveBodies& active,
-                            std::uint8_t pass = 1) {
+                                std::uint8_t pass = 1) {
     if (!anyLane(larger(lanes, Wide{}))) return;
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
         if (lanes[lane] > 0) active.bodies[group.a[lane]] = active.bodies[group.b[lane]] = pass;
