@@ -4,7 +4,6 @@
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 

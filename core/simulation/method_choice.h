@@ -11,9 +11,8 @@
 // What `method auto` stands for. It is decided once, by what the scene consists of: never by how many bodies
 // there are or where they are.
 //
-//     an exact method      treats the scene; where impacts lose energy and balls crowd, it leaves frames to
-//     the
-//                          general one (core/solvers/events.cpp)
+//     an exact method      treats the scene; frames in which balls that lose energy crowd it leaves to the
+//                          general one (core/solvers/events/events.cpp)
 //     the general method   everything else
 
 namespace carom {

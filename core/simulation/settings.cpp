@@ -133,7 +133,8 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
         settings.iterations = std::max(1, wanted.iterations.value_or(stepping.iterations));
         settings.tolerance = wanted.tolerance.value_or(values.tolerance);
     }
-    if (method.iterates()) return settings;
+    const bool isChosen = !settings.methodReason.empty(); // by `auto`: it leaves frames to what iterates
+    if (method.iterates() || isChosen) return settings;
 
     const std::string name(method.name);
     if (wanted.impacts == "simultaneous")

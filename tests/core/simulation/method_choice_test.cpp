@@ -75,6 +75,19 @@ class MethodChoiceTest : public QObject {
                          decision.reason.text().c_str());
     }
 
+    // An exact method that nobody named leaves frames to one that iterates: what is said of that one is kept.
+    void aToleranceIsThatOfFramesThatAreLeftToContacts() {
+        const std::string lossy = "sphere { radius 1 mass 1 centre 5, 5, 0 elastic 0.5 }\n";
+        const Build chosen = build(gas + lossy + "simulation { tolerance 1e-8 iterations 40 substeps 3 }");
+        QCOMPARE(chosen.pipeline->settings().method->name, std::string_view("events"));
+        QCOMPARE(chosen.pipeline->settings().tolerance, 1e-8);
+        QCOMPARE(chosen.pipeline->settings().iterations, 40);
+        QCOMPARE(chosen.pipeline->settings().crowdedSubsteps, 3);
+        QVERIFY(chosen.pipeline->warnings().empty());
+        const Build named = build(gas + lossy + "simulation { method events tolerance 1e-8 }");
+        QCOMPARE(named.pipeline->warnings().size(), std::size_t{1});
+    }
+
     void aMethodThatIsNamedHasNoReason() {
         QVERIFY(settingsOf(gas, test::byMethod("contacts")).methodReason.empty());
         QVERIFY(settingsOf(std::string(gas) + "simulation { method microcollisions }").methodReason.empty());
