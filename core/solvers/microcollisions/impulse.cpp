@@ -12,9 +12,9 @@ Vec3 turnedByUnitTorque(const Bodies& bodies, const State& state, BodyIndex body
 
 } // namespace
 
-Impact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const Vec3& normal,
-                const Vec3& point) {
-    Impact impact;
+PairImpact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const Vec3& normal,
+                    const Vec3& point) {
+    PairImpact impact;
     impact.a = pair.a;
     impact.b = pair.b;
     impact.normal = normal;

@@ -29,7 +29,7 @@
 namespace carom {
 
 /// One impact, ready to be applied.
-struct Impact {
+struct PairImpact {
     BodyIndex a = noBody;
     BodyIndex b = noBody;
     Vec3 normal = Vec3::UnitY(); ///< n
@@ -42,11 +42,11 @@ struct Impact {
     Vec3 spinB = Vec3::Zero(); ///< IB⁻¹ (rB×n)
 };
 
-Impact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const Vec3& normal,
-                const Vec3& point);
+PairImpact impactAt(const Bodies& bodies, const State& state, BodyPair pair, const Vec3& normal,
+                    const Vec3& point);
 
 /// u [m/s], negative while the bodies approach each other.
-inline double separationSpeed(const Impact& impact, const State& state) {
+inline double separationSpeed(const PairImpact& impact, const State& state) {
     double speed = impact.normal.dot(state.velocity[impact.b] - state.velocity[impact.a]);
     if (impact.turns) // n·(ω×r) = ω·(r×n)
         speed += impact.armB.dot(state.angularVelocity[impact.b]) -
@@ -55,7 +55,7 @@ inline double separationSpeed(const Impact& impact, const State& state) {
 }
 
 /// Changes the velocities of both bodies, which part at `speed` (u), so that they part at −e u afterwards.
-inline void apply(const Impact& impact, double speed, double restitution, const Bodies& bodies,
+inline void apply(const PairImpact& impact, double speed, double restitution, const Bodies& bodies,
                   State& state) {
     const double j = -(1 + restitution) * speed / impact.inverseMass;
     state.velocity[impact.a] -= (j * bodies.inverseMass[impact.a]) * impact.normal;

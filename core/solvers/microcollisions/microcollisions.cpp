@@ -89,7 +89,7 @@ class Microcollisions final : public Solver {
   private:
     void integrate(const SolverInput& input);
     void recordSpin(const SolverInput& input, double sign);
-    void record(const SolverInput& input, const Impact& impact, double speed, const Vec3& displacement);
+    void record(const SolverInput& input, const PairImpact& impact, double speed, const Vec3& displacement);
     void updateBoxes(const SolverInput& input);
     void meetPairsInOrder(const SolverInput& input);
     void meetWall(const SolverInput& input, std::size_t wall, BodyIndex body);
@@ -273,7 +273,7 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
 
     const Bodies& bodies = input.bodies;
     const auto [a, b] = contact.pair;
-    const Impact impact = impactAt(bodies, input.state, contact.pair, contact.normal, contact.point);
+    const PairImpact impact = impactAt(bodies, input.state, contact.pair, contact.normal, contact.point);
     const double speed = separationSpeed(impact, input.state);
     if (speed > 0) return;
 
@@ -287,7 +287,7 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
 }
 
 // Before the impact is applied: its impulse j is known, and the speeds on both sides of it are u and −e u.
-void Microcollisions::record(const SolverInput& input, const Impact& impact, double speed,
+void Microcollisions::record(const SolverInput& input, const PairImpact& impact, double speed,
                              const Vec3& displacement) {
     const Bodies& bodies = input.bodies;
     const bool aMoves = bodies.mobile[impact.a] != 0, bMoves = bodies.mobile[impact.b] != 0;

@@ -29,7 +29,7 @@ struct Impacted {
 
 Impacted collided(const Scene& scene, const Vec3& normal, const Vec3& point, double restitution) {
     Impacted result{bodiesOf(scene), initialStateOf(scene), initialStateOf(scene)};
-    const Impact impact = impactAt(result.bodies, result.before, {0, 1}, normal, point);
+    const PairImpact impact = impactAt(result.bodies, result.before, {0, 1}, normal, point);
     apply(impact, separationSpeed(impact, result.before), restitution, result.bodies, result.after);
     return result;
 }
@@ -119,7 +119,7 @@ class ImpulseTest : public QObject {
             const double e = random.uniform();
             const Impacted hit = collided(scene, normal, point, e);
 
-            const Impact law = impactAt(hit.bodies, hit.before, {0, 1}, normal, point);
+            const PairImpact law = impactAt(hit.bodies, hit.before, {0, 1}, normal, point);
             const double u = separationSpeed(law, hit.before);
             QVERIFY(std::abs(separationSpeed(law, hit.after) + e * u) < tight * (1 + std::abs(u)));
 
