@@ -64,7 +64,7 @@ inline double kineticEnergyOf(const SolverBody& body) {
 
 inline double RowScene::energy() const {
     double sum = 0;
-    for (std::size_t i = 0; i < mobileCount(); ++i) sum += kineticEnergyOf(bodies[i]);
+    for (std::size_t i = 0; i < mobileCount(); ++i) sum += test::kineticEnergyOf(bodies[i]);
     return sum;
 }
 inline Vec3 RowScene::momentum() const {

@@ -19,6 +19,8 @@ double halfProduct(const SolverBody& one, const SolverBody& other) {
 
 } // namespace
 
+double kineticEnergyOf(const SolverBody& body) { return halfProduct(body, body); }
+
 double kineticEnergyOf(std::span<const SolverBody> bodies) {
     double sum = 0;
     for (const SolverBody& body : bodies) sum += halfProduct(body, body);

@@ -21,6 +21,8 @@
 
 namespace carom {
 
+/// Of a body that can move [J].
+double kineticEnergyOf(const SolverBody& body);
 /// Of all bodies that can move [J].
 double kineticEnergyOf(std::span<const SolverBody> bodies);
 

@@ -102,9 +102,8 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         expected.open = openTo(input, budget, islands[expected.island]);
         if (expected.open > 0) squares += expected.work * expected.work;
     }
-    const double share = std::min(budget.floor, std::max(0.0, mostFloors * budget.floor - m_spent)) *
-                         std::min(1.0, (mostShares - mostFloors) /
-                                           std::max<double>(1, static_cast<double>(m_expected.size())));
+    const double part = std::min(1.0, (mostShares - mostFloors) /
+                                          std::max<double>(1, static_cast<double>(m_expected.size())));
     for (const Expected& expected : m_expected) {
         if (expected.work > left) {
             m_base.push_back(expected.island);
@@ -113,8 +112,10 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
         left -= expected.work;
         double used = 0;
         for (const BodyIndex body : islands[expected.island].bodies) used = std::max(used, m_used[body]);
-        double most = std::max(share - used, mostOverrun * expected.work);
-        if (!islands[expected.island].links.empty()) most *= forSprings;
+        const double times = islands[expected.island].links.empty() ? 1 : forSprings;
+        const double floor = times * budget.floor;
+        const double share = part * std::min(floor, std::max(0.0, mostFloors * floor - m_spent));
+        double most = std::max(share - used, times * mostOverrun * expected.work);
         if (expected.open > 0) most += expected.open * expected.work * expected.work / squares;
         m_refined.push_back({expected.island, most});
     }

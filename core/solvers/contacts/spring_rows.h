@@ -5,34 +5,46 @@
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/contact_rows.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
-// Springs on the base path, beside contacts: the force at the end of a step by what the length will be then
-// (implicit Euler), as a constraint that gives way (E. Catto, "Soft constraints", GDC 2011):
+// Springs on the base path, beside contacts: the force at the end of a step by where its ends are then
+// (implicit Euler), as constraints that give way (E. Catto, "Soft constraints", GDC 2011). It is linear about
+// where the ends would be without it, x̂ = x₀ + h û, not about where they are:
 //
-//     λ ← λ − m (u + b + γ λ)      γ = 1/(h (c + h k)),  b = γ h k (l − l₀),  m = 1/(W + γ)
+//     d = (x̂_to − x̂_from)/l̂,  l̂ = |x̂_to − x̂_from|
+//     along d     λ ← λ − m (u − û + γ (h k (l̂ − l₀) + λ) + β û)    γ = 1/(h (c + h k)),  β = h c γ
+//     across      λ ← λ − m (u − û + γ λ)                            γ = 1/(h² κ),  κ = k max(0, 1 − l₀/l̂)
+//     m = 1/(W + γ)
 //
-//     legend   u  rate at which the spring grows at the end of the step [m/s];  λ  its impulse [N s], on `to`
-//              W  response of u to λ [1/kg];  k, c, l, l₀  as in core/dynamics/spring_force.h
+//     legend   u  rate at which the ends part at the end of the step [m/s], û before the solve;  h  the step
+//     [s]
+//              λ  an impulse [N s], on `to`;  W  response of u to λ [1/kg];  κ  stiffness across, by the
+//              tension k, c, l₀  as in core/dynamics/spring_force.h
 //
-// It is stable at any stiffness and never gains energy; an undamped spring loses some, ω h of it a radian.
-// Where nothing touches, and in islands that are refined, springs keep their energy (island_springs.cpp).
+// Alone, a spring between centres pulls along d, so one pass is the exact step of implicit Euler, whose
+// energy only falls where the potential is convex: for l₀ = 0 everywhere. Linear about x₀ it would know
+// nothing of motion across the spring: a body that h takes further than it is from the spring's end would
+// find itself on a spring many times longer. Directions across matter where contacts turn the bodies from
+// their free ways. An undamped spring loses energy, ω h of it a radian. Where nothing touches, and in islands
+// that are refined, springs keep their energy (island_springs.cpp).
 
 namespace carom {
 
 struct SpringRow {
     std::uint32_t a = 0, b = 0;
-    Vec3 armA = Vec3::Zero(), armB = Vec3::Zero(); ///< from the bodies' centres [m]
-    Vec3 along = Vec3::UnitY();                    ///< from the first end to the second
-    double mass = 0;                               ///< m [kg]
-    double bias = 0, yield = 0;                    ///< b [m/s], γ [1/kg]
-    double speed = 0;                              ///< u before the solve [m/s]
-    double impulse = 0;                            ///< λ [N s]
+    Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();  ///< from the bodies' centres, as they would turn [m]
+    Mat3 frame = Mat3::Identity();                  ///< columns: d, from the first end to the second; across
+    Vec3 mass = Vec3::Zero();                       ///< m [kg], along and across; 0: no force acts along it
+    Vec3 bias = Vec3::Zero(), yield = Vec3::Zero(); ///< of u + bias + yield λ = 0 [m/s], [1/kg]
+    Vec3 speed = Vec3::Zero();                      ///< û [m/s]
+    Vec3 impulse = Vec3::Zero();                    ///< λ [N s]
 };
 
-/// The rows of some of the scene's springs for a step of `duration` seconds from where the bodies are now.
-/// `local` is by body of the scene; `immobile` stands for what cannot move.
+/// The rows of some of the scene's springs for a step of `duration` seconds from where the bodies are now,
+/// with the velocities of `solverBodies`. `local` is by body of the scene; `immobile` stands for what cannot
+/// move.
 void prepareSprings(const Bodies& bodies, const State& state, std::span<const std::uint32_t> springs,
                     std::span<const std::uint32_t> local, std::uint32_t immobile, double duration,
                     std::span<const SolverBody> solverBodies, std::vector<SpringRow>& rows);

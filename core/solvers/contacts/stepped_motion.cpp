@@ -21,8 +21,6 @@ constexpr int mostRounds = 4;
 /// How often impacts of balls go through all that is active in a step. In a break of fifteen balls, of
 /// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
 constexpr int mostStrikes = 4;
-/// The body that cannot move.
-constexpr std::uint32_t immobile = 0;
 
 /// Passes go through the contacts backwards: bodies are numbered from the ground up
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
@@ -181,7 +179,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     std::fill(m_moved.begin(), m_moved.end(), Displacement{});
     std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
     m_balls.refresh(m_bodies, m_places, duration, input.gravity);
-    report.maxPenetration = std::max(report.maxPenetration, m_balls.deepest());
+    m_deepest = m_balls.deepest();
     report.contacts = wideLanes * m_balls.activeGroups();
     m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
@@ -198,9 +196,10 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
         if (manifold.open) continue;
         const PlacedManifold contact = placed(here, manifold);
         for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
-            report.maxPenetration = std::max(report.maxPenetration, -contact.points[k].separation);
+            m_deepest = std::max(m_deepest, -contact.points[k].separation);
         addRow(input, entry, contact);
     }
+    report.maxPenetration = std::max(report.maxPenetration, m_deepest);
     m_rows.end(m_bodies);
     m_rows.scaleImpulses(m_step);
 }
@@ -286,11 +285,11 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
 // Passes with feedback.
 void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
+        solveSprings(m_springs, m_bodies);
         m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop);
         solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings,
                         fromTop);
         resistRolling(m_rows, m_bodies);
-        solveSprings(m_springs, m_bodies);
     }
     report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
 }
@@ -307,6 +306,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     }
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
+    if (!m_links.empty()) rememberSprings(input, duration);
     const bool carriesImpact = std::exchange(m_mayCarryImpact, bounces);
     if (bounces || carriesImpact) m_energy.remember(m_bodies, m_island, m_groups.size());
     if (carriesImpact) m_before = m_bodies;
@@ -317,6 +317,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     sweep(settings, first, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, first, report);
+    if (!m_links.empty()) m_springLimit.keep(springIslands(input), duration, m_bodies);
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
@@ -326,14 +327,15 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     move(input, duration);
     report.work.rowsSwept += points(); // the warm start
     for (int pass = 0; pass < m_division.passes; ++pass) {
+        solveSprings(m_springs, m_bodies);
         const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop);
         report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, m_moved, settings, fromTop));
         resistRolling(m_rows, m_bodies);
-        solveSprings(m_springs, m_bodies);
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
     if (bounces) rebound(settings, report);
+    if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
@@ -393,6 +395,21 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     m_energy.keep(m_before, m_island, m_bodies);
 }
 
+SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
+    return {input.bodies, input.state, m_links, m_local, m_island, m_groups.size()};
+}
+
+// The energy that islands with springs may have when the step ends.
+void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) {
+    double largest = 0; // [m]
+    for (const BodyIndex body : m_list) largest = std::max(largest, input.bodies.boundingRadius[body]);
+    const double parting = std::min(m_deepest, mostCorrection * largest * duration / m_substep);
+    m_springLimit.remember(springIslands(input), m_bodies, parting);
+    for (const Entry& entry : m_entries)
+        if (m_local[entry.pair.a] == immobile || m_local[entry.pair.b] == immobile)
+            m_springLimit.hold(m_island[numberOf(entry.pair)]);
+}
+
 // Bodies that nothing touched move by the mean of both velocities; the others by their velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
@@ -446,43 +463,6 @@ void SteppedMotion::storeForces(Manifolds& manifolds) const {
         }
 }
 
-// As updateManifold would make it.
-PersistentManifold SteppedMotion::manifoldOfBalls(const Bodies& bodies, const State& state,
-                                                  std::uint32_t entry, const Vec3& normal,
-                                                  const Vec3& impulse) const {
-    PersistentManifold manifold;
-    manifold.pair = m_entries[entry].pair;
-    const bool isFlipped = m_isFlipped[entry] != 0;
-    const auto [first, second] = manifold.pair;
-    const BodyIndex a = isFlipped ? second : first, b = isFlipped ? first : second;
-    const Pose &poseA = state.pose[a], &poseB = state.pose[b];
-    const Vec3 onB = -bodies.boundingRadius[b] * normal;
-    Vec3 onA = bodies.boundingRadius[a] * normal;
-    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[a]))
-        onA = poseB.position - distanceTo(*wall, poseB.position) * normal - poseA.position;
-    manifold.count = 1;
-    manifold.round = true;
-    manifold.open = impulse == Vec3::Zero();
-    manifold.normal = isFlipped ? Vec3(-normal) : normal;
-    manifold.gap = normal.dot(poseB.position + onB - poseA.position - onA);
-    manifold.points[0] = {isFlipped ? onB : onA, isFlipped ? onA : onB,
-                          (isFlipped ? -1 : 1) / m_step * impulse};
-    return manifold;
-}
-
-template<class Goes>
-void SteppedMotion::storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds) {
-    m_balls.forEach([&](std::uint32_t index, const Vec3& normal, const Vec3& impulse) {
-        Entry& entry = m_entries[index];
-        if (!goes(entry.pair)) return;
-        if (entry.place == Manifolds::none) {
-            if (impulse == Vec3::Zero()) return;
-            entry.place = manifolds.add(entry.pair);
-        }
-        manifolds[entry.place] = manifoldOfBalls(input.bodies, input.state, index, normal, impulse);
-    });
-}
-
 bool SteppedMotion::isUnchanged(const State& state) const {
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
         const BodyIndex body = m_list[i - 1];
@@ -498,88 +478,6 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 std::size_t SteppedMotion::bytes() const {
     return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_orientations, m_island, m_free, m_struck,
                      m_links, m_entries, m_isFlipped, m_general, m_balls, m_groups);
-}
-
-void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries) {
-    storeBalls(
-        input, [](BodyPair) { return true; }, manifolds);
-    for (const Entry& entry : m_entries)
-        if (entry.place != Manifolds::none) entries.push_back(entry);
-    clear();
-}
-
-void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
-                          std::vector<BodyIndex>& bodies, std::vector<Entry>& entries) {
-    if (!m_isMarked) return;
-    settle();
-    const auto goes = [this](BodyPair pair) { return m_groups[m_island[numberOf(pair)]].leaves; };
-    storeBalls(input, goes, manifolds);
-    for (const Entry& entry : m_entries)
-        if (entry.place != Manifolds::none && goes(entry.pair)) entries.push_back(entry);
-    for (std::size_t i = 1; i < m_island.size(); ++i)
-        if (m_groups[m_island[i]].leaves) bodies.push_back(m_list[i - 1]);
-    keepUnmarked(input.bodies, numbers);
-}
-
-// Who stays has other numbers, and all else as it was.
-void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
-    constexpr std::uint32_t gone = BallRows::noPair;
-    const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };
-    const auto isHere = [this](BodyIndex body) { return body != noBody && m_local[body] != immobile; };
-    std::uint32_t kept = 0;
-    numbers.entries.assign(m_entries.size(), gone);
-    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
-        const BodyPair pair = m_entries[i].pair;
-        if (!stays(isHere(pair.a) ? pair.a : pair.b)) continue;
-        m_entries[kept] = m_entries[i];
-        m_isFlipped[kept] = m_isFlipped[i];
-        numbers.entries[i] = kept++;
-    }
-    m_entries.resize(kept);
-    m_isFlipped.resize(kept);
-    std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
-    for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
-    std::erase_if(m_links, [&](std::uint32_t link) {
-        const SpringForce& spring = bodies.springs[link];
-        return !stays(isHere(spring.from) ? spring.from : spring.to);
-    });
-
-    kept = 0;
-    numbers.islands.assign(m_groups.size(), gone);
-    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
-        if (m_groups[i].joined != i || m_groups[i].leaves) continue;
-        m_groups[kept] = m_groups[i];
-        m_groups[kept].joined = kept;
-        numbers.islands[i] = kept++;
-    }
-    m_groups.resize(kept);
-    m_joined = 0;
-    m_isMarked = false;
-
-    kept = 1;
-    numbers.bodies.assign(m_bodies.size(), gone);
-    numbers.bodies[immobile] = immobile;
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
-        const BodyIndex body = m_list[i - 1];
-        const std::uint32_t island = numbers.islands[m_island[i]];
-        m_local[body] = island == gone ? immobile : kept;
-        if (island == gone) continue;
-        m_list[kept - 1] = body;
-        m_bodies[kept] = m_bodies[i];
-        m_places[kept] = m_places[i];
-        m_orientations[kept] = m_orientations[i];
-        m_island[kept] = island;
-        numbers.bodies[i] = kept++;
-    }
-    m_list.resize(kept - 1);
-    m_bodies.resize(kept);
-    m_moved.resize(kept);
-    m_places.resize(kept);
-    m_orientations.resize(kept);
-    m_island.resize(kept);
-    m_free.resize(kept);
-    m_struck.resize(kept);
-    m_balls.keep(numbers.entries, numbers.bodies, immobile);
 }
 
 void SteppedMotion::clear() {

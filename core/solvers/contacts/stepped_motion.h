@@ -9,6 +9,7 @@
 #include "core/solvers/contacts/contact_rows.h"
 #include "core/solvers/contacts/energy_limit.h"
 #include "core/solvers/contacts/manifolds.h"
+#include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/velocity_solve.h"
 
@@ -162,6 +163,7 @@ class SteppedMotion {
     void clear();
 
   private:
+    static constexpr std::uint32_t immobile = 0; ///< number of the body that cannot move
     struct Watched {
         std::uint32_t entry = 0;
         std::uint32_t a = 0, b = 0; ///< bodies of the solve
@@ -201,6 +203,8 @@ class SteppedMotion {
               SteppedReport& report);
     void weakenImpulses();
     void rebound(const StepSettings& settings, SteppedReport& report);
+    SpringIslands springIslands(const SteppedInput& input) const;
+    void rememberSprings(const SteppedInput& input, double duration);
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
@@ -231,6 +235,8 @@ class SteppedMotion {
     Scratch<std::vector<std::uint8_t>> m_isChosen; // by island
     std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<SpringRow>> m_springs;
+    Scratch<SpringLimit> m_springLimit;
+    double m_deepest = 0; // overlap at the last look [m]
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls

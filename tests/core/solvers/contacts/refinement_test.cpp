@@ -127,6 +127,23 @@ class RefinementTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    // Springs may take twenty floors a frame, but once an island had used one it was left with what it was
+    // expected to take: a ball on a stiff spring went over to the base path in the middle of a frame.
+    void springsHaveTheirShareOfTheWholeFrame() {
+        Crowd crowd(2);
+        crowd.chain({2});
+        crowd.links = {{0, 1}};
+        crowd.find();
+        const RefinementBudget budget{.floor = 1e6, .start = 0, .saved = 0};
+        Refinement refinement(2);
+        for (int part = 0; part < 4; ++part) {
+            refinement.choose(crowd.input(part, 4), budget);
+            QCOMPARE(refinement.refined().size(), 1U);
+            QVERIFY(refinement.refined()[0].budget > 5 * budget.floor);
+            refinement.spend(crowd.islands[0], 3 * budget.floor);
+        }
+    }
+
     void budgetsAddUpToNoMoreThanIsDocumented() {
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
         Random random(test::seed);

@@ -3,12 +3,16 @@
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 
+#include "core/dynamics/energy.h"
+#include "core/dynamics/spring_force.h"
+#include "core/math/random.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 // The base path by itself: balls that meet a wall or each other anywhere in a substep.
@@ -18,6 +22,7 @@ namespace {
 
 constexpr double radius = 0.05; // [m]
 constexpr double roundingOfSteps = 1e-9;
+constexpr int steps = 4; // a substep
 
 Body ball(const Vec3& centre, const Vec3& velocity, double elastic) {
     Body body = test::sphere(radius, 1, centre, velocity);
@@ -25,18 +30,31 @@ Body ball(const Vec3& centre, const Vec3& velocity, double elastic) {
     return body;
 }
 
+/// Undamped, of no length at rest.
+Spring springBetween(BodyIndex from, BodyIndex to, double stiffness) {
+    Spring spring;
+    spring.from = from;
+    spring.to = to;
+    spring.stiffness = stiffness;
+    spring.length = 0;
+    return spring;
+}
+
 /// A scene of few bodies, all pairs of which are kept.
 class BasePath {
   public:
     explicit BasePath(const Scene& scene) : bodies(bodiesOf(scene)), state(initialStateOf(scene)) {
+        bodies.springs = springsOf(scene);
         for (BodyIndex b = 0; b < bodies.count(); ++b)
             for (BodyIndex a = 0; a < b; ++a) m_places.push_back(m_manifolds.add(BodyPair{a, b}));
     }
 
     void step() {
         const SteppedInput input{.bodies = bodies, .gravity = Vec3::Zero(), .state = state};
-        m_motion.begin(bodies, {.looks = 1, .steps = 4, .passes = 2}, test::substep);
-        m_motion.addIsland(input, bodies.mobileBodies, {});
+        m_motion.begin(bodies, {.looks = 1, .steps = steps, .passes = 2}, test::substep);
+        std::vector<std::uint32_t> springs(bodies.springs.size());
+        std::iota(springs.begin(), springs.end(), 0U);
+        m_motion.addIsland(input, bodies.mobileBodies, springs);
         for (const std::uint32_t place : m_places) {
             updateManifold({bodies, state, Vec3::Zero(), test::substep}, 1.0, m_manifolds[place]);
             m_motion.addPair(input, {m_manifolds[place].pair, place, 1.0}, m_manifolds);
@@ -98,6 +116,59 @@ class SteppedMotionTest : public QObject {
                                             .arg(2 - apart / radius)));
                 }
             }
+    }
+
+    // Implicit Euler of x'' = -ω² x: v₁ = (v₀ - h ω² x₀)/(1 + ω² h²), x₁ = x₀ + h v₁, in every direction. The
+    // spring's direction was that at the start of the step: across it nothing held the ball, and where ω h is
+    // large one step took it to where the spring held many times the energy.
+    void springHoldsABallThatCrossesIt() {
+        const double h = test::substep / steps;
+        for (const double phase : {0.1, 1.0, 10.0, 100.0}) {
+            const double rate = phase / h;
+            Vec3 place(0.1, 0.02, 0), velocity(-0.03 * rate, 0, 0.1 * rate);
+            Scene scene = test::sceneOf({ball(place, velocity, 1)});
+            scene.springs = {springBetween(noBody, 0, rate * rate)};
+            BasePath path(scene);
+            for (int n = 0; n < 3; ++n) {
+                path.step();
+                for (int k = 0; k < steps; ++k) {
+                    velocity = (velocity - h * rate * rate * place) / (1 + phase * phase);
+                    place += h * velocity;
+                }
+                QVERIFY((path.state.pose[0].position - place).norm() < roundingOfSteps);
+                QVERIFY((path.state.velocity[0] - velocity).norm() < roundingOfSteps * rate);
+            }
+        }
+    }
+
+    // Two passes do not solve for two stiff springs that share a ball.
+    void chainOnStiffSpringsGainsNoEnergy() {
+        constexpr std::uint64_t seed = 51;
+        for (std::uint64_t stream = 0; stream < 60; ++stream) {
+            Random random(seed, stream);
+            const double rate = std::exp(random.uniform(std::log(10.0), std::log(1e5)));
+            const auto speed = [&] { return Vec3(0.3 * rate * uniformDirection(random)); };
+            Scene scene = test::sceneOf({ball({0, 0, 0}, speed(), 1), ball({0.2, 0.05, 0}, speed(), 1),
+                                         ball({0.35, -0.1, 0.1}, speed(), 1)});
+            scene.springs = {springBetween(0, 1, rate * rate), springBetween(1, 2, rate * rate)};
+            BasePath path(scene);
+            const auto energy = [&] {
+                double sum = springEnergy(path.bodies.springs, path.state);
+                for (const Vec3& velocity : path.state.velocity) sum += 0.5 * velocity.squaredNorm();
+                return sum;
+            };
+            const double start = energy();
+            for (int n = 0; n < 10; ++n) {
+                path.step();
+                QVERIFY2(energy() <= (1 + roundingOfSteps) * start,
+                         qPrintable(QStringLiteral("seed %1, stream %2, step %3: %4 of %5 J")
+                                        .arg(seed)
+                                        .arg(stream)
+                                        .arg(n)
+                                        .arg(energy())
+                                        .arg(start)));
+            }
+        }
     }
 };
 

@@ -21,8 +21,6 @@ struct KnownFailure {
 };
 
 inline constexpr std::array knownFailures{
-    KnownFailure{"pressed_springs", StudyColumn::Default,
-                 "a ball pulled askew against a large one gains half its energy"},
     KnownFailure{"spinner_on_spring", StudyColumn::Accurate, "energy is off by 3.6e-6 at 1000 rad/s"},
     KnownFailure{"cylinder_on_slope", StudyColumn::Default,
                  "a disc rests on four points, so it tips 29 % early in the directions between them"},

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/spring_limit.h"
+
+#include "core/math/rotation.h"
+#include "core/solvers/contacts/energy_limit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+/// s is found to this part, by halving as often.
+constexpr int halvings = 20;
+/// Sums of energies are rounded by less than this part of them.
+constexpr double rounding = 1e-12;
+
+} // namespace
+
+void SpringLimit::remember(const SpringIslands& input, std::span<const SolverBody> bodies, double parting) {
+    m_sums.assign(input.islands, {});
+    for (const std::uint32_t index : input.springs) {
+        const SpringForce& spring = input.bodies.springs[index];
+        for (const BodyIndex end : {spring.from, spring.to}) {
+            const bool moves = end != noBody && input.local[end] != 0;
+            const BodyIndex other = end == spring.from ? spring.to : spring.from;
+            if (moves)
+                m_sums[input.islandOf[input.local[end]]].hasSprings = true;
+            else
+                hold(input.islandOf[input.local[other]]);
+        }
+        const BodyIndex member =
+            spring.from != noBody && input.local[spring.from] != 0 ? spring.from : spring.to;
+        const double tension = std::sqrt(2 * spring.stiffness * springEnergy(spring, input.state));
+        m_sums[input.islandOf[input.local[member]]].limit +=
+            parting * (tension + 0.5 * spring.stiffness * parting);
+    }
+    for (Sums& sums : m_sums) sums.part = 1;
+    findEnergies(input, 0, bodies);
+    for (Sums& sums : m_sums) sums.limit += sums.energy;
+}
+
+SolverBody SpringLimit::slowed(const SpringIslands& input, std::span<const SolverBody> bodies,
+                               std::size_t body) const {
+    SolverBody slow = bodies[body];
+    if (body == 0) return slow;
+    const Sums& sums = m_sums[input.islandOf[body]];
+    if (sums.part == 1) return slow;
+    slow.velocity = arrayOf(sums.drift + sums.part * (vectorOf(slow.velocity) - sums.drift));
+    slow.spin = arrayOf(sums.part * vectorOf(slow.spin));
+    return slow;
+}
+
+// With the part of its motion that each island has.
+void SpringLimit::findEnergies(const SpringIslands& input, double duration,
+                               std::span<const SolverBody> bodies) {
+    for (Sums& sums : m_sums) sums.energy = 0;
+    for (std::size_t i = 1; i < bodies.size(); ++i)
+        if (Sums& sums = m_sums[input.islandOf[i]]; sums.hasSprings)
+            sums.energy += kineticEnergyOf(slowed(input, bodies, i));
+    for (const std::uint32_t index : input.springs) {
+        const SpringForce& spring = input.bodies.springs[index];
+        std::uint32_t island = 0;
+        const auto endOf = [&](BodyIndex i, const Vec3& point) -> Vec3 {
+            if (i == noBody) return point;
+            const Pose& pose = input.state.pose[i];
+            if (input.local[i] == 0) return pose.toWorld(point);
+            island = input.islandOf[input.local[i]];
+            const SolverBody body = slowed(input, bodies, input.local[i]);
+            const Vec3 arm = pose.orientation * point;
+            return pose.position + duration * vectorOf(body.velocity) +
+                   fromRotationVector(duration * vectorOf(body.spin)) * arm;
+        };
+        const Vec3 from = endOf(spring.from, spring.fromAt), to = endOf(spring.to, spring.toAt);
+        const double stretch = (to - from).norm() - spring.length;
+        m_sums[island].energy += 0.5 * spring.stiffness * stretch * stretch;
+    }
+}
+
+void SpringLimit::keep(const SpringIslands& input, double duration, std::span<SolverBody> bodies) {
+    for (Sums& sums : m_sums) sums.part = 1;
+    findEnergies(input, duration, bodies);
+    bool any = false;
+    for (Sums& sums : m_sums) {
+        sums.exceeds = sums.hasSprings && sums.energy > (1 + rounding) * sums.limit;
+        any = any || sums.exceeds;
+        sums.mass = sums.least = 0;
+        sums.most = 1;
+        sums.drift.setZero();
+    }
+    if (!any) return;
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+        Sums& sums = m_sums[input.islandOf[i]];
+        if (!sums.exceeds || sums.isHeld) continue;
+        sums.mass += 1 / bodies[i].inverseMass;
+        sums.drift += vectorOf(bodies[i].velocity) / bodies[i].inverseMass;
+    }
+    for (Sums& sums : m_sums)
+        if (sums.mass > 0) sums.drift /= sums.mass;
+    for (int round = 0; round < halvings; ++round) {
+        for (Sums& sums : m_sums)
+            if (sums.exceeds) sums.part = 0.5 * (sums.least + sums.most);
+        findEnergies(input, duration, bodies);
+        for (Sums& sums : m_sums)
+            if (sums.exceeds) (sums.energy > sums.limit ? sums.most : sums.least) = sums.part;
+    }
+    for (Sums& sums : m_sums)
+        if (sums.exceeds) sums.part = sums.least;
+    for (std::size_t i = 1; i < bodies.size(); ++i)
+        if (m_sums[input.islandOf[i]].exceeds) bodies[i] = slowed(input, bodies, i);
+}
+
+} // namespace carom

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/stepped_motion.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+// How bodies leave the base path: their forces become part of the manifolds again.
+
+namespace carom {
+
+// As updateManifold would make it.
+PersistentManifold SteppedMotion::manifoldOfBalls(const Bodies& bodies, const State& state,
+                                                  std::uint32_t entry, const Vec3& normal,
+                                                  const Vec3& impulse) const {
+    PersistentManifold manifold;
+    manifold.pair = m_entries[entry].pair;
+    const bool isFlipped = m_isFlipped[entry] != 0;
+    const auto [first, second] = manifold.pair;
+    const BodyIndex a = isFlipped ? second : first, b = isFlipped ? first : second;
+    const Pose &poseA = state.pose[a], &poseB = state.pose[b];
+    const Vec3 onB = -bodies.boundingRadius[b] * normal;
+    Vec3 onA = bodies.boundingRadius[a] * normal;
+    if (const Wall* wall = std::get_if<Wall>(&bodies.shape[a]))
+        onA = poseB.position - distanceTo(*wall, poseB.position) * normal - poseA.position;
+    manifold.count = 1;
+    manifold.round = true;
+    manifold.open = impulse == Vec3::Zero();
+    manifold.normal = isFlipped ? Vec3(-normal) : normal;
+    manifold.gap = normal.dot(poseB.position + onB - poseA.position - onA);
+    manifold.points[0] = {isFlipped ? onB : onA, isFlipped ? onA : onB,
+                          (isFlipped ? -1 : 1) / m_step * impulse};
+    return manifold;
+}
+
+template<class Goes>
+void SteppedMotion::storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds) {
+    m_balls.forEach([&](std::uint32_t index, const Vec3& normal, const Vec3& impulse) {
+        Entry& entry = m_entries[index];
+        if (!goes(entry.pair)) return;
+        if (entry.place == Manifolds::none) {
+            if (impulse == Vec3::Zero()) return;
+            entry.place = manifolds.add(entry.pair);
+        }
+        manifolds[entry.place] = manifoldOfBalls(input.bodies, input.state, index, normal, impulse);
+    });
+}
+
+void SteppedMotion::end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries) {
+    storeBalls(
+        input, [](BodyPair) { return true; }, manifolds);
+    for (const Entry& entry : m_entries)
+        if (entry.place != Manifolds::none) entries.push_back(entry);
+    clear();
+}
+
+void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
+                          std::vector<BodyIndex>& bodies, std::vector<Entry>& entries) {
+    if (!m_isMarked) return;
+    settle();
+    const auto goes = [this](BodyPair pair) { return m_groups[m_island[numberOf(pair)]].leaves; };
+    storeBalls(input, goes, manifolds);
+    for (const Entry& entry : m_entries)
+        if (entry.place != Manifolds::none && goes(entry.pair)) entries.push_back(entry);
+    for (std::size_t i = 1; i < m_island.size(); ++i)
+        if (m_groups[m_island[i]].leaves) bodies.push_back(m_list[i - 1]);
+    keepUnmarked(input.bodies, numbers);
+}
+
+// Who stays has other numbers, and all else as it was.
+void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
+    constexpr std::uint32_t gone = BallRows::noPair;
+    const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };
+    const auto isHere = [this](BodyIndex body) { return body != noBody && m_local[body] != immobile; };
+    std::uint32_t kept = 0;
+    numbers.entries.assign(m_entries.size(), gone);
+    for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
+        const BodyPair pair = m_entries[i].pair;
+        if (!stays(isHere(pair.a) ? pair.a : pair.b)) continue;
+        m_entries[kept] = m_entries[i];
+        m_isFlipped[kept] = m_isFlipped[i];
+        numbers.entries[i] = kept++;
+    }
+    m_entries.resize(kept);
+    m_isFlipped.resize(kept);
+    std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
+    for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
+    std::erase_if(m_links, [&](std::uint32_t link) {
+        const SpringForce& spring = bodies.springs[link];
+        return !stays(isHere(spring.from) ? spring.from : spring.to);
+    });
+
+    kept = 0;
+    numbers.islands.assign(m_groups.size(), gone);
+    for (std::uint32_t i = 0; i < m_groups.size(); ++i) {
+        if (m_groups[i].joined != i || m_groups[i].leaves) continue;
+        m_groups[kept] = m_groups[i];
+        m_groups[kept].joined = kept;
+        numbers.islands[i] = kept++;
+    }
+    m_groups.resize(kept);
+    m_joined = 0;
+    m_isMarked = false;
+
+    kept = 1;
+    numbers.bodies.assign(m_bodies.size(), gone);
+    numbers.bodies[immobile] = immobile;
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        const BodyIndex body = m_list[i - 1];
+        const std::uint32_t island = numbers.islands[m_island[i]];
+        m_local[body] = island == gone ? immobile : kept;
+        if (island == gone) continue;
+        m_list[kept - 1] = body;
+        m_bodies[kept] = m_bodies[i];
+        m_places[kept] = m_places[i];
+        m_orientations[kept] = m_orientations[i];
+        m_island[kept] = island;
+        numbers.bodies[i] = kept++;
+    }
+    m_list.resize(kept - 1);
+    m_bodies.resize(kept);
+    m_moved.resize(kept);
+    m_places.resize(kept);
+    m_orientations.resize(kept);
+    m_island.resize(kept);
+    m_free.resize(kept);
+    m_struck.resize(kept);
+    m_balls.keep(numbers.entries, numbers.bodies, immobile);
+}
+
+} // namespace carom
