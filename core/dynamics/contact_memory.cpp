@@ -3,6 +3,7 @@
 
 #include "core/math/rotation.h"
 #include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/rim_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,59 @@ void inherit(std::span<const ContactConstraint> memory, double within, std::span
     }
 }
 
+/// A pair seen from the centre of one of its bodies, so that far from the origin nothing is rounded but the
+/// coordinates themselves.
+class CentredPair {
+  public:
+    CentredPair(const Bodies& bodies, const Pose& poseA, const Pose& poseB, BodyPair pair);
+
+    PlacedShape a() const { return {m_shapeA, &m_poseA}; }
+    PlacedShape b() const { return {m_shapeB, &m_poseB}; }
+    const Vec3& origin() const { return m_origin; } ///< world
+    /// Gaps cannot be told apart below this, by the rounding of coordinates [m].
+    double resolution() const { return m_resolution; }
+    /// A point of the pair's contact as a constraint.
+    ContactConstraint constraintOf(const ContactPoint& found, const Mat3& frame) const;
+
+  private:
+    bool m_wallB = false, m_movesA = false, m_movesB = false;
+    Vec3 m_origin = Vec3::Zero();
+    Pose m_poseA, m_poseB;
+    Shape m_wall;
+    const Shape *m_shapeA = nullptr, *m_shapeB = nullptr;
+    double m_resolution = 0;
+};
+
+CentredPair::CentredPair(const Bodies& bodies, const Pose& poseA, const Pose& poseB, BodyPair pair)
+    : m_wallB(isWall(bodies.shape[pair.b])), m_movesA(bodies.mobile[pair.a] != 0),
+      m_movesB(bodies.mobile[pair.b] != 0), m_poseA(poseA), m_poseB(poseB), m_shapeA(&bodies.shape[pair.a]),
+      m_shapeB(&bodies.shape[pair.b]) {
+    const bool wallA = isWall(bodies.shape[pair.a]);
+    m_origin = wallA ? poseB.position : poseA.position;
+    const double furthest = std::max(m_origin.cwiseAbs().maxCoeff(), poseB.position.cwiseAbs().maxCoeff());
+    m_resolution = coordinateRounding * furthest;
+    if (wallA || m_wallB) {
+        const Wall& there = std::get<Wall>(wallA ? *m_shapeA : *m_shapeB);
+        m_wall = Wall{there.normal, -distanceTo(there, m_origin)};
+        (wallA ? m_shapeA : m_shapeB) = &m_wall;
+    }
+    if (!wallA) m_poseA.position -= m_origin;
+    if (!m_wallB) m_poseB.position -= m_origin;
+}
+
+ContactConstraint CentredPair::constraintOf(const ContactPoint& found, const Mat3& frame) const {
+    // Equal and opposite forces must act at one point, or they would have a moment: the middle of the gap, or
+    // the mobile body's surface, so that the arm of a rolling ball is its radius whatever the gap.
+    const Vec3 point = !m_movesA ? found.onB : !m_movesB ? found.onA : Vec3(0.5 * (found.onA + found.onB));
+    ContactConstraint constraint;
+    constraint.frame = frame;
+    if (m_movesA) constraint.armA = point - m_poseA.position;
+    if (m_movesB) constraint.armB = point - m_poseB.position;
+    constraint.separation = found.separation;
+    constraint.anchor = m_wallB ? m_poseA.toBody(point) : m_poseB.toBody(point);
+    return constraint;
+}
+
 } // namespace
 
 double coneViolationOf(const ContactSet& set) {
@@ -93,43 +147,27 @@ void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
     collideAt(bodies, state.pose[pair.a], state.pose[pair.b], pair, memory, set);
 }
 
-// Seen from the centre of a body, so that far from the origin nothing is rounded but the coordinates
-// themselves.
-void collideAt(const Bodies& bodies, Pose poseA, Pose poseB, ContactPair pair,
+void collideAt(const Bodies& bodies, const Pose& poseA, const Pose& poseB, ContactPair pair,
                std::span<const ContactConstraint> memory, ContactSet& set) {
-    const bool wallA = isWall(bodies.shape[pair.a]), wallB = isWall(bodies.shape[pair.b]);
-    const Vec3 origin = wallA ? poseB.position : poseA.position;
-    const double furthest = std::max(origin.cwiseAbs().maxCoeff(), poseB.position.cwiseAbs().maxCoeff());
-    pair.resolution = coordinateRounding * furthest;
-    Shape wall;
-    if (wallA || wallB) {
-        const Wall& there = std::get<Wall>(bodies.shape[wallA ? pair.a : pair.b]);
-        wall = Wall{there.normal, -distanceTo(there, origin)};
-    }
-    if (!wallA) poseA.position -= origin;
-    if (!wallB) poseB.position -= origin;
+    const CentredPair centred(bodies, poseA, poseB, pair.bodies());
+    pair.resolution = centred.resolution();
     Manifold manifold;
-    if (!collide({wallA ? &wall : &bodies.shape[pair.a], &poseA},
-                 {wallB ? &wall : &bodies.shape[pair.b], &poseB}, pair.margin, manifold))
-        return;
+    if (!collide(centred.a(), centred.b(), pair.margin, manifold)) return;
     pair.first = static_cast<std::uint32_t>(set.points.size());
     pair.count = static_cast<std::uint32_t>(manifold.count);
     const Mat3 frame = frameAlong(manifold.normal);
-    const bool movesA = bodies.mobile[pair.a] != 0, movesB = bodies.mobile[pair.b] != 0;
-    for (const ContactPoint& found : manifold) {
-        // Equal and opposite forces must act at one point, or they would have a moment: the middle of the
-        // gap, or the mobile body's surface, so that the arm of a rolling ball is its radius whatever the
-        // gap.
-        const Vec3 point = !movesA ? found.onB : !movesB ? found.onA : Vec3(0.5 * (found.onA + found.onB));
-        ContactConstraint& constraint = set.points.emplace_back();
-        constraint.frame = frame;
-        if (movesA) constraint.armA = point - poseA.position;
-        if (movesB) constraint.armB = point - poseB.position;
-        constraint.separation = found.separation;
-        constraint.anchor = wallB ? poseA.toBody(point) : poseB.toBody(point);
-    }
+    for (const ContactPoint& found : manifold) set.points.push_back(centred.constraintOf(found, frame));
     inherit(memory, sameWithin * pair.size, set.pointsOf(pair));
     set.pairs.push_back(pair);
+}
+
+void appendRimPoints(const Bodies& bodies, const State& state, BodyPair pair, const Mat3& frame,
+                     const Vec3& towards, std::vector<ContactConstraint>& points) {
+    const CentredPair centred(bodies, state.pose[pair.a], state.pose[pair.b], pair);
+    Manifold manifold;
+    manifold.normal = frame.row(0).transpose();
+    addRimPoints(centred.a(), centred.b(), towards - centred.origin(), manifold);
+    for (const ContactPoint& found : manifold) points.push_back(centred.constraintOf(found, frame));
 }
 
 } // namespace carom

@@ -5,6 +5,9 @@
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
 
+#include <span>
+#include <vector>
+
 // Contacts persist: the force of a point is the best guess for the force of the same point a step later. A
 // point is found again by its place on body B (on A if B is a wall), within 5 % of the smaller body; not by
 // the features the narrow phase names, which change to and fro where edges line up. Tangential forces are
@@ -21,7 +24,12 @@ ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin);
 void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
                  std::span<const ContactConstraint> memory, ContactSet& set);
 /// The same at poses of one's own.
-void collideAt(const Bodies& bodies, Pose poseA, Pose poseB, ContactPair pair,
+void collideAt(const Bodies& bodies, const Pose& poseA, const Pose& poseB, ContactPair pair,
                std::span<const ContactConstraint> memory, ContactSet& set);
+
+/// Appends further points of a contact, with the frame of the others: those of the rims of the pair's
+/// cylinders, where these stand on the other body, towards a place in the world (narrowphase/rim_points.h).
+void appendRimPoints(const Bodies& bodies, const State& state, BodyPair pair, const Mat3& frame,
+                     const Vec3& towards, std::vector<ContactConstraint>& points);
 
 } // namespace carom

@@ -62,6 +62,9 @@ inline constexpr int pointsRefined = 192;
 /// is solved again to a finer one.
 inline constexpr double nearlyStill = 100, finerTolerance = 0.01;
 
+/// No tolerance of velocities is finer than this part of |g| h.
+inline constexpr double leastTolerance = 1e-14;
+
 /// Contact tolerance below which a run counts as accurate: stops are located too.
 inline constexpr double accurateTolerance = 1e-8;
 

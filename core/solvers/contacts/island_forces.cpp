@@ -28,12 +28,16 @@ void IslandMotion::solveVelocities(const MotionInput& input, double duration, bo
     beginPart(input, duration);
     chooseRows(input, duration, findsImpacts);
     solveForces(input, duration);
+    holdRims(input, duration, findsImpacts);
     if (findsImpacts && !m_unsolved && contactsTurn(input, duration)) turnContacts(input, duration);
     if (!m_forced.isEmpty()) endTerms(input);
+    report.residual = std::max(report.residual, m_unsolved ? 0 : m_residual);
     // Over a very short part impulses that stop a gentle closing look like enormous forces: no guess for
     // later.
-    report.residual = std::max(report.residual, m_unsolved ? 0 : m_residual);
-    if (duration < shortestMemory * input.substep) return;
+    if (duration >= shortestMemory * input.substep) keepForces(duration);
+}
+
+void IslandMotion::keepForces(double duration) {
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
         ContactConstraint& point = m_contacts.points[m_rowPoint[i]];
         point.force = m_problem.rows[i].impulse / duration;

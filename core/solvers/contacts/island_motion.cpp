@@ -146,7 +146,7 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     m_springs.assign(island.links.begin(), island.links.end());
     reserve();
     m_scale = input.gravity.norm() * input.substep;
-    m_still = std::max(input.settings.tolerance, 1e-14) * m_scale;
+    m_still = std::max(input.settings.tolerance, leastTolerance) * m_scale;
     m_work = m_left = 0;
     m_unsolved = m_isCorrected = false;
     m_overlap = 0;

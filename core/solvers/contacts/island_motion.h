@@ -30,7 +30,8 @@
 //
 // v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
 // friction too; both ends respect the gap, so the mean does. Contacts that turn with their bodies are taken
-// where they will be (island_turning.cpp).
+// where they will be (island_turning.cpp). Cylinders that stand are held by all of their rim
+// (island_rims.cpp).
 //
 // An island that springs hold together and in which nothing meets needs none of this: it moves to order four
 // (dynamics/spring_steps.h), unless its springs are too stiff for the substep.
@@ -119,6 +120,11 @@ class IslandMotion {
     void chooseRows(const MotionInput& input, double duration, bool findsImpacts);
     void solve(const MotionInput& input);
     void solveForces(const MotionInput& input, double duration);
+    void keepForces(double duration);
+    void holdRims(const MotionInput& input, double duration, bool findsImpacts);
+    double addRimPoints(const MotionInput& input, bool fastest);
+    Vec3 centreOfPressure(const Bodies& bodies, std::uint32_t pair) const;
+    bool insertPoint(std::uint32_t pair, const ContactConstraint& point);
     void beginTerms(const MotionInput& input, double duration);
     void applyTerms();
     bool followTerms(const MotionInput& input);
@@ -207,6 +213,7 @@ class IslandMotion {
     std::vector<Vec6> m_free;                  // by body of m_problem, v̂
     std::vector<std::uint8_t> m_presses;       // by point, 1: an impulse acts in it
     ContactSet m_followed;                     // of one pair
+    std::vector<ContactConstraint> m_onRims;   // of one pair
     std::vector<std::uint32_t> m_rowPoint;     // by row, the point of m_contacts
     std::vector<std::uint8_t> m_stuck;         // by row, 1: it neither slid nor rolled when last solved for
     std::vector<std::uint8_t> m_waits;         // by point, 1: open, and may close hard within the substep
