@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/calm.h"
 
 #include "core/dynamics/energy.h"
+#include "core/solvers/contacts/neighbours.h"
 
 #include <cmath>
 
@@ -10,25 +11,30 @@ namespace {
 
 /// In units of √(size/|g|); a fall through its size takes 1.4 of them.
 constexpr double calmTime = 5;
+/// A body may go this part of its size in that time.
+constexpr double calmWay = 0.03;
 /// Forces up to this part of the weight do not keep a body up. At twice as much one that sinks slowly in
 /// something dense could be taken for one at rest.
 constexpr double bornePart = 0.1;
 
 } // namespace
 
-void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                const Vec3& gravity, double time) {
-    const double most = calmSpeed * calmSpeed * gravity.norm();
+void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time) {
     for (const BodyIndex i : list) {
-        const double size = bodies.boundingRadius[i];
-        const double speed = state.velocity[i].norm() + state.angularVelocity[i].norm() * size;
-        m_times[i] = speed * speed <= most * size ? m_times[i] + time : 0;
+        Stay& stay = m_stays[i];
+        const double way = Neighbours::displacement(bodies, i, stay.from, state.pose[i]);
+        if (way <= calmWay * bodies.boundingRadius[i])
+            stay.time += time;
+        else
+            stay = {state.pose[i], 0};
     }
 }
 
-bool Calm::isCalm(const Bodies& bodies, BodyIndex body, const Vec3& gravity) const {
-    return m_times[body] * m_times[body] * gravity.norm() >=
-           calmTime * calmTime * bodies.boundingRadius[body];
+bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const {
+    const double size = bodies.boundingRadius[body], time = m_stays[body].time;
+    const double speed = state.velocity[body].norm() + state.angularVelocity[body].norm() * size;
+    return time * time * gravity.norm() >= calmTime * calmTime * size &&
+           speed * speed <= calmSpeed * calmSpeed * gravity.norm() * size;
 }
 
 bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity) {

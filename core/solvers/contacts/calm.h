@@ -9,33 +9,38 @@
 #include <vector>
 
 // When bodies of the base path, whose forces balance less exactly than those of refined islands, are put to
-// sleep: after so long, in units of the time √(size/g) in which they would fall their own size, at no more
-// than a small part of the speed √(size g) they would reach. What is unstable grows by a factor e in about
-// that unit, so it would be e⁵ times as fast in the end as at the start.
+// sleep: after so long, in units of the time √(size/g) in which they would fall their own size, within a
+// small part of their size, and when they are slow. What is unstable grows by a factor e in about that unit,
+// so it would have gone that way in the last of them alone, and what creeps steadily goes it soon. In a heap
+// of hundreds there is always one that slips a little, for a moment: it keeps nobody awake.
 
 namespace carom {
 
-/// Bodies are calm up to this part of the speed √(size g).
+/// Bodies are slow up to this part of the speed √(size g).
 inline constexpr double calmSpeed = 0.01;
 
 class Calm {
   public:
-    explicit Calm(std::size_t bodies) : m_times(bodies, 0.0) {}
+    /// Where a body was when it last had gone too far, and how long ago [s].
+    struct Stay {
+        Pose from;
+        double time = 0;
+    };
+
+    explicit Calm(std::size_t bodies) : m_stays(bodies) {}
 
     /// Takes note of another `time` [s] of bodies.
-    void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, const Vec3& gravity,
-              double time);
-    /// Whether a body has been slow for long enough; never without gravity.
-    bool isCalm(const Bodies& bodies, BodyIndex body, const Vec3& gravity) const;
+    void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time);
+    /// Whether a body has stayed for long enough, and is slow now; never without gravity.
+    bool isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const;
     void forget(std::span<const BodyIndex> list) {
-        for (const BodyIndex body : list) m_times[body] = 0;
+        for (const BodyIndex body : list) m_stays[body].time = 0;
     }
-    /// By body [s].
-    const std::vector<double>& times() const { return m_times; }
-    void recall(const std::vector<double>& times) { m_times = times; }
+    const std::vector<Stay>& stays() const { return m_stays; } ///< by body
+    void recall(const std::vector<Stay>& stays) { m_stays = stays; }
 
   private:
-    std::vector<double> m_times;
+    std::vector<Stay> m_stays;
 };
 
 /// Whether force terms could bear a body's weight, or a part of it, while it is calm: then it need not lie on

@@ -144,7 +144,8 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
              .normal = pair.normal,
              .rolling = pair.rolling,
              .inertia = 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
-                                             tangents.second.dot(second))});
+                                             tangents.second.dot(second)),
+             .torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal});
     }
 }
 

@@ -36,8 +36,9 @@ struct PairInput {
     std::uint32_t a = 0, b = 0;  ///< indices of bodies; `immobile` below for what cannot move
     Vec3 normal = Vec3::UnitY(); ///< from A to B
     double friction = 0, restitution = 0;
-    double rolling = 0; ///< [m]
-    double push = 0;    ///< an overlap is moved apart no faster than this [m/s]
+    double rolling = 0;         ///< [m]
+    Vec3 torque = Vec3::Zero(); ///< of rolling resistance, on B, world [N m s]; where the solve begins
+    double push = 0;            ///< an overlap is moved apart no faster than this [m/s]
     std::span<const PointInput> points;
 };
 
@@ -69,7 +70,7 @@ struct RollingRow {
     Vec3 normal = Vec3::UnitY();
     double rolling = 0;         ///< [m]
     double inertia = 0;         ///< 1 over the larger eigenvalue of the response across the normal [kg m²]
-    Vec3 torque = Vec3::Zero(); ///< on B [N m s]
+    Vec3 torque = Vec3::Zero(); ///< on B [N m s]; where the solve begins
 };
 
 // The wide version loads them whole; without wide registers the type itself would be aligned to 16 bytes
@@ -94,6 +95,7 @@ class ContactRows {
             point.along1 *= duration;
             point.along2 *= duration;
         }
+        for (RollingRow& row : m_rolling) row.torque *= duration;
     }
 
     /// Impulses are part(a, b) of what they were.
@@ -106,6 +108,7 @@ class ContactRows {
                     for (Wide RowPoint::*impulse : {&RowPoint::normal, &RowPoint::along1, &RowPoint::along2})
                         (point.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
             }
+        for (RollingRow& row : m_rolling) row.torque *= part(row.a, row.b);
     }
 
     std::span<RowGroup> groups() { return m_groups; }
@@ -113,6 +116,7 @@ class ContactRows {
     std::span<RollingRow> rolling() { return m_rolling; }
     std::span<const RowGroup> groups() const { return m_groups; }
     std::span<const RowPoint> points() const { return m_points; }
+    std::span<const RollingRow> rolling() const { return m_rolling; }
     /// The impulse of a point of lane `lane` [N s], on B, world.
     Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
 

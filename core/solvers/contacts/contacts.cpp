@@ -85,7 +85,7 @@ class Contacts final : public Solver {
         BasePath base;
         std::vector<std::uint8_t> backOff;
         Refinement::Memory refinement;
-        std::vector<double> calm;
+        std::vector<Calm::Stay> calm;
 
         std::size_t bytes() const {
             return heldBytes(contacts, sleeping, manifolds, base, backOff, refinement, calm);
@@ -230,7 +230,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
 std::unique_ptr<const SolverMemory> Contacts::memory() const {
     Persistent persistent{m_contacts,    m_sleeping, m_found.manifolds(),
                           m_base,        m_backOff,  m_refinement.memory(),
-                          m_calm.times()};
+                          m_calm.stays()};
     persistent.base.dropWhatLeft();
     return std::make_unique<Remembered<Persistent>>(std::move(persistent));
 }
@@ -424,7 +424,7 @@ void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
         stepIsland(input, island, unfinished.left, report);
     }
     if (report.loss) return;
-    m_calm.note(input.bodies, input.state, m_passing, input.gravity, input.substep);
+    m_calm.note(input.bodies, input.state, m_passing, input.substep);
     for (const BodyIndex body : m_passing) m_refinement.waited(body);
     for (const BodyIndex body : m_members) {
         if (!m_base.has(body)) continue;
@@ -473,9 +473,9 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
     for (const BodyIndex i : m_members)
         if (m_base.has(i)) m_entering.push_back(i);
-    m_calm.note(input.bodies, input.state, m_entering, input.gravity, input.parts * input.substep);
+    m_calm.note(input.bodies, input.state, m_entering, input.parts * input.substep);
     const auto isCalm = [&](BodyIndex body) {
-        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, body, input.gravity) &&
+        return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, input.state, body, input.gravity) &&
                !mayFloat(input.bodies, body, input.gravity);
     };
     if (!(input.gravity.norm() > 0)) return;

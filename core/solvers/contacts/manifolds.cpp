@@ -15,8 +15,10 @@
 namespace carom {
 namespace {
 
-/// Relative poses within this part of the smaller body's size and half this angle [rad] keep their points.
-constexpr double keptWithin = 0.002, keptAngle = 0.002;
+/// Relative poses within this part of the smaller body's size and this angle [rad] keep their points. What
+/// rolls leaves them behind by up to that, so that they push it on: at ten times as much cylinders that rock
+/// in a heap do so ever more.
+constexpr double keptWithin = 0.0002, keptAngle = 0.0002;
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
 double sizeOf(const Bodies& bodies, BodyPair pair) {
@@ -253,6 +255,7 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
     manifold.orientation = now.orientation;
     manifold.hasNormal = !manifold.round;
     if (found.count == 0) {
+        manifold.torque.setZero();
         if (manifold.hasNormal && !wallA) manifold.normal = state.pose[pair.a].directionToBody(found.normal);
         return;
     }
@@ -273,6 +276,7 @@ void findPoints(const ManifoldInput& input, double margin, const Pose& now, Pers
             point.onB = found.points[0].onB - poseB.position;
         }
         point.force = old.count > 0 && !manifold.open ? old.points[0].force : Vec3(Vec3::Zero());
+        if (manifold.open) manifold.torque.setZero();
         return;
     }
     manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
@@ -336,6 +340,7 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
         if (manifold.open) {
             manifold.gap = gap;
             for (PersistentManifold::Point& point : manifold.points) point.force.setZero();
+            manifold.torque.setZero();
             if (gap > margin) manifold.count = 0;
             return false;
         }
@@ -368,6 +373,7 @@ PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& mani
     PlacedManifold result;
     result.count = manifold.count;
     result.normal = normalOf(input, manifold);
+    result.torque = manifold.torque;
     const bool movesA = bodies.mobile[a] != 0, movesB = bodies.mobile[b] != 0;
     const Vec3 between = poseB.position - poseA.position;
     const bool spheres = isSphere(bodies, a) && isSphere(bodies, b);
@@ -398,6 +404,9 @@ void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pa
     const Tangents tangents = tangentsOf(here.normal);
     const bool anchorA = isWall(input.bodies.shape[pair.b]);
     const Pose& anchorPose = input.state.pose[anchorA ? pair.a : pair.b];
+    double load = 0; // the points share the torque of rolling resistance as they do the load [N]
+    for (const PointInput& from : std::span(here.points).first(static_cast<std::size_t>(here.count)))
+        load += here.normal.dot(from.impulse);
     for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
         const PointInput& from = here.points[k];
         ContactConstraint& to = set.points.emplace_back();
@@ -412,6 +421,7 @@ void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pa
                                   : Vec3(input.state.pose[pair.a].position + from.armA);
         to.anchor = anchorPose.toBody(point);
         to.force = to.frame * from.impulse;
+        if (load > 0) to.rollingTorque = to.force.x() / load * (to.frame.bottomRows<2>() * here.torque);
     }
 }
 
@@ -432,6 +442,7 @@ PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pai
         all[k].onA = manifold.round ? Vec3(point - poseA.position) : poseA.toBody(point);
         all[k].onB = manifold.round ? Vec3(point - poseB.position) : poseB.toBody(point);
         all[k].force = from.frame.transpose() * from.force;
+        manifold.torque += from.frame.bottomRows<2>().transpose() * from.rollingTorque;
     }
     const std::size_t kept = std::min(points.size(), manifoldPoints);
     std::copy_n(all.begin(), kept, manifold.points.begin());

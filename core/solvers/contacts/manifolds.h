@@ -14,7 +14,8 @@
 #include <vector>
 
 // Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
-// within a fifth of a percent of their size and a tenth of a degree, their points are not looked for anew:
+// within a fiftieth of a percent of their size and a hundredth of a degree, their points are not looked for
+// anew:
 // points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
 // cylinders stand: points of a disc that are chosen anew each time go round the rim, and forces with them.
 //
@@ -23,7 +24,8 @@
 //                (core_direction.h); of more than four points the deepest, then those that span the largest
 //                area
 //     carried    onA, onB in the frames of the bodies; gap = n · (onB − onA)
-//     forces     of points within 5 % of the size of an old one, on B, begin where the old ones were
+//     forces     of points within 5 % of the size of an old one, on B, begin where the old ones were; so does
+//                the torque of rolling resistance
 //
 // Between spheres nothing is carried but the force: their contact is computed each time, with the normal they
 // will have when they meet within the substep (or pass each other by).
@@ -61,6 +63,7 @@ struct PersistentManifold {
     Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]
     Quat orientation = Quat::Identity();
     std::array<Point, manifoldPoints> points;
+    Vec3 torque = Vec3::Zero(); ///< of rolling resistance, on B, world [N m]
 };
 
 /// A contact at the present poses, ready for the rows.
@@ -68,6 +71,7 @@ struct PlacedManifold {
     Vec3 normal = Vec3::UnitY();
     int count = 0;
     std::array<PointInput, manifoldPoints> points; ///< impulse holds the force [N]
+    Vec3 torque = Vec3::Zero();                    ///< of rolling resistance, on B [N m]
 };
 
 struct ManifoldInput {

@@ -213,6 +213,7 @@ void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const
                 .friction = laws.friction,
                 .restitution = laws.restitution,
                 .rolling = laws.rolling,
+                .torque = contact.torque,
                 .push = mostCorrection * laws.size / m_substep,
                 .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
                entry, m_bodies);
@@ -313,7 +314,6 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     m_balls.warmStart(m_bodies);
     warmStart(m_rows, m_bodies);
     if (carriesImpact && m_energy.keep(m_before, m_island, m_bodies)) weakenImpulses();
-    for (RollingRow& row : m_rows.rolling()) row.torque.setZero();
     sweep(settings, first, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, first, report);
@@ -461,6 +461,10 @@ void SteppedMotion::storeForces(Manifolds& manifolds) const {
             for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
                 manifold.points[k].force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
         }
+    for (const RollingRow& row : m_rows.rolling()) {
+        const std::uint32_t source = m_rows.groups()[row.group].source[row.lane];
+        manifolds[m_entries[source].place].torque = perStep * row.torque;
+    }
 }
 
 bool SteppedMotion::isUnchanged(const State& state) const {

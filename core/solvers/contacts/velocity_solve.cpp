@@ -161,6 +161,10 @@ bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const
 
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies) {
     passWarm(rows.groups().data(), rows.groups().size(), rows.points().data(), bodies.data());
+    for (const RollingRow& row : rows.rolling()) {
+        add(bodies[row.a].spin, -turnedBy(bodies[row.a], row.torque));
+        add(bodies[row.b].spin, turnedBy(bodies[row.b], row.torque));
+    }
 }
 
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,

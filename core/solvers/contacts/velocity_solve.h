@@ -48,6 +48,7 @@
 //     hardness    one pass from the top   one from the ground   two from the top     there and back
 //     .18         .987   .990   .995      .999   .993   .992    .970   .972   .992   .993   .988   .991
 //     .22         .993   .996   .997      1.007  1.001  .996    .972   .980   .992   1.002  .997   .994
+//     .25         .998   .999   .999                            .981   .986   .993
 //     .27         .998   1.000  .999      1.014  1.008  1.002   .981   .988   .993   1.010  1.005  .999
 //     .54, ζ 60   .998   1.003  1.004     1.006  1.008  1.007   .996   1.001  1.002  1.004  1.008  1.007
 //
@@ -57,7 +58,7 @@ namespace carom {
 
 struct StepSettings {
     double duration = 0;    ///< h [s]
-    double hardness = 0.22; ///< of a contact with what cannot move twice as hard; at .27 stacks sway
+    double hardness = 0.25; ///< of a contact with what cannot move twice as hard; at .27 stacks sway
     double damping = 10;    ///< ζ
     double resting = 0;     ///< closing speeds up to this do not rebound [m/s]
 };

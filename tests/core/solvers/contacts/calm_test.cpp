@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenes.h"
+#include "tests/support/test_class.h"
+
+#include "core/solvers/contacts/calm.h"
+
+#include <QTest>
+
+#include <cmath>
+
+// When bodies of the base path may sleep: after five times √(size/g) within 3 % of their size, and slow.
+
+namespace carom {
+namespace {
+
+constexpr double radius = 0.1, g = 10, frame = 0.01; // [m], [m/s²], [s]
+constexpr int frames = 50;                           // √(.1/10) = .1 s, five times that
+
+struct Resting {
+    Bodies bodies = bodiesOf(test::sceneOf({test::sphere(radius, 1, Vec3::Zero(), Vec3::Zero())}));
+    State state = initialStateOf(test::sceneOf({test::sphere(radius, 1, Vec3::Zero(), Vec3::Zero())}));
+    Calm calm{1};
+
+    /// A frame in which it goes so far.
+    void go(const Vec3& way) {
+        state.pose[0].position += way;
+        calm.note(bodies, state, bodies.mobileBodies, frame);
+    }
+    bool isCalm() const { return calm.isCalm(bodies, state, 0, {0, -g, 0}); }
+};
+
+} // namespace
+
+class CalmTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void bodyThatStaysIsCalmAfterItsTime() {
+        Resting ball;
+        for (int n = 0; n < frames - 1; ++n) ball.go(Vec3::Zero());
+        QVERIFY(!ball.isCalm());
+        for (int n = 0; n < 3; ++n) ball.go(Vec3::Zero());
+        QVERIFY(ball.isCalm());
+        QVERIFY(!ball.calm.isCalm(ball.bodies, ball.state, 0, Vec3::Zero())); // nothing falls
+    }
+
+    void bodyThatCreepsIsNot() {
+        for (const double part : {0.5, 2.0}) { // of 3 % of its size in its time
+            Resting ball;
+            bool wasCalm = false;
+            for (int n = 0; n < 5 * frames; ++n) {
+                ball.go({part * 0.03 * radius / frames, 0, 0});
+                wasCalm = wasCalm || ball.isCalm();
+            }
+            QCOMPARE(wasCalm, part < 1);
+        }
+    }
+
+    void bodyThatSlipsALittleStaysSo() {
+        Resting ball;
+        for (int n = 0; n < 2 * frames; ++n) ball.go({n % 20 == 10 ? 0.005 * radius : 0, 0, 0});
+        QVERIFY(ball.isCalm());
+        ball.go({0.05 * radius, 0, 0});
+        QVERIFY(!ball.isCalm());
+    }
+
+    void bodyThatIsFastNowIsNot() {
+        Resting ball;
+        for (int n = 0; n < 2 * frames; ++n) ball.go(Vec3::Zero());
+        for (const double part : {0.9, 1.1}) { // of a hundredth of √(size g)
+            ball.state.velocity[0] = {part * calmSpeed * std::sqrt(radius * g), 0, 0};
+            QCOMPARE(ball.isCalm(), part < 1);
+        }
+    }
+
+    void bodyThatIsForgottenBeginsAnew() {
+        Resting ball;
+        for (int n = 0; n < 2 * frames; ++n) ball.go(Vec3::Zero());
+        ball.calm.forget(ball.bodies.mobileBodies);
+        QVERIFY(!ball.isCalm());
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(calm_test, carom::CalmTest)
+#include "calm_test.moc"
