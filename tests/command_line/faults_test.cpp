@@ -40,7 +40,7 @@ const std::vector<Writer>& writers() {
         {"statistics", {"run", "{}", "-n", "3", "--stats", "{out}/s.csv"}, "s.csv", true},
         {"format", {"format", "--in-place", "{out}/a.sdl"}, "a.sdl", false},
         {"bench",
-         {"bench", "--scene=pyramid", "-n", "10", "--frames=4", "-o", "{out}"},
+         {"bench", "--scene=pyramid", "-n", "10", "--broadphase=all_pairs", "--frames=4", "-o", "{out}"},
          "performance.csv",
          false},
         {"stability",
