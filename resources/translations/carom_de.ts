@@ -986,6 +986,14 @@ Choose Study to begin; the simulation above goes on meanwhile.</source>
         <translation>Zwischen dunklen und hellen Farben wechseln</translation>
     </message>
     <message>
+        <source>&amp;Collapse the panels below</source>
+        <translation>Untere Felder ein&amp;klappen</translation>
+    </message>
+    <message>
+        <source>Leave only the tabs of the panels below, and more of text and picture; a click on a tab brings them back</source>
+        <translation>Von den unteren Feldern nur die Reiter lassen, für mehr Text und Bild; ein Klick auf einen Reiter holt sie zurück</translation>
+    </message>
+    <message>
         <source>Go to the e&amp;ditor</source>
         <translation>Zum &amp;Text gehen</translation>
     </message>

@@ -20,6 +20,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString workspaceKey = QStringLiteral("workspace/current");
 const QString stateKey = QStringLiteral("workspace/%1/state");
 const QString sharesKey = QStringLiteral("workspace/%1/shares");
+const QString collapseKey = QStringLiteral("workspace/collapsed");
 const QString placeKey = QStringLiteral("files/place");
 const QString fontFamilyKey = QStringLiteral("editor/font");
 const QString fontSizeKey = QStringLiteral("editor/fontSize");
@@ -40,6 +41,8 @@ const QString recentKey = QStringLiteral("files/recent");
 
 bool Settings::darkTheme() const { return QSettings().value(darkThemeKey, true).toBool(); }
 void Settings::setDarkTheme(bool dark) { QSettings().setValue(darkThemeKey, dark); }
+bool Settings::collapsesPanels() const { return QSettings().value(collapseKey, false).toBool(); }
+void Settings::setCollapsesPanels(bool collapses) { QSettings().setValue(collapseKey, collapses); }
 bool Settings::wrapsLines() const { return QSettings().value(wrapKey, true).toBool(); }
 void Settings::setWrapsLines(bool wraps) { QSettings().setValue(wrapKey, wraps); }
 bool Settings::inlineMessages() const { return QSettings().value(inlineMessagesKey, true).toBool(); }

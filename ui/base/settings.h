@@ -37,6 +37,8 @@ class Settings {
 
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
+    bool collapsesPanels() const; ///< below the picture, to their tabs
+    void setCollapsesPanels(bool collapses);
     /// The workspace used last; the others are kept under their names.
     QString workspace() const;
     QByteArray workspaceState(const QString& name) const;

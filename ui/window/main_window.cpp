@@ -183,6 +183,7 @@ void MainWindow::addPanelToggles() {
             if (hides) {
                 m_editor->setFocus();
             } else {
+                if (dockWidgetArea(panel) == Qt::BottomDockWidgetArea) m_workspaces->expand();
                 panel->raise();
                 if (takesFocus) panel->setFocus();
             }
@@ -219,6 +220,7 @@ void MainWindow::releaseKeys() { m_editor->releaseKeys(m_actions->shortcuts()); 
 
 void MainWindow::open(QDockWidget& dock) {
     dock.show();
+    if (dockWidgetArea(&dock) == Qt::BottomDockWidgetArea) m_workspaces->expand();
     dock.raise();
     dock.setFocus();
 }

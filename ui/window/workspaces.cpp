@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
@@ -55,6 +56,13 @@ Workspaces::Workspaces(QMainWindow& window, QSplitter& splitter, const Actions& 
         connect(&action, &QAction::triggered, this, [this, i] { show(static_cast<WorkspaceId>(i)); });
     }
     connect(&actions[ActionId::ResetWorkspace], &QAction::triggered, this, &Workspaces::resetCurrent);
+    QAction& collapses = actions[ActionId::CollapsePanels];
+    collapses.setCheckable(true);
+    connect(&collapses, &QAction::toggled, this, &Workspaces::collapse);
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        connect(dock, &QDockWidget::dockLocationChanged, this, [this, dock] { limitHeight(*dock); });
+        connect(dock, &QDockWidget::topLevelChanged, this, [this, dock] { limitHeight(*dock); });
+    }
     connect(&splitter, &QSplitter::splitterMoved, this, [this] { m_shares.text = measured().text; });
     window.installEventFilter(this);
 }
@@ -64,6 +72,8 @@ bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
     if (watched != &m_window) return false;
     if (event->type() == QEvent::Resize) // to be done when the window has laid itself out
         QMetaObject::invokeMethod(this, &Workspaces::divide, Qt::QueuedConnection);
+    else if (event->type() == QEvent::ChildPolished) // tabs of panels that were not beside each other before
+        dressTabs();
     else if (event->type() == QEvent::MouseButtonPress)
         m_pressed = measured();
     else if (event->type() == QEvent::MouseButtonRelease)
@@ -71,11 +81,11 @@ bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
     return false;
 }
 
-/// One that is on screen there.
-QDockWidget* Workspaces::panelIn(Qt::DockWidgetArea area) const {
+QDockWidget* Workspaces::panelIn(Qt::DockWidgetArea area, Where where) const {
+    const bool all = where == Where::Anywhere || !m_window.isVisible();
     for (QDockWidget* dock : m_window.findChildren<QDockWidget*>())
         if (!dock->isFloating() && !dock->isHidden() && m_window.dockWidgetArea(dock) == area &&
-            (!m_window.isVisible() || !dock->visibleRegion().isEmpty()))
+            (all || !dock->visibleRegion().isEmpty()))
             return dock;
     return nullptr;
 }
@@ -85,7 +95,9 @@ void Workspaces::divide() {
         const int width = static_cast<int>(m_shares.right * m_window.width());
         m_window.resizeDocks({right}, {std::max(leastRight, width)}, Qt::Horizontal);
     }
-    if (QDockWidget* below = panelIn(Qt::BottomDockWidgetArea)) {
+    QDockWidget* below = panelIn(Qt::BottomDockWidgetArea);
+    if (below == nullptr) below = panelIn(Qt::BottomDockWidgetArea, Where::Anywhere); // until now collapsed
+    if (below != nullptr) {
         const int height = static_cast<int>(m_shares.below * m_window.height());
         const int most = m_window.height() - leastCentre;
         m_window.resizeDocks({below}, {std::min(height, most)}, Qt::Vertical);
@@ -122,6 +134,7 @@ void Workspaces::restore(const Settings& settings) {
         if (name == QLatin1String(rows[i].name)) m_current = static_cast<WorkspaceId>(i);
     actionOf(m_current).setChecked(true);
     arrange(m_current);
+    m_actions[ActionId::CollapsePanels].setChecked(settings.collapsesPanels());
 }
 
 void Workspaces::save(Settings& settings) const {
@@ -129,9 +142,52 @@ void Workspaces::save(Settings& settings) const {
 }
 
 /// Tab bars that Qt makes for tabbed panels draw a line of the platform's colour; ours have none.
-void Workspaces::dropLinesUnderTabs() {
-    for (QTabBar* bar : m_window.findChildren<QTabBar*>()) bar->setDrawBase(false);
+void Workspaces::dressTabs() {
+    for (QTabBar* bar : m_window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+        if (!bar->drawBase()) continue; // known
+        bar->setDrawBase(false);
+        connect(bar, &QTabBar::tabBarClicked, this, [this, bar] {
+            m_clickExpands = isBelow(*bar) && m_actions[ActionId::CollapsePanels].isChecked();
+            if (m_clickExpands) expand();
+        });
+        // A double click is told of before its second click, which would bring them back at once: so done
+        // later.
+        connect(bar, &QTabBar::tabBarDoubleClicked, this, [this, bar] {
+            if (!isBelow(*bar) || m_clickExpands) return;
+            QAction& collapses = m_actions[ActionId::CollapsePanels];
+            QMetaObject::invokeMethod(
+                &collapses, [&collapses] { collapses.setChecked(true); }, Qt::QueuedConnection);
+        });
+    }
 }
+
+/// Qt makes one bar for the panels of a place, and names its tabs after them.
+bool Workspaces::isBelow(const QTabBar& tabs) const {
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>())
+        if (tabs.count() > 0 && dock->windowTitle() == tabs.tabText(0))
+            return m_window.dockWidgetArea(dock) == Qt::BottomDockWidgetArea;
+    return false;
+}
+
+/// What a collapsed panel holds has no height to speak of: nothing is left of its place but the tabs.
+void Workspaces::limitHeight(QDockWidget& dock) {
+    const bool hides = m_actions[ActionId::CollapsePanels].isChecked() && !dock.isFloating() &&
+                       m_window.dockWidgetArea(&dock) == Qt::BottomDockWidgetArea;
+    dock.widget()->setMaximumHeight(hides ? 1 : QWIDGETSIZE_MAX); // 0 makes Qt compute -1 for the panel
+    if (hides && dock.isAncestorOf(QApplication::focusWidget())) m_splitter.setFocus();
+}
+
+void Workspaces::limitHeights() {
+    for (QDockWidget* dock : m_window.findChildren<QDockWidget*>()) limitHeight(*dock);
+}
+
+void Workspaces::collapse(bool collapsed) {
+    Settings().setCollapsesPanels(collapsed);
+    limitHeights();
+    if (!collapsed) QMetaObject::invokeMethod(this, &Workspaces::divide, Qt::QueuedConnection);
+}
+
+void Workspaces::expand() { m_actions[ActionId::CollapsePanels].setChecked(false); }
 
 void Workspaces::show(WorkspaceId id) {
     if (id == m_current) return;
@@ -153,14 +209,15 @@ void Workspaces::arrange(WorkspaceId id) {
     const Settings settings;
     const WorkspaceRow& row = rowOf(id);
     m_shares = settings.workspaceShares(nameOf(id)).value_or(sharesOf(id));
-    const bool wasLeft = m_window.restoreState(settings.workspaceState(nameOf(id)));
-    if (wasLeft) {
-        divide();
-        dropLinesUnderTabs();
-        return;
-    }
+    if (!m_window.restoreState(settings.workspaceState(nameOf(id)))) arrangeAnew(row.panels);
+    limitHeights();
+    divide();
+    dressTabs();
+}
+
+void Workspaces::arrangeAnew(const char* names) {
     m_window.restoreState(m_pristine);
-    const QStringList panels = QString::fromLatin1(row.panels).split(u' ');
+    const QStringList panels = QString::fromLatin1(names).split(u' ');
     const QList<QDockWidget*> docks = m_window.findChildren<QDockWidget*>();
     for (QDockWidget* dock : docks) {
         const bool shown = panels.contains(dock->objectName()) || panels.contains(dock->objectName() + u'!');
@@ -168,8 +225,6 @@ void Workspaces::arrange(WorkspaceId id) {
     }
     for (QDockWidget* dock : docks) // when all tabs are there
         if (panels.contains(dock->objectName() + u'!')) dock->raise();
-    divide();
-    dropLinesUnderTabs();
 }
 
 QAction& Workspaces::actionOf(WorkspaceId id) const { return m_actions[rowOf(id).action]; }

@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "ui/docks/accuracy_dock.h"
 #include "ui/window/translation.h"
 
 #include <QAbstractButton>
@@ -181,6 +182,49 @@ class LayoutTest : public QObject {
                                 .arg(ide.viewport.height())
                                 .arg(window.width())
                                 .arg(window.height())));
+    }
+
+    // At 1000 × 700 Study left eleven lines of text, and nothing gave it more but hiding nine panels.
+    void panelsBelowCollapseToTheirTabs() {
+        const auto heights = [](Ide& ide) {
+            return std::pair(ide.editor.height(), ide.bench.window().accuracy().height());
+        };
+        Ide ide;
+        MainWindow& window = ide.bench.window();
+        window.resize(1000, 700);
+        ide.trigger(ActionId::WorkspaceStudy);
+        constexpr int leastPanel = 300, tabs = 50, slack = 4; // [px]; the share of Study, once it is laid out
+        QTRY_VERIFY_WITH_TIMEOUT(heights(ide).second > leastPanel, longestWait);
+        const auto [text, panel] = heights(ide);
+        const auto isCollapsed = [&ide, before = text, all = panel] {
+            return ide.editor.height() > before + all - tabs &&
+                   ide.bench.window().accuracy().height() < slack;
+        };
+        const auto isAsBefore = [&, before = text, all = panel] {
+            const auto [now, below] = heights(ide);
+            return std::abs(now - before) <= slack && std::abs(below - all) <= slack;
+        };
+        QTabBar* below = nullptr;
+        for (QTabBar* bar : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+            if (bar->isVisible() && bar->count() > 5) below = bar;
+        QVERIFY(below != nullptr);
+        const QPoint second = below->tabRect(1).center();
+        const QPoint current = below->tabRect(below->currentIndex()).center();
+        QTest::mouseClick(below, Qt::LeftButton, {}, current);
+        QTest::mouseDClick(below, Qt::LeftButton, {}, current);
+        QTRY_VERIFY_WITH_TIMEOUT(isCollapsed(), longestWait);
+        QVERIFY(below->isVisible());
+        QTest::mouseClick(below, Qt::LeftButton, {}, second);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(ide.editor.height() - text) <= slack, longestWait);
+        QCOMPARE(below->currentIndex(), 1);
+        window.open(window.accuracy());
+        ide.trigger(ActionId::CollapsePanels);
+        QTRY_VERIFY_WITH_TIMEOUT(isCollapsed(), longestWait);
+        ide.trigger(ActionId::WorkspaceWrite); // and with the panels of another workspace
+        ide.trigger(ActionId::WorkspaceStudy);
+        QTRY_VERIFY_WITH_TIMEOUT(isCollapsed(), longestWait);
+        window.open(window.accuracy());
+        QTRY_VERIFY_WITH_TIMEOUT(isAsBefore(), longestWait);
     }
 
     void noTextIsCutOff_data() {
