@@ -346,7 +346,6 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         label->setPadding(QMargins(padding, 0, padding, 0));
         const double share = shareOfAxis(*plot.yAxis, level.y);
         const bool below = share > top;
-        label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
         const bool isFar = level.alwaysShown && (share > 1 || share < 0);
         if (isFar)
             label->setText((share > 1 ? QStringLiteral("\u2191 ") : QStringLiteral("\u2193 ")) + level.label);
@@ -361,7 +360,11 @@ void addLevels(QCustomPlot& plot, const ChartSpec& spec, const ChartColours& col
         const double left = freePlace(plot, spec, part, axes, isFar);
         label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         label->position->setTypeY(isFar ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
-        label->position->setCoords(left, isFar ? 1 - at : level.y);
+        // Held by its end nearer to the edge: it is whole even where the axes are narrower than supposed.
+        const bool onTheRight = left + 0.5 * part.width > 0.5;
+        label->setPositionAlignment((onTheRight ? Qt::AlignRight : Qt::AlignLeft) |
+                                    (below ? Qt::AlignTop : Qt::AlignBottom));
+        label->position->setCoords(onTheRight ? left + part.width : left, isFar ? 1 - at : level.y);
     }
 }
 

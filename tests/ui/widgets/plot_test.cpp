@@ -135,6 +135,33 @@ class PlotTest : public QObject {
         }
     }
 
+    // In a narrow panel a name at the right was cut, because the axes were supposed to be wider than they
+    // are.
+    void theNameOfALevelIsWholeInANarrowChart() {
+        ChartSpec spec = example(SeriesStyle::Marks);
+        spec.series.resize(1);
+        spec.series[0].y = {16, 9, 4, 1}; // leaves the upper right corner free
+        spec.y.logarithmic = true;
+        const QString path = m_folder.filePath(QStringLiteral("narrow.png"));
+        const auto darkness = [&](const QString& name, const QSize& size) -> double { // of all pixels
+            spec.levels = {{1e6, name, true}};
+            if (!writeChart(spec, path, size).isEmpty()) return NAN;
+            const QImage image = QImage(path).convertToFormat(QImage::Format_Grayscale8);
+            double sum = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x) sum += 255 - image.pixelColor(x, y).value();
+            return sum;
+        };
+        const auto darknessOfName = [&](const QSize& size) {
+            return darkness(QStringLiteral("MMMMM"), size) - darkness(QString(), size);
+        };
+        const double whole = darknessOfName({800, 400});
+        constexpr double smooth = 0.1; // edges of letters fall between pixels
+        for (const int width : {220, 260, 300})
+            QVERIFY2(std::abs(darknessOfName({width, 200}) / whole - 1) < smooth,
+                     qPrintable(QString::number(darknessOfName({width, 200}) / whole)));
+    }
+
     // The width of the name was taken for a smaller part of the axes than it is where names stand beside
     // them: it ended over the points on its right.
     void theNameOfALevelCoversNoPointWhereSeriesAreNamedBesideTheAxes() {
