@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace carom {
@@ -14,22 +15,55 @@ double valueAt(std::span<const double> q, double t) {
     return value;
 }
 
-/// The root of q between `low` and `high`, where its sign changes: Newton's steps while they stay in the
-/// bracket and halve it, bisection else. Ends when the bracket is two neighbouring numbers wide or hit.
+double slopeAt(std::span<const double> q, double t) {
+    double slope = 0;
+    for (std::size_t k = q.size(); k-- > 1;) slope = slope * t + static_cast<double>(k) * q[k];
+    return slope;
+}
+
+/// Ascending.
+struct Roots {
+    std::array<double, 4> at{};
+    std::size_t count = 0;
+
+    void add(double root) { at[count++] = root; }
+};
+
+/// The roots of q[0] + q[1] t + q[2] t² in (0, bound), in the form that subtracts no near-equal numbers.
+Roots quadraticRoots(std::span<const double> q, double bound) {
+    const double c = q[0], half = q.size() > 1 ? 0.5 * q[1] : 0, a = q.size() > 2 ? q[2] : 0;
+    const double discriminant = half * half - a * c;
+    Roots roots;
+    if (!(discriminant >= 0)) return roots;
+    const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
+    const double one = c / sum, other = sum / a; // not finite, or not a number, where there is none
+    for (const double root : {std::min(one, other), std::max(one, other)})
+        if (root > 0 && root < bound) roots.add(root);
+    return roots;
+}
+
+/// The root of q between `low` and `high`, where its sign changes: first that of the parabola that q is near
+/// `low`, which may be an extremum, then Newton's steps while they stay in the bracket and shrink by half,
+/// halving it else. Ends when a step is no longer than rounding, not when the bracket is as narrow: Newton's
+/// steps come from one side.
 double bracketedRoot(std::span<const double> q, std::span<const double> derivative, double low, double high) {
-    const bool risesThere = valueAt(q, low) < 0;
-    double t = 0.5 * (low + high);
+    constexpr double rounding =
+        4 * std::numeric_limits<double>::epsilon(); // of t: of the value over the slope
+    const double atLow = valueAt(q, low);
+    const std::array near{atLow, valueAt(derivative, low), 0.5 * slopeAt(derivative, low)};
+    const Roots ofParabola = quadraticRoots(near, high - low);
+    double t = ofParabola.count > 0 ? low + ofParabola.at[0] : 0.5 * (low + high);
     double width = high - low;
     for (int round = 0; round < 200; ++round) {
         const double value = valueAt(q, t);
         if (value == 0) return t;
-        ((value < 0) == risesThere ? low : high) = t;
-        const double slope = valueAt(derivative, t);
-        double next = slope != 0 ? t - value / slope : low;
+        double next = t - value / valueAt(derivative, t);
+        if (std::abs(next - t) <= rounding * t) return next;
+        ((value < 0) == (atLow < 0) ? low : high) = t;
         const bool usable = next > low && next < high && std::abs(next - t) < 0.5 * width;
         if (!usable) next = 0.5 * (low + high);
-        if (next == t || next <= low || next >= high) return next;
         width = std::abs(next - t);
+        if (width <= rounding * next) return next;
         t = next;
     }
     return t;
@@ -50,26 +84,26 @@ double rootBound(std::span<const double> q) {
     return bound;
 }
 
-/// The roots of q in (0, bound), ascending, by those of its derivative: between two extrema q is monotonic.
-struct Roots {
-    std::array<double, 4> at{};
-    std::size_t count = 0;
-};
+enum class Wanted : bool { All, FirstThatFalls };
 
-Roots positiveRoots(std::span<const double> q, double bound) {
+/// The roots of q in (0, bound) by its extrema: between two of them it is monotonic. Extrema of degrees up to
+/// three come in closed form.
+Roots positiveRoots(std::span<const double> q, double bound, Wanted wanted) {
     Roots roots;
-    if (q.size() < 2) return roots;
     std::array<double, 4> derivative{};
     for (std::size_t k = 1; k < q.size(); ++k) derivative[k - 1] = static_cast<double>(k) * q[k];
     const std::span<const double> dq(derivative.data(), q.size() - 1);
-    const Roots extrema = positiveRoots(dq, bound);
-    double low = 0;
+    const Roots extrema = dq.size() <= 3 ? quadraticRoots(dq, bound) : positiveRoots(dq, bound, Wanted::All);
+    double low = 0, atLow = q[0];
     for (std::size_t k = 0; k <= extrema.count; ++k) {
         const double high = k < extrema.count ? extrema.at[k] : bound;
-        const double atLow = valueAt(q, low), atHigh = valueAt(q, high);
-        if ((atLow < 0) != (atHigh < 0) && atLow != 0 && roots.count < roots.at.size())
-            roots.at[roots.count++] = bracketedRoot(q, dq, low, high);
+        const double atHigh = valueAt(q, high);
+        const bool falls = atLow > 0 && atHigh < 0;
+        if (falls || (wanted == Wanted::All && atLow < 0 && atHigh >= 0))
+            roots.add(bracketedRoot(q, dq, low, high));
+        if (falls && wanted == Wanted::FirstThatFalls) break;
         low = high;
+        atLow = atHigh;
     }
     return roots;
 }
@@ -103,12 +137,8 @@ double firstFallingRoot(const std::array<double, 5>& q) {
     }
     const double bound = rootBound(polynomial);
     if (!std::isfinite(bound)) return never;
-    const Roots roots = positiveRoots(polynomial, bound);
-    std::array<double, 4> slope{};
-    for (std::size_t k = 1; k < terms; ++k) slope[k - 1] = static_cast<double>(k) * q[k];
-    for (std::size_t k = 0; k < roots.count; ++k)
-        if (valueAt(slope, roots.at[k]) < 0) return roots.at[k];
-    return never;
+    const Roots roots = positiveRoots(polynomial, bound, Wanted::FirstThatFalls);
+    return roots.count > 0 ? roots.at[0] : never;
 }
 
 } // namespace carom

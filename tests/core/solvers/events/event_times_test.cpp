@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -76,6 +77,28 @@ class EventTimesTest : public QObject {
         // Touching at once: falling, or rising and falling back later, (t)(t−1)(t−2) ...
         QCOMPARE(firstFallingRoot({0, -1, 1, 0, 0}), 0.0);
         QVERIFY(std::abs(firstFallingRoot({0, 2, -3, 1, 0}) - 1) < 1e-12);
+    }
+
+    // Against bisection with more digits, where hops last from a second down to a billionth of one.
+    void aFallingRootIsFoundToRounding() {
+        constexpr std::uint64_t seed = 20054;
+        constexpr double roundingOfRoots = 1e-14; // relative
+        Random random(seed);
+        for (int trial = 0; trial < 2000; ++trial) {
+            const double hop = std::pow(10.0, random.uniform(-9, 0));
+            const std::array<double, 5> q{0, random.uniform(1, 2) * hop, -random.uniform(1, 2),
+                                          random.uniform(-1, 1), random.uniform(0, 20)};
+            const auto value = [&](long double t) { return q[1] + t * (q[2] + t * (q[3] + t * q[4])); };
+            long double low = 0, high = 4 * hop;
+            if (value(high) >= 0) continue; // another shape
+            for (int round = 0; round < 100; ++round) {
+                const long double middle = (low + high) / 2;
+                (value(middle) > 0 ? low : high) = middle;
+            }
+            const double expected = static_cast<double>(low);
+            QVERIFY2(std::abs(firstFallingRoot(q) - expected) <= roundingOfRoots * expected,
+                     qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(trial)));
+        }
     }
 
     void aCollisionUnderCommonGravityIsFoundWhereSmallStepsFindIt() {
