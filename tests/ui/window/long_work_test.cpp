@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/whole_ide.h"
 
+#include "ui/base/settings.h"
 #include "ui/editor/live_build.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/live_preview.h"
@@ -60,7 +61,11 @@ struct LongIde : Ide {
 class LongWorkTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
-    void init() { QSettings().clear(); }
+    void init() {
+        QSettings().clear();
+        Settings().setWrapsLines(
+            false); // most of the time would go into the widths of lines that nobody looks at
+    }
 
     void aLongBuildShowsHowFarItIsInTheStatusBar() {
         LongIde ide;
