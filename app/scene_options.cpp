@@ -69,7 +69,8 @@ std::string describeLoss(std::string_view who, const World& world) {
     const Health& health = world.health();
     return std::string(who) + ": the " + std::string(health.quantity) + " of " +
            world.pipeline().scene().nameOf(health.body) + " (body " + std::to_string(health.body) +
-           ") is not finite in frame " + std::to_string(health.frame) + "; the run stops there\n";
+           ") is not finite, or too large to follow, in frame " + std::to_string(health.frame) +
+           "; the run stops there\n";
 }
 
 } // namespace carom

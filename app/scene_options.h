@@ -21,7 +21,8 @@ SimulationSettings simulationSettings(const Arguments& arguments);
 /// Reads and builds the scene, its diagnostics go to standard error. Throws FileError.
 Build loadScene(const std::string& path, const SimulationSettings& options = {});
 
-/// "carom run: the velocity of `cue` (body 3) is not finite in frame 12; the run stops there".
+/// "carom run: the velocity of `cue` (body 3) is not finite, or too large to follow, in frame 12; the run
+/// stops there".
 std::string describeLoss(std::string_view who, const World& world);
 
 } // namespace carom

@@ -41,7 +41,8 @@ std::string lossOf(const TestedScene& tested) {
     const Health& health = tested.check->health;
     if (health.finite) return {};
     return "the " + std::string(health.quantity) + " of " + sceneOf(tested).nameOf(health.body) +
-           " is not finite in frame " + std::to_string(health.frame) + "; the run stops there";
+           " is not finite, or too large to follow, in frame " + std::to_string(health.frame) +
+           "; the run stops there";
 }
 
 /// Why a scene counts as failed although no expectation of it does.

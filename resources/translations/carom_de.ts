@@ -3883,8 +3883,8 @@ Wählen Sie, was verschieden ist, und dann Wettlauf; die Simulation oben läuft 
         <translation>&amp;Abspielen</translation>
     </message>
     <message>
-        <source>Stopped at frame %1: the %2 of %3 is no longer a finite number</source>
-        <translation>Angehalten bei Bild %1: „%2“ von %3 ist keine endliche Zahl mehr</translation>
+        <source>Stopped at frame %1: the %2 of %3 is not finite, or too large to follow</source>
+        <translation>Angehalten bei Bild %1: „%2“ von %3 ist nicht endlich oder zu groß, um ihm zu folgen</translation>
     </message>
     <message>
         <source>No breakpoint held before this frame</source>

@@ -53,6 +53,7 @@ class RunTest : public QObject {
     void threadsAndBroadphasesChangeNoBit();
     void faultyDeclarationsAreLeftOutUnlessStrict();
     void aLostStateEndsWithFourAndSaysWhere();
+    void aFrameOfTooMuchWorkEndsWithFourAndSaysWhy();
     void energyFromNowhereEndsWithFour();
     void whatCannotBeWrittenEndsWithThree();
     void tracesGoToStandardOutputAndTheSummaryAside();
@@ -263,9 +264,10 @@ void RunTest::aLostStateEndsWithFourAndSaysWhere() {
     const QString file = path("lost.csv");
     const test::Ended ended = test::carom({"run", "-", "--json", "--trace", file}, runaway);
     QCOMPARE(ended.exitCode, 4);
-    QVERIFY2(ended.err.contains(QRegularExpression("^carom run: the (position|velocity) of `rocket` \\(body "
-                                                   "0\\) is not finite in frame \\d+; the run "
-                                                   "stops there\n$")),
+    QVERIFY2(ended.err.contains(
+                 QRegularExpression("^carom run: the (position|velocity) of `rocket` \\(body "
+                                    "0\\) is not finite, or too large to follow, in frame \\d+; the run "
+                                    "stops there\n$")),
              qPrintable(ended.err));
     // What was computed before is there, and finite.
     const int frames = QJsonDocument::fromJson(ended.out.toUtf8()).object()["frames"].toInt(-1);
@@ -273,6 +275,17 @@ void RunTest::aLostStateEndsWithFourAndSaysWhere() {
     const QString trace = test::readFile(file);
     QCOMPARE(test::linesOf(trace).size(), 1 + 1 + frames);
     QVERIFY(!trace.contains("inf") && !trace.contains("nan"));
+}
+
+void RunTest::aFrameOfTooMuchWorkEndsWithFourAndSaysWhy() {
+    // Where no impact loses energy no other method may take over.
+    const test::Ended ended =
+        test::carom({"run", "-", "--method", "events"},
+                    "sphere { radius 0.5  mass 1  centre 0, 0, 0  vel 1, 0, 1e11  elastic 1 }\n"
+                    "sphere { radius 0.5  mass 1  centre 9, 0, 0  elastic 1 }\n");
+    QCOMPARE(ended.exitCode, 4);
+    QCOMPARE(ended.err, QString("carom run: the velocity of sphere 0 (body 0) is not finite, or too large to "
+                                "follow, in frame 1; the run stops there\n"));
 }
 
 void RunTest::energyFromNowhereEndsWithFour() {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t mostBodies = 64; // so that a text takes milliseconds
 constexpr int frames = 20, middle = 10;
 // What is followed of a scene that an accurate preset spends seconds a frame on [operations].
-constexpr double mostWork = 1e8;
+constexpr double mostWork = 1e8, operationsPerEvent = 100;
 // A scene may ask for more, and is right to: they are its author's to wait for.
 constexpr int substeps = 2, iterations = 20;
 
@@ -39,7 +39,8 @@ std::string brokenMotion(const std::shared_ptr<const Pipeline>& pipeline) {
     while (frame < frames && work < mostWork) {
         world.step();
         ++frame;
-        work += operationsOf(world.statistics().work);
+        work += operationsOf(world.statistics().work) +
+                operationsPerEvent * static_cast<double>(world.statistics().events);
         if (std::string broken = brokenState(world, frame); !broken.empty()) return broken;
         if (!world.health().finite) {
             const std::uint64_t hash = world.stateHash();

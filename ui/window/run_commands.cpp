@@ -302,7 +302,7 @@ QString RunCommands::whyItStopped(const RunStatus& status) const {
         return tr("Stopped at frame %1: there is not enough memory for it").arg(frame);
     if (status.cause == StopCause::Error)
         return tr("Stopped at frame %1 by an error inside the program").arg(frame);
-    return tr("Stopped at frame %1: the %2 of %3 is no longer a finite number")
+    return tr("Stopped at frame %1: the %2 of %3 is not finite, or too large to follow")
         .arg(frame, textOf(status.health.quantity),
              QString::fromStdString(m_simulation.pipeline()->scene().nameOf(status.health.body)));
 }

@@ -22,6 +22,14 @@ constexpr double stalled = 1e-9;
 /// Typical times in one call at most: radii that the fastest ball moves.
 constexpr double farthest = 1e12;
 
+// Cells that one call may take balls through: so many, and so many more for each ball and each event at which
+// a velocity changes. A cell takes some 70 ns, so a frame in which nothing meets ends within half a second. A
+// gas passes five cells a collision, and one ball alone may move fifty thousand kilometres a second with a
+// radius of half a metre in frames of 1/60 s.
+constexpr std::uint64_t mostCells = 5'000'000, cellsPerEvent = 1000;
+/// What setting back the clock takes, which makes the cells anew, besides a cell for each ball.
+constexpr std::uint64_t cellsPerTurn = 100;
+
 /// A ball that bounces within this part of its radius of a wall is put right on it: the rest is rounding.
 constexpr double touching = 1e-9;
 
@@ -33,6 +41,14 @@ Loss EventGas::advanceTo(double time, std::uint64_t mostEvents) {
     std::uint64_t windowEnd = m_handled + window;
     double windowStart = -never;
     const std::uint64_t from = m_handled + m_lookedAt;
+    const EventCounts atStart = m_counts;
+    std::uint64_t turns = 0; // of the clock, in cells
+    const auto isTooFar = [&] {
+        const std::uint64_t changes =
+            m_counts.collisions + m_counts.bounces - atStart.collisions - atStart.bounces;
+        return m_counts.crossings - atStart.crossings + turns >
+               mostCells + cellsPerEvent * (m_origins.size() + changes);
+    };
     keepDaysFitting();
     for (;;) {
         const double target = std::min(time - m_secondsPast, m_clockTurn);
@@ -42,15 +58,17 @@ Loss EventGas::advanceTo(double time, std::uint64_t mostEvents) {
             if (!std::isfinite(m_origins[i].velocity.squaredNorm())) return {m_bodies[i], "velocity"};
             handle(i);
             if (m_isWedged || m_handled + m_lookedAt - from > mostEvents)
-                return {m_bodies[i], "time between events"};
+                return {m_bodies[i], "rate of events"};
             if (m_handled < windowEnd) continue;
-            if (happens - windowStart < stalled * m_typicalTime) return {m_bodies[i], "time between events"};
+            if (happens - windowStart < stalled * m_typicalTime) return {m_bodies[i], "rate of events"};
+            if (isTooFar()) return fastest();
             windowStart = happens;
             windowEnd = m_handled + window;
             m_now = happens;
             keepDaysFitting();
         }
         m_now = limit;
+        if (isTooFar()) return fastest();
         if (m_sliceEnd < target) {
             beginSlice();
             if (m_handled + m_lookedAt - from > mostEvents) return fastest();
@@ -59,6 +77,7 @@ Loss EventGas::advanceTo(double time, std::uint64_t mostEvents) {
         } else {
             setClockBack();
             windowStart -= m_clockTurn;
+            turns += m_origins.size() + cellsPerTurn;
         }
     }
 }

@@ -74,8 +74,9 @@ class EventGas {
     /// Advances to `time` [s] after the start; times must not decrease. Breaks off with
     /// the ball concerned if time ceases to pass between the events (inelastic collapse), or there are more
     /// than `mostEvents` of them, or of what costs as much; if a ball
-    /// that rests on walls would be pushed into one of them; if the fastest would fly 1e12 radii: there would
-    /// be no end to the cell crossings; or if squares of velocities or of gravity are no numbers.
+    /// that rests on walls would be pushed into one of them; with the fastest if the balls would pass 5e6
+    /// cells and a thousand more for each ball and each collision and bounce, or the fastest would move 1e12
+    /// radii; or if squares of velocities or of gravity are no numbers.
     Loss advanceTo(double time, std::uint64_t mostEvents = std::numeric_limits<std::uint64_t>::max());
 
     /// How long it goes by one clock [s]; setting it back rounds times anew.

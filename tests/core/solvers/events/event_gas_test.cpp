@@ -207,7 +207,7 @@ class EventGasTest : public QObject {
 
     // Such a ball crossed into another cell at every instant, and the call had no end.
     void aBallTooFastForAnyCellIsTold() {
-        for (const double speed : {1.5e308, 1e155, 1e20}) {
+        for (const double speed : {1.5e308, 1e155, 1e20, 1e11}) {
             const Body slow = sphere(0.5, 1, Vec3(0, 5, 0)),
                        fast = sphere(0.5, 1, Vec3(3, 5, 0), speed * Vec3::UnitY());
             const Scene scene = test::sceneOf({wall(Vec3(0, 1, 0), 0), slow, fast}, ofTheEarth);
@@ -218,6 +218,27 @@ class EventGasTest : public QObject {
             QCOMPARE(loss.body, BodyIndex{2});
             QCOMPARE(loss.quantity, std::string_view("velocity"));
         }
+    }
+
+    // One at 1e11 m/s passed 1.5e9 cells a frame, 20 s of work in which nothing happened.
+    void theWorkOfACallIsBoundedWhereNothingMeets() {
+        const Scene scene = test::sceneOf({sphere(0.5, 1, Vec3::Zero(), Vec3(1, 0, 1e11))});
+        const Bodies bodies = bodiesOf(scene);
+        EventGas gas(bodies, initialStateOf(scene), Vec3::Zero());
+        const Loss loss = gas.advanceTo(1.0 / 60);
+        QVERIFY(loss);
+        QVERIFY2(gas.counts().crossings < 5'500'000, qPrintable(QString::number(gas.counts().crossings)));
+    }
+
+    // The limit grows with what happens: a ball between two walls passes more cells than that.
+    void aCallInWhichMuchHappensHasNoSuchLimit() {
+        const double width = 100;
+        const Scene scene = test::sceneOf({wall(Vec3(1, 0, 0), 0), wall(Vec3(-1, 0, 0), -width),
+                                           sphere(0.5, 1, Vec3(50, 0, 0), Vec3(1, 0, 0))});
+        const Bodies bodies = bodiesOf(scene);
+        EventGas gas(bodies, initialStateOf(scene), Vec3::Zero());
+        QVERIFY(!gas.advanceTo(1.5e7));
+        QVERIFY(gas.counts().crossings > 6'000'000);
     }
 
     void theTalliesOfImpulsesAddUp() {
