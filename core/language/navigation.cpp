@@ -120,7 +120,8 @@ std::vector<OutlineEntry> outlineOf(const Analysis& analysis) {
                                               [&](const EffectDeclaration& effect) {
                                                   return isSource(effect.source, range);
                                               }) ||
-                          isSource(scene.simulation.source, range) || isSource(scene.camera.source, range);
+                          isSource(scene.simulation.source, range) || isSource(scene.camera.source, range) ||
+                          (scene.sweep && isSource(scene.sweep->source, range));
         }
         entries.push_back(entry);
     }

@@ -53,6 +53,17 @@ class NavigationTest : public QObject {
         QCOMPARE(outline[3].body, carom::noBody);
     }
 
+    // A `sweep` stood there as one with a mistake in it.
+    void theOutlineTakesASweepForSound() {
+        const std::vector<carom::OutlineEntry> outline =
+            outlineOf(analyse("sphere a { radius 1 mass 1 centre 0, 0, 0 }\n"
+                              "sweep { vary \"a.mass=1:2:2\" measure \"final y of a\" }\n"
+                              "sweep { vary 3 }\n"));
+        QCOMPARE(outline.size(), std::size_t{3});
+        QVERIFY(outline[1].built);
+        QVERIFY(!outline[2].built);
+    }
+
     void aLabelIsFoundFromItsDefinitionAndFromItsUses() {
         const Analysis analysis = analyse(text);
         for (const std::uint32_t offset : {at("a { radius 1"), at("a to world"), at("a stiffness 2")}) {
