@@ -5,6 +5,7 @@
 #include "app/files.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/readable_scene.h"
 #include "app/shard_files.h"
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
@@ -82,6 +83,8 @@ BenchmarkPlan planFrom(const Arguments& arguments, const Shard& shard) {
         for (const std::int64_t n : plan.counts)
             if (const std::optional<std::string> reason = checkRequest(*scene, requestFor(*scene, n)))
                 throw UsageError(std::string(scene->name) + ": " + *reason);
+    for (const GeneratorRow* scene : plan.scenes)
+        readableScene(*scene, requestFor(*scene, plan.counts.back()));
     // Numbers of one scene stay together: an algorithm that is too slow is left out at the larger ones.
     plan.scenes = partOf(shard, plan.scenes);
     if (std::ranges::count(plan.scenes, plan.traceScene) == 0) plan.traceScene = nullptr;

@@ -2,14 +2,13 @@
 #include "app/command.h"
 #include "app/errors.h"
 #include "app/files.h"
+#include "app/readable_scene.h"
 #include "core/base/catalogue.h"
 #include "core/base/text.h"
 #include "core/generators/generator.h"
-#include "core/language/analysis.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace carom {
@@ -72,14 +71,6 @@ GeneratorRequest requestFrom(const Arguments& arguments) {
     return request;
 }
 
-/// How many of the bodies asked for would fit into what can be read, in round numbers.
-std::string mostBodiesOf(const std::string& text, const GeneratorRequest& request) {
-    const double share = static_cast<double>(largestText) / static_cast<double>(text.size());
-    const double most = share * static_cast<double>(request.n.value_or(1));
-    const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(most)) - 1));
-    return std::to_string(static_cast<std::int64_t>(std::floor(most / unit) * unit));
-}
-
 int runGenerate(const Arguments& arguments) {
     if (arguments.has("list")) {
         printOut(listOfGenerators());
@@ -97,12 +88,7 @@ int runGenerate(const Arguments& arguments) {
     const GeneratorRequest request = requestFrom(arguments);
     if (const std::optional<std::string> reason = checkRequest(*generator, request))
         throw UsageError(*reason);
-    const std::string text = generate(*generator, request);
-    if (text.size() > largestText)
-        throw UsageError("the scene would have " + std::to_string(text.size() >> 20U) +
-                         " MiB, and no more than " + std::to_string(largestText >> 20U) +
-                         " MiB can be read; about " + mostBodiesOf(text, request) + " bodies fit");
-    printOut(text);
+    printOut(readableScene(*generator, request));
     return exitcode::done;
 }
 
