@@ -2,7 +2,7 @@
 #include "core/simulation/breakpoint.h"
 
 #include "core/narrowphase/narrowphase.h"
-#include "core/simulation/touching.h"
+#include "core/simulation/frame_impulses.h"
 
 #include <algorithm>
 #include <array>
@@ -60,8 +60,9 @@ std::optional<std::size_t> BreakWatch::check(const World& world) {
     if (empty()) return std::nullopt;
     std::optional<std::size_t> first;
     for (std::size_t i = 0; i < m_breakpoints.size() && !first; ++i) {
-        const bool begins = !m_held[i] && holds(m_breakpoints[i], world);
-        if (begins || happened(m_breakpoints[i], world)) first = i;
+        const Breakpoint& breakpoint = m_breakpoints[i];
+        const bool begins = !m_held[i] && holds(breakpoint, world);
+        if (begins || happened(breakpoint, world) || wereStruck(breakpoint, world)) first = i;
     }
     begin(world);
     return first;
@@ -108,10 +109,23 @@ bool BreakWatch::happened(const Breakpoint& breakpoint, const World& world) cons
     return false;
 }
 
+/// Whether the bodies of a contact took an impulse from each other, as those do that touch already and are
+/// struck through others: these neither close in nor need they part.
+bool BreakWatch::wereStruck(const Breakpoint& breakpoint, const World& world) const {
+    if (breakpoint.kind != BreakKind::Contact) return false;
+    const auto isOf = [&](BodyIndex body, const BodyPair& pair) {
+        return body == noBody || body == pair.a || body == pair.b;
+    };
+    const FrameImpulses frame(world.pipeline(), {m_poseBefore, m_velocityBefore}, world.state());
+    return std::ranges::any_of(frame.struckPairs(), [&](const BodyPair& pair) {
+        return isOf(breakpoint.a, pair) && isOf(breakpoint.b, pair);
+    });
+}
+
 /// Whether two bodies came into contact in the step: they touch now and did not before, or they bounced in
-/// between. Then they close in before and part afterwards, were near enough to reach each other, and changed
-/// their relative velocity by more than gravity does. (Two bodies that pass each other closely while a third
-/// hits one of them look the same.)
+/// between. Then they close in before and part afterwards, their paths touch, and they changed their relative
+/// velocity by more than gravity does. (Two bodies that pass each other while a third hits one of them look
+/// the same where that brings its path to the other.)
 bool BreakWatch::met(const World& world, BodyIndex a, BodyIndex b) const {
     const Bodies& bodies = world.pipeline().bodies();
     if (a >= bodies.count() || b >= bodies.count() || (bodies.mobile[a] == 0 && bodies.mobile[b] == 0))
@@ -140,7 +154,8 @@ bool BreakWatch::met(const World& world, BodyIndex a, BodyIndex b) const {
     const Vec3 jump = (state.velocity[b] - state.velocity[a]) - (m_velocityBefore[b] - m_velocityBefore[a]) -
                       fall * world.pipeline().gravity();
     return closing > 0 && parting > 0 && before.distance + now.distance <= way &&
-           jump.dot(now.normal) > leastJump * closing;
+           jump.dot(now.normal) > leastJump * closing &&
+           FrameImpulses(world.pipeline(), {m_poseBefore, m_velocityBefore}, state).mayHaveTouched(a, b);
 }
 
 } // namespace carom

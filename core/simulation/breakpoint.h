@@ -50,6 +50,7 @@ class BreakWatch {
     bool holds(const Breakpoint& breakpoint, const World& world) const;
     bool happened(const Breakpoint& breakpoint, const World& world) const;
     bool met(const World& world, BodyIndex a, BodyIndex b) const;
+    bool wereStruck(const Breakpoint& breakpoint, const World& world) const;
 
     std::vector<Breakpoint> m_breakpoints;
     std::vector<bool> m_held; ///< by breakpoint, in the frame before

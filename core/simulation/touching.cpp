@@ -22,14 +22,25 @@ struct PlacedBoxes {
     }
 };
 
-/// Pairs whose boxes overlap, and every mobile body with every wall.
-std::vector<BodyPair> candidates(const Bodies& bodies, const State& state) {
-    std::vector<BodyPair> pairs = overlappingPairs(bodies, state.pose);
+std::vector<BodyPair> overlapping(const Bodies& bodies, const PlacedBoxes& placed) {
+    const BroadphaseInput input{placed.boxes, bodies.bounded, placed.mobile};
+    const std::unique_ptr<Broadphase> search = chooseBroadphase(input).row->create();
+    search->update(input);
+    return {search->pairs().begin(), search->pairs().end()};
+}
+
+/// These and every mobile body with every wall, ascending.
+std::vector<BodyPair> withWalls(const Bodies& bodies, std::vector<BodyPair> pairs) {
     for (const BodyIndex wall : bodies.walls)
         for (const BodyIndex body : bodies.mobileBodies)
             pairs.push_back({std::min(wall, body), std::max(wall, body)});
     std::sort(pairs.begin(), pairs.end());
     return pairs;
+}
+
+/// Pairs whose boxes overlap, and every mobile body with every wall.
+std::vector<BodyPair> candidates(const Bodies& bodies, const State& state) {
+    return withWalls(bodies, overlappingPairs(bodies, state.pose));
 }
 
 } // namespace
@@ -40,11 +51,15 @@ void updateAt(const Bodies& bodies, const std::vector<Pose>& poses, Broadphase& 
 }
 
 std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<Pose>& poses) {
-    const PlacedBoxes placed(bodies, poses);
-    const BroadphaseInput input{placed.boxes, bodies.bounded, placed.mobile};
-    const std::unique_ptr<Broadphase> search = chooseBroadphase(input).row->create();
-    search->update(input);
-    return {search->pairs().begin(), search->pairs().end()};
+    return overlapping(bodies, PlacedBoxes(bodies, poses));
+}
+
+std::vector<BodyPair> pairsNear(const Bodies& bodies, const std::vector<Pose>& poses,
+                                const std::vector<double>& margins) {
+    PlacedBoxes placed(bodies, poses);
+    for (std::size_t k = 0; k < placed.boxes.size(); ++k)
+        placed.boxes[k] = grown(placed.boxes[k], margins[bodies.bounded[k]]);
+    return withWalls(bodies, overlapping(bodies, placed));
 }
 
 void forEachTouchingPair(const Bodies& bodies, const State& state,

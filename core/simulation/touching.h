@@ -24,6 +24,11 @@ void updateAt(const Bodies& bodies, const std::vector<Pose>& poses, Broadphase& 
 /// Every pair of which at least one body is mobile whose boxes overlap, ascending; walls have no box.
 std::vector<BodyPair> overlappingPairs(const Bodies& bodies, const std::vector<Pose>& poses);
 
+/// Every pair of which at least one body is mobile whose boxes overlap at these poses when each is grown by
+/// the margin of its body [m], and every mobile body with every wall, ascending.
+std::vector<BodyPair> pairsNear(const Bodies& bodies, const std::vector<Pose>& poses,
+                                const std::vector<double>& margins);
+
 /// Hands over every pair of which at least one body is mobile whose distance is at most 0, ascending, with
 /// its contact points, until `take` returns false. For reports and pictures of one state; a run keeps its
 /// own.

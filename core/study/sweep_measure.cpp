@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/narrowphase/time_of_impact.h"
 #include "core/scene/schema.h"
+#include "core/simulation/frame_impulses.h"
 #include "core/solvers/solver.h"
 
 #include <algorithm>
@@ -138,7 +139,7 @@ void MeasureWatch::take(Followed& followed, const World& world, const Moment& mo
     const double time = world.state().time;
     if (measure.quantity == impact) {
         if (std::isnan(followed.figure) && world.state().frame > 0 && followed.meeting.check(world))
-            followed.figure = momentOfImpact(followed);
+            followed.figure = momentOfImpact(followed, world);
         return;
     }
     const double near = sameMoment * m_pipeline->settings().step;
@@ -179,7 +180,7 @@ void MeasureWatch::take(Followed& followed, const World& world, const Moment& mo
         followed.sums[k] += followed.row->measure(moment, followed.bodies[k]);
 }
 
-double MeasureWatch::momentOfImpact(const Followed& followed) const {
+double MeasureWatch::momentOfImpact(const Followed& followed, const World& world) const {
     const Bodies& bodies = m_pipeline->bodies();
     const auto moving = [&](BodyIndex i) {
         MovingShape shape{.start = {&bodies.shape[i], &m_before.pose[i]}};
@@ -190,13 +191,16 @@ double MeasureWatch::momentOfImpact(const Followed& followed) const {
         return shape;
     };
     const BodyIndex body = followed.bodies.front();
-    double first = m_pipeline->settings().step;
+    const double step = m_pipeline->settings().step;
+    double first = step;
     for (BodyIndex other = 0; other < bodies.count(); ++other) {
         if (other == body || (followed.other != noBody && other != followed.other)) continue;
         const std::optional<Impact> met = timeOfImpact(moving(body), moving(other), first);
         if (met && met->time > 0) first = met->time; // what it rests on it does not meet
     }
-    return m_before.time + first;
+    if (first < step) return m_before.time + first;
+    const FrameImpulses frame(*m_pipeline, {m_before.pose, m_before.velocity}, world.state());
+    return m_before.time + frame.timeStruck(body, followed.other);
 }
 
 void MeasureWatch::takeFirst(Followed& followed, const World& world, const std::vector<double>& now) {

@@ -58,8 +58,8 @@ class MeasureWatch {
                                  double time) const;
     double impactsOf(BodyIndex body, double time) const;
     /// Of a body that met another in the frame that ends now [s]: on the paths that all had at its beginning,
-    /// under gravity alone; the frame's end where these do not meet.
-    double momentOfImpact(const Followed& followed) const;
+    /// under gravity alone; where these do not meet, as for bodies struck through others, when it was struck.
+    double momentOfImpact(const Followed& followed, const World& world) const;
 
     std::shared_ptr<const Pipeline> m_pipeline;
     std::vector<Followed> m_followed;

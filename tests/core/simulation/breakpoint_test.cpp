@@ -77,6 +77,58 @@ class BreakpointTest : public QObject {
                  std::int64_t{0});
     }
 
+    // Each was at rest and touched the next, or nearly: none of them closed in, and those in the middle are
+    // at rest afterwards as well. Only the first contact was seen.
+    void whatIsStruckThroughOthersIsAContact() {
+        for (const double gap : {0.0, 1e-3}) {
+            const double apart = 1 + gap;
+            const Scene row = test::sceneOf(
+                {test::sphere(0.5, 1, {-2, 0, 0}, {6, 0, 0}), test::sphere(0.5, 1, {0, 0, 0}),
+                 test::sphere(0.5, 1, {apart, 0, 0}), test::sphere(0.5, 1, {2 * apart, 0, 0}),
+                 test::sphere(0.5, 1, {2 * apart, apart, 0}), test::sphere(0.5, 1, {-1, 9, 0})});
+            for (const std::string_view method : {"microcollisions", "contacts", "events"}) {
+                const auto hit = [&](BodyIndex a, BodyIndex b) {
+                    return firstHit(row, {.kind = BreakKind::Contact, .a = a, .b = b}, 60, method);
+                };
+                const std::int64_t first = hit(0, 1);
+                QVERIFY2(first == 10 || first == 11, method.data());
+                for (const BodyIndex b : {2, 3}) {
+                    const std::int64_t there = hit(b - 1, b);
+                    QVERIFY2(there >= first && there <= first + 1,
+                             qPrintable(QStringLiteral("%1, gap %2: %3 in frame %4")
+                                            .arg(QLatin1StringView(method.data()))
+                                            .arg(gap)
+                                            .arg(b)
+                                            .arg(there)));
+                }
+                QCOMPARE(hit(3, 4), std::int64_t{0}); // beside the last, across its way
+                QCOMPARE(hit(5, noBody), std::int64_t{0});
+            }
+        }
+    }
+
+    // The lower one is held between floor and upper one, and does not move at all.
+    void aStackThatIsStruckFromAboveIsStruckToTheFloor() {
+        const Scene stack = test::sceneOf(
+            {test::wall(Vec3::UnitY(), 0), test::cuboid({1, 1, 1}, 1, {0, 0.5, 0}),
+             test::cuboid({1, 1, 1}, 1, {0, 1.5, 0}), test::sphere(0.5, 1, {0, 4, 0}, {0, -6, 0})},
+            Vec3(0, -9.8, 0));
+        const auto hit = [&](BodyIndex a, BodyIndex b) {
+            return firstHit(stack, {.kind = BreakKind::Contact, .a = a, .b = b}, 60, "contacts");
+        };
+        const std::int64_t first = hit(2, 3);
+        QVERIFY(first > 10 && first < 16);
+        QCOMPARE(hit(1, 2), first);
+        QCOMPARE(hit(0, 1), first);
+    }
+
+    // What is below carries 20 weights, and no frame of that is an impact.
+    void aHighStackAtRestIsNoContact() {
+        Scene stack = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.8, 0));
+        for (int i = 0; i < 20; ++i) stack.bodies.push_back(test::cuboid({1, 1, 1}, 1, {0, 0.5 + i, 0}));
+        QCOMPARE(firstHit(stack, {.kind = BreakKind::Contact}, 60, "contacts"), std::int64_t{0});
+    }
+
     void aSpeedIsReachedOnce() {
         // v = g t > 4.9 m/s from the frame after half a second.
         const Scene scene = test::sceneOf({test::sphere(1, 1, {0, 0, 0})}, Vec3(0, -9.8, 0));
