@@ -130,8 +130,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     if (stepping.iterates()) {
         settings.effort = values.effort;
         settings.reserve = values.reserve;
-        settings.iterations =
-            std::max(1, wanted.iterations.value_or(values.moreIterations * stepping.iterations));
+        settings.iterations = std::max(1, wanted.iterations.value_or(stepping.iterations));
         settings.tolerance = wanted.tolerance.value_or(values.tolerance);
     }
     const bool isChosen = !settings.methodReason.empty(); // by `auto`: it leaves frames to what iterates

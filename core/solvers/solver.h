@@ -152,11 +152,10 @@ struct SolverObjection {
 
 /// What a preset sets for a method where nothing else does.
 struct PresetValues {
-    int substeps = 1;       ///< a frame
-    double tolerance = 0;   ///< of methods that iterate
-    double effort = 1;      ///< of methods that refine: times the budget of refinement
-    double reserve = 1;     ///< of methods that refine: times what refinement may save
-    int moreIterations = 1; ///< of methods that iterate: times the row's number
+    int substeps = 1;     ///< a frame
+    double tolerance = 0; ///< of methods that iterate
+    double effort = 1;    ///< of methods that refine: times the budget of refinement
+    double reserve = 1;   ///< of methods that refine: times what refinement may save
 };
 inline constexpr std::size_t presetCount = 0
 #define CAROM_PRESET(word, help) +1

@@ -538,9 +538,6 @@ ContactSet Contacts::contacts(const State& state) const {
 /// at half the reserve it falls. At half the effort steps of the pyramid overlap; at twice as much a pile
 /// takes 50 times what it takes by default.
 constexpr double accurateEffort = 12, accurateReserve = 100;
-/// Passes of the base path. With one, heaps of cuboids and cylinders creep on by a centimetre a second where
-/// a body slides; four save a heap a few seconds more, at twice the cost.
-constexpr int accuratePasses = 2;
 /// Ratio of masses in contact up to which sweeps over an island too large to be solved exactly hold. At twice
 /// that the heavy body sinks in twice as far.
 constexpr double mostMassRatio = 1000;
@@ -587,11 +584,7 @@ constinit const SolverRow contactsRow = {
     .iterations = iterationsOfOnePass,
     .presets = {{{.substeps = 1, .tolerance = 1e-3, .effort = 0.25},
                  {.substeps = 4, .tolerance = 1e-6, .effort = 1},
-                 {.substeps = 8,
-                  .tolerance = 1e-10,
-                  .effort = accurateEffort,
-                  .reserve = accurateReserve,
-                  .moreIterations = accuratePasses}}},
+                 {.substeps = 8, .tolerance = 1e-10, .effort = accurateEffort, .reserve = accurateReserve}}},
     .massRatioLimit = massRatioLimit,
 };
 
