@@ -56,6 +56,8 @@ void inherit(std::span<const ContactConstraint> memory, double within, std::span
 class CentredPair {
   public:
     CentredPair(const Bodies& bodies, const Pose& poseA, const Pose& poseB, BodyPair pair);
+    CentredPair(const CentredPair&) = delete; // it points to its own wall
+    CentredPair& operator=(const CentredPair&) = delete;
 
     PlacedShape a() const { return {m_shapeA, &m_poseA}; }
     PlacedShape b() const { return {m_shapeB, &m_poseB}; }

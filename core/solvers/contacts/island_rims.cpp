@@ -11,8 +11,8 @@
 // it would turn about the chord between two of them before its weight leaves the disc. So after a solution
 // a point of the rim that comes down joins the others, and the forces are found again, until none
 // comes down: constraints are generated as they are violated (R. Hettich, K. Kortanek, "Semi-infinite
-// programming: theory, methods, and
-// applications", SIAM Review 35, 1993). The speed at which surfaces part is linear in the place,
+// programming: theory, methods, and applications", SIAM Review 35, 1993). The speed at which
+// surfaces part is linear in the place,
 //
 //     u(x) = u₀ + x · (n × w)        w = ω_B − ω_A,  n the normal
 //

@@ -15,8 +15,7 @@
 
 // Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
 // within a fiftieth of a percent of their size and a hundredth of a degree, their points are not looked for
-// anew:
-// points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
+// anew: points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
 // cylinders stand: points of a disc that are chosen anew each time go round the rim, and forces with them.
 //
 //     found      by the kernels of core/narrowphase, for cylinders and cuboids by the direction of their
