@@ -3,9 +3,7 @@
 
 #include "core/base/assert.h"
 
-#include <algorithm>
-#include <numeric>
-#include <utility>
+#include <iterator>
 
 namespace carom {
 namespace {
@@ -22,6 +20,7 @@ void Recording::restart(const World& world) {
     m_bytes = 0;
     m_apart = 1;
     m_furthest = world.state().frame;
+    m_thinnedTo = m_thinnedEnd = m_furthest;
     keep(world);
 }
 
@@ -39,40 +38,38 @@ void Recording::setBudget(std::size_t budget) {
 }
 
 bool Recording::isDue(const World& world) const {
-    const std::int64_t since = world.state().frame - m_checkpoints.back().frame();
+    const std::int64_t since = world.state().frame - m_checkpoints.rbegin()->first;
     return since >= m_apart * mostFrames || m_costSince >= static_cast<double>(m_apart) * mostCost;
 }
 
 void Recording::keep(const World& world) {
-    m_checkpoints.push_back(world.checkpoint());
-    m_bytes += m_checkpoints.back().bytes();
+    const auto kept = m_checkpoints.insert_or_assign(world.state().frame, world.checkpoint()).first;
+    m_bytes += kept->second.bytes();
     m_costSince = 0;
     while (m_bytes > m_budget && m_checkpoints.size() > 1) thinOut();
 }
 
+/// Takes one checkpoint away.
 void Recording::thinOut() {
-    for (std::size_t i = 1; 2 * i < m_checkpoints.size(); ++i)
-        m_checkpoints[i] = std::move(m_checkpoints[2 * i]);
-    m_checkpoints.resize((m_checkpoints.size() + 1) / 2);
-    m_apart *= 2;
-    m_bytes = std::accumulate(m_checkpoints.begin(), m_checkpoints.end(), std::size_t{0},
-                              [](std::size_t sum, const Checkpoint& one) { return sum + one.bytes(); });
+    if (m_thinnedTo >= m_thinnedEnd) {
+        m_thinnedTo = first();
+        m_thinnedEnd = m_checkpoints.rbegin()->first;
+        m_apart *= 2;
+    }
+    const auto taken = m_checkpoints.upper_bound(m_thinnedTo);
+    m_bytes -= taken->second.bytes();
+    const auto next = m_checkpoints.erase(taken);
+    m_thinnedTo = next == m_checkpoints.end() ? m_thinnedEnd : next->first;
 }
 
 std::int64_t Recording::keptBefore(std::int64_t frame) const {
     ASSERT(frame > first());
-    const auto behind =
-        std::lower_bound(m_checkpoints.begin(), m_checkpoints.end(), frame,
-                         [](const Checkpoint& one, std::int64_t wanted) { return one.frame() < wanted; });
-    return std::prev(behind)->frame();
+    return std::prev(m_checkpoints.lower_bound(frame))->first;
 }
 
 bool Recording::seek(World& world, std::int64_t frame, const AfterStep& goesOn) {
     ASSERT(!m_checkpoints.empty() && frame >= first());
-    const auto behind =
-        std::upper_bound(m_checkpoints.begin(), m_checkpoints.end(), frame,
-                         [](std::int64_t wanted, const Checkpoint& one) { return wanted < one.frame(); });
-    const Checkpoint& nearest = *std::prev(behind);
+    const Checkpoint& nearest = std::prev(m_checkpoints.upper_bound(frame))->second;
     const std::int64_t now = world.state().frame;
     const bool onTheWay = world.health().finite && now >= nearest.frame() && now <= frame;
     if (!onTheWay) world.restore(nearest);

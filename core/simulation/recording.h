@@ -6,8 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <map>
 
 // The way back through a run. Keeping every frame would need gigabytes, so only checkpoints are kept, and a
 // frame between two of them is simulated again, bit for bit as it was:
@@ -16,7 +16,9 @@
 //     kept      #         #         #          #            seek(12) = restore 10, two steps
 //
 // A checkpoint is due when re-simulating what followed the last one would be felt. When they need more memory
-// than they may, every second one goes and the rest stand twice as far apart.
+// than they may, they stand twice as far apart: new ones at once, and for each of these one of the old ones
+// goes, every second from the start on. So the memory stays in use, and what is freed has the size of what
+// comes next. If every second one went at once, half of the memory would be holes between pieces that stay.
 
 namespace carom {
 
@@ -42,7 +44,7 @@ class Recording {
     /// The last checkpoint before a frame that is not the first.
     std::int64_t keptBefore(std::int64_t frame) const;
 
-    std::int64_t first() const { return m_checkpoints.empty() ? 0 : m_checkpoints.front().frame(); }
+    std::int64_t first() const { return m_checkpoints.empty() ? 0 : m_checkpoints.begin()->first; }
     /// The last frame the run has been at.
     std::int64_t furthest() const { return m_furthest; }
     std::size_t count() const { return m_checkpoints.size(); }
@@ -56,10 +58,11 @@ class Recording {
     std::size_t m_budget;
     std::size_t m_bytes = 0;
     std::int64_t m_furthest = 0;
-    std::int64_t m_apart = 1;             ///< doubled whenever memory ran out
-    double m_costSince = 0;               ///< of the frames since the last checkpoint [ms]
-    std::deque<Checkpoint> m_checkpoints; ///< ascending; each in a piece of its own, so that there is no room
-                                          ///< for more of them than there are
+    std::int64_t m_apart = 1;      ///< doubled whenever all are thinned out
+    std::int64_t m_thinnedTo = 0;  ///< the frame up to which every second checkpoint is gone
+    std::int64_t m_thinnedEnd = 0; ///< the last frame whose checkpoint may go before that begins anew
+    double m_costSince = 0;        ///< of the frames since the last checkpoint [ms]
+    std::map<std::int64_t, Checkpoint> m_checkpoints; ///< by frame
 };
 
 } // namespace carom

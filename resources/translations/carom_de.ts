@@ -3037,12 +3037,14 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
 states to go back to: %1 MiB
 times of frames: %2 MiB
 curves: %3 MiB
-timeline: %4 MiB</source>
+timeline: %4 MiB
+When it is used up, states are kept further apart: nothing is lost, but going back takes longer.</source>
         <translation>Speicher dieses Laufs, von dem, was er nehmen darf (Einstellungen):
 Zustände zum Zurückgehen: %1 MiB
 Zeiten der Bilder: %2 MiB
 Kurven: %3 MiB
-Zeitleiste: %4 MiB</translation>
+Zeitleiste: %4 MiB
+Ist er verbraucht, liegen die Zustände weiter auseinander: nichts geht verloren, nur dauert das Zurückgehen länger.</translation>
     </message>
 </context>
 <context>

@@ -60,7 +60,8 @@ void MemoryUse::refresh() {
     m_window.showMemory(
         tr("%1 of %2 MiB").arg(inMebibytes(inUse()), inMebibytes(m_budget)),
         tr("Memory that this run takes, of the most it may (Preferences):\n"
-           "states to go back to: %1 MiB\ntimes of frames: %2 MiB\ncurves: %3 MiB\ntimeline: %4 MiB")
+           "states to go back to: %1 MiB\ntimes of frames: %2 MiB\ncurves: %3 MiB\ntimeline: %4 MiB\n"
+           "When it is used up, states are kept further apart: nothing is lost, but going back takes longer.")
             .arg(inMebibytes(m_simulation.recorded()), inMebibytes(m_window.timing().bytes()),
                  inMebibytes(m_window.plots().bytes()), inMebibytes(m_window.timeline().bytes())));
 }
