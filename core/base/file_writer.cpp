@@ -35,6 +35,9 @@ std::string behindLinks(const std::string& path) {
     return place.string();
 }
 
+/// To everybody; root may write it all the same, and must not without a word.
+bool isReadOnly(const struct stat& file) { return (file.st_mode & anyWriter) == 0; }
+
 std::string folderOf(const std::string& path) {
     const fs::path folder = fs::path(path).parent_path();
     return folder.empty() ? "." : folder.string();
@@ -78,7 +81,7 @@ void FileWriter::open(FileReaders readers) {
         return;
     }
     // Renaming asks for the folder's permission only.
-    if (exists && ((original.st_mode & anyWriter) == 0 || ::access(m_place.c_str(), W_OK) != 0)) {
+    if (exists && (isReadOnly(original) || ::access(m_place.c_str(), W_OK) != 0)) {
         fail(EACCES);
         return;
     }
@@ -154,6 +157,9 @@ std::string whyNotWritten(const std::string& path, int cause) {
     const std::string folder = folderOf(path);
     std::error_code error;
     if (cause == ENOENT && !fs::exists(folder, error)) return "there is no folder `" + folder + "`";
+    struct stat file {};
+    const bool isThere = ::stat(path.c_str(), &file) == 0;
+    if (cause == EACCES && isThere && isReadOnly(file)) return "the file is read-only";
     return std::generic_category().message(cause);
 }
 

@@ -49,8 +49,8 @@ class FileWriter {
     int m_error = 0;
 };
 
-/// Why a file cannot be written, in words: "No space left on device", "there is no folder `results`". `cause`
-/// is an errno.
+/// Why a file cannot be written, in words: "No space left on device", "there is no folder `results`", "the
+/// file is read-only". `cause` is an errno.
 std::string whyNotWritten(const std::string& path, int cause);
 
 /// All of it in one call; what went wrong in words, or an empty text.

@@ -125,6 +125,27 @@ class OutsideTest : public QObject {
         QCOMPARE(readFile(ide.path), twoBalls);
     }
 
+    void aFileThatNobodyMayWriteIsNotReplacedAndThatIsSaid() {
+        Ide ide;
+        const QFile::Permissions readOnly =
+            QFile::ReadOwner | QFile::ReadUser | QFile::ReadGroup | QFile::ReadOther;
+        const QFile::Permissions anyWriter = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+        QVERIFY(QFile::setPermissions(ide.path, readOnly));
+        typeAtTheEnd(ide.editor, "// mine");
+        const QByteArray mine = ide.editor.bytes();
+        QString said;
+        answerNextDialog([&said](QWidget& box) {
+            said = static_cast<QMessageBox&>(box).text();
+            static_cast<QMessageBox&>(box).button(QMessageBox::Ok)->click();
+        });
+        ide.trigger(ActionId::Save);
+        QVERIFY2(said.contains(ide.path) && said.contains(QStringLiteral("read-only")), qPrintable(said));
+        QCOMPARE(readFile(ide.path), twoBalls);
+        QCOMPARE(QFile::permissions(ide.path) & anyWriter, QFile::Permissions());
+        QVERIFY(ide.bench.document().isModified());
+        QCOMPARE(ide.editor.bytes(), mine);
+    }
+
     void aNameIsShownAsItIs() {
         // Qt takes a text that looks like HTML for HTML.
         Ide ide;
