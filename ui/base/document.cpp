@@ -109,9 +109,11 @@ OnDisk Document::onDisk() const {
     return *found == m_known ? OnDisk::AsKnown : OnDisk::Changed;
 }
 
-QByteArray Document::textOnDisk() const {
+QByteArray Document::seeTextOnDisk() {
     QByteArray bytes;
-    return read(m_path, bytes) ? QByteArray() : bytes;
+    if (read(m_path, bytes)) return {};
+    m_seen = hashOf(bytes);
+    return bytes;
 }
 
 void Document::startNew(const QByteArray& text) { take({}, text); }

@@ -59,11 +59,12 @@ class Document : public QObject {
     std::optional<QString> reload();
     /// Looks at the file now. Whoever saves over a changed one asks first.
     OnDisk onDisk() const;
-    /// What is in the file now; empty where nothing can be read.
-    QByteArray textOnDisk() const;
+    /// What is in the file now, to be shown: changedOutside() does not tell of it again. Empty where nothing
+    /// can be read.
+    QByteArray seeTextOnDisk();
     /// A text without a file.
     void startNew(const QByteArray& text);
-    /// Takes up a text that was never saved, as it was left; `path` is the file it belongs to, or empty.
+    /// Recovers a text that was never saved, as it was left; `path` is the file it belongs to, or empty.
     void recover(const QString& path, const QByteArray& text);
 
     /// The editor calls this after each change of the buffer.

@@ -177,7 +177,7 @@ bool FileCommands::mayOverwrite() {
 }
 
 int FileCommands::askAbout(bool saving) {
-    OutsideDialog dialog({m_document.name(), m_document.text(), m_document.textOnDisk()}, saving,
+    OutsideDialog dialog({m_document.name(), m_document.text(), m_document.seeTextOnDisk()}, saving,
                          loadTheme(m_settings.darkTheme()), &m_window);
     return ask(dialog);
 }

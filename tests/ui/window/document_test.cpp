@@ -144,7 +144,7 @@ class DocumentTest : public QObject {
         OpenDocument opened("one");
         auto& [folder, path, buffer, document] = opened;
         QByteArray found;
-        connect(&document, &Document::changedOutside, &document, [&] { found = document.textOnDisk(); });
+        connect(&document, &Document::changedOutside, &document, [&] { found = document.seeTextOnDisk(); });
         QSignalSpy told(&document, &Document::changedOutside);
         QFile slow(path);
         QVERIFY(slow.open(QIODevice::WriteOnly | QIODevice::Unbuffered)); // now it is empty

@@ -18,6 +18,7 @@ using namespace carom::test;
 
 namespace {
 
+constexpr int noticeTime = 1000; // [ms] within which a change would be told of; a slow machine takes longer
 const QByteArray theirs = twoBalls + "// by somebody else\n";
 
 void press(QWidget& dialog, const char* button) {
@@ -107,6 +108,38 @@ class OutsideTest : public QObject {
         writeFile(ide.path, theirs);
         QTRY_VERIFY_WITH_TIMEOUT(second, longestWait);
         QCOMPARE(questions, 1);
+    }
+
+    void whatASaveHasAskedAboutIsNotAskedAgain() {
+        // The save came before the window had noticed by itself; it noticed while the question stood there,
+        // and asked the same once more.
+        Ide ide;
+        typeAtTheEnd(ide.editor, "// mine");
+        writeFile(ide.path, theirs);
+        bool noticed = true;
+        answerNextDialog([&](QWidget& dialog) {
+            QSignalSpy again(&ide.bench.document(), &Document::changedOutside);
+            noticed = again.wait(noticeTime);
+            press(dialog, "keep");
+        });
+        ide.trigger(ActionId::Save);
+        QVERIFY(!noticed);
+        QCOMPARE(readFile(ide.path), theirs);
+        // It asks before the next save all the same, and a later change is told of.
+        bool asked = false;
+        answerNextDialog([&](QWidget& dialog) {
+            asked = true;
+            press(dialog, "keep");
+        });
+        ide.trigger(ActionId::Save);
+        QVERIFY(asked);
+        asked = false;
+        answerNextDialog([&](QWidget& dialog) {
+            asked = true;
+            press(dialog, "keep");
+        });
+        writeFile(ide.path, theirs + "// later\n");
+        QTRY_VERIFY_WITH_TIMEOUT(asked, longestWait);
     }
 
     void theTextOfADeletedFileIsSaidToBeUnsavedAndClosingAsks() {
