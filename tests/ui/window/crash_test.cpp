@@ -153,6 +153,39 @@ class CrashTest : public QObject {
         QTRY_COMPARE_WITH_TIMEOUT(readFile(desk.scene), original + typed, longestWait);
     }
 
+    void twoWindowsNeverOfferTheSameText() {
+        const QString offer = QStringLiteral("Unsaved text found"), scene = QStringLiteral("scene.sdl");
+        Desk desk;
+        const QByteArray typed = "// typed and never saved";
+        {
+            Session session(desk.home.path(), desk.scene);
+            QVERIFY(session.focus(scene));
+            session.press("ctrl+End");
+            session.type(typed);
+            QTRY_VERIFY_WITH_TIMEOUT(desk.swapFile().contains(typed), longestWait);
+        }
+        Session first(desk.home.path(), desk.scene);
+        QVERIFY(first.focus(offer));
+        {
+            // It would ask as soon as its window is there; it can be typed into at once.
+            const QString other = desk.home.filePath(QStringLiteral("other.sdl"));
+            writeFile(other, original);
+            Session second(desk.home.path(), other);
+            QVERIFY(second.focus(QStringLiteral("other.sdl")));
+            second.press("ctrl+End");
+            second.type("// other");
+            second.press("ctrl+s");
+            QTRY_COMPARE_WITH_TIMEOUT(readFile(other), original + "// other", longestWait);
+        }
+        // Asked later, the first window gives the text back, and the next one offers it.
+        QVERIFY(first.focus(offer));
+        first.press("Escape");
+        QVERIFY(first.loses(offer));
+        QCOMPARE(desk.lost(), original + typed);
+        Session third(desk.home.path(), desk.scene);
+        QVERIFY(third.focus(offer));
+    }
+
     void aKillWhileSavingLeavesAWholeFileAndNothingTypedIsLost() {
         QRandomGenerator random(seed);
         Desk desk;

@@ -12,6 +12,10 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
 #include <system_error>
 
 using namespace carom;
@@ -85,6 +89,36 @@ class RecoveryTest : public QObject {
         lost.clear();
         QVERIFY(QDir(folder.path()).isEmpty()); // no lock stays
         QVERIFY(Recovery::lostTexts(folder.path()).texts.empty());
+    }
+
+    void ofProgramsThatLookAtTheSameTimeOneFindsTheText() {
+        constexpr int programs = 5, rounds = 8;
+        QTemporaryDir folder;
+        for (int round = 0; round < rounds; ++round) {
+            killedWith(folder.path(), {}, "sphere;");
+            std::vector<std::unique_ptr<QProcess>> lookers;
+            for (int i = 0; i < programs; ++i) {
+                lookers.push_back(std::make_unique<QProcess>());
+                lookers.back()->start(
+                    QCoreApplication::applicationFilePath(),
+                    {QStringLiteral("recovery_test"), QStringLiteral("looker"), folder.path()});
+            }
+            const auto answer = [](QProcess& looker) {
+                return looker.canReadLine() || looker.waitForReadyRead(longestWait) ? looker.readLine()
+                                                                                    : QByteArray();
+            };
+            for (const auto& looker : lookers) QCOMPARE(answer(*looker), QByteArray("ready\n"));
+            for (const auto& looker : lookers) looker->write("look\n");
+            int found = 0;
+            for (const auto& looker : lookers) found += answer(*looker).trimmed().toInt();
+            QCOMPARE(found, 1);
+            for (const auto& looker : lookers)
+                looker->closeWriteChannel(); // until then it holds what it has found
+            for (const auto& looker : lookers) QVERIFY(looker->waitForFinished(longestWait));
+            std::vector<LostText> lost = Recovery::lostTexts(folder.path()).texts;
+            QCOMPARE(lost.size(), std::size_t{1});
+            Recovery::discard(lost[0]);
+        }
     }
 
     void aSwapFileThatSaysWhatTheFileSaysIsNoLoss() {
@@ -235,6 +269,21 @@ int beVictim(const QString& folder, const QString& path, const QByteArray& text)
     return QApplication::exec();
 }
 
+/// A process that looks when it is told to, says how much it has found, and holds it until its input ends.
+int beLooker(const QString& folder) {
+    const auto say = [](const std::string& word) {
+        std::puts(word.c_str());
+        std::fflush(stdout);
+    };
+    say("ready");
+    std::string line;
+    std::getline(std::cin, line);
+    const LostTexts found = Recovery::lostTexts(folder);
+    say(std::to_string(found.texts.size()));
+    std::getline(std::cin, line);
+    return 0;
+}
+
 } // namespace
 
 namespace carom::test {
@@ -246,6 +295,7 @@ int carom::test::recovery_test(int argc, char** argv) {
     IdeApplication application(argc, argv);
     if (argc == 5 && QByteArray(argv[1]) == "victim")
         return beVictim(QString::fromLocal8Bit(argv[2]), QString::fromLocal8Bit(argv[3]), argv[4]);
+    if (argc == 3 && QByteArray(argv[1]) == "looker") return beLooker(QString::fromLocal8Bit(argv[2]));
     RecoveryTest test;
     return QTest::qExec(&test, argc, argv);
 }
