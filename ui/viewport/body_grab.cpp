@@ -148,6 +148,17 @@ double snapStep(double pixelSize) {
     return 10 * power;
 }
 
+namespace {
+
+QString withoutLastZeros(QString number) {
+    if (!number.contains(u'.')) return number;
+    while (number.endsWith(u'0')) number.chop(1);
+    if (number.endsWith(u'.')) number.chop(1);
+    return number == QStringLiteral("-0") ? QStringLiteral("0") : number;
+}
+
+} // namespace
+
 QString tellOf(const BodyGrab& grab, const DraggedBody& now, double pixelSize) {
     if (grab.handle == BodyHandle::Turn) {
         const Quat by = now.pose.orientation * grab.start.pose.orientation.conjugate();
@@ -161,7 +172,8 @@ QString tellOf(const BodyGrab& grab, const DraggedBody& now, double pixelSize) {
     QStringList parts;
     for (const int axis : {0, 1, 2})
         if (moves(grab, axis))
-            parts += QStringLiteral("%1 %2").arg(QChar(u'x' + axis)).arg(value[axis], 0, 'f', decimals);
+            parts +=
+                QChar(u'x' + axis) + u' ' + withoutLastZeros(QString::number(value[axis], 'f', decimals));
     return parts.join(QStringLiteral(", ")) + (velocity ? QStringLiteral(" m/s") : QStringLiteral(" m"));
 }
 

@@ -95,6 +95,9 @@ class Viewport : public QWidget {
     /// Of the state that the picture on screen shows.
     std::int64_t shownFrame() const { return m_shown.job.state ? m_shown.job.state->frame : 0; }
 
+    /// What stands beside the mouse: what a drag has come to, or what the overlays show under it.
+    const QString& told() const { return m_told; }
+
     QSize sizeHint() const override { return {800, 600}; }
 
   public Q_SLOTS:
@@ -104,6 +107,8 @@ class Viewport : public QWidget {
 
     /// Ends a drag of a body, if one is under way, where it is.
     void letGo() { m_gestures.letGo(); }
+    /// Shows the body that is held as it is to be, where that is not quite where the mouse is.
+    void showDragged(const DraggedBody& now);
     void lookFrom(carom::ViewSide side);
     void setOrthographic(bool orthographic);
     /// Shows again what a drag has moved since the scene was shown: it has come to nothing.

@@ -83,8 +83,14 @@ std::optional<BodyGrab> Viewport::grabAt(const QPointF& position) const {
 }
 
 void Viewport::dragBody(const QPointF& position, bool snaps) {
+    const DraggedBody now =
+        draggedTo(*m_gestures.held(), m_camera, pictureSize(), {position.x(), position.y()}, snaps);
+    showDragged(now);
+    Q_EMIT dragged(now);
+}
+
+void Viewport::showDragged(const DraggedBody& now) {
     const BodyGrab& grab = *m_gestures.held();
-    const DraggedBody now = draggedTo(grab, m_camera, pictureSize(), {position.x(), position.y()}, snaps);
     // Shown at once; the scene itself follows when the text has been built.
     if (!std::exchange(m_moved, true)) m_beforeDrag = m_snapshot;
     Snapshot moved;
@@ -102,7 +108,6 @@ void Viewport::dragBody(const QPointF& position, bool snaps) {
         moved.pose[grab.body] = now.pose;
     m_told = tellOf(grab, now, pixelSize());
     showSnapshot(std::make_shared<const Snapshot>(std::move(moved)));
-    Q_EMIT dragged(now);
 }
 
 void Viewport::forgetDrag() {

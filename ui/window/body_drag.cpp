@@ -145,6 +145,12 @@ void BodyDrag::moveTo(const DraggedBody& now) {
     }
     m_written = QByteArray::fromStdString(*text);
     m_editor.replaceRange(range, m_written);
+    if (m_handle == BodyHandle::Turn) return;
+    DraggedBody written = now;
+    const std::vector<double> numbers = numbersOf(*text);
+    (m_handle == BodyHandle::Velocity ? written.velocity : written.pose.position) = {numbers[0], numbers[1],
+                                                                                     numbers[2]};
+    m_viewport.showDragged(written);
 }
 
 bool BodyDrag::eventFilter(QObject* watched, QEvent* event) {

@@ -271,6 +271,30 @@ class BodyDragTest : public QObject {
         QCOMPARE(tellOf(ring, now, 0.01), QStringLiteral("30°"));
     }
 
+    void theValueBesideTheMouseIsTheOneInTheText() {
+        // `0` moves in steps of a tenth: the text said 0.5 where 0.471 stood beside the mouse.
+        Ide ide("camera { position 0,1,6 target 0,1,0 fov 40 }\n"
+                "sphere { radius .5 mass 1 centre 0, 1.50, 0 }\n");
+        QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
+        QTest::mousePress(&ide.viewport, Qt::LeftButton, {}, pixelOf(ide, {0, 1.5, 0}));
+        const QPoint there = pixelOf(ide, {0.471, 1.787, 0});
+        QMouseEvent move(QEvent::MouseMove, there, ide.viewport.mapToGlobal(there), Qt::NoButton,
+                         Qt::LeftButton, {});
+        QApplication::sendEvent(&ide.viewport, &move);
+        const QRegularExpressionMatch text =
+            QRegularExpression(QStringLiteral("centre ([-.0-9]+), ([-.0-9]+), ([-.0-9]+) "))
+                .match(QString::fromUtf8(ide.editor.bytes()));
+        const QRegularExpressionMatch told =
+            QRegularExpression(QStringLiteral("^x ([-.0-9]+), ([yz]) ([-.0-9]+) m$"))
+                .match(ide.viewport.told());
+        QVERIFY2(text.hasMatch() && told.hasMatch(), qPrintable(ide.viewport.told()));
+        QCOMPARE(told.captured(1).toDouble(), text.captured(1).toDouble());
+        const int second = told.captured(2) == QStringLiteral("y") ? 2 : 3;
+        QCOMPARE(told.captured(3).toDouble(), text.captured(second).toDouble());
+        QTest::mouseRelease(&ide.viewport, Qt::LeftButton, {}, there);
+        QVERIFY(ide.viewport.told().isEmpty());
+    }
+
     void draggingTheTipOfAVelocityRewritesIt() {
         Ide ide(scene);
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
