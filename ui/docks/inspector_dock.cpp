@@ -45,9 +45,11 @@ constexpr int measuredRole = Qt::UserRole + 5;
 constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
 constexpr int curveWidth = 56;         // [px]
 constexpr int leastWidth = 250;        // [px] of a panel that has room for curves and sliders
+constexpr int leastNames = 96;         // [px] that names keep beside them
 
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
+constexpr int digitsOfSeveral = 4;   // where several figures share a cell; its tip has all
 
 /// Of core, which speaks English.
 QString translated(std::string_view title) {
@@ -62,7 +64,19 @@ QColor shownColour(const Vec3& colour) {
                             static_cast<float>(colour.z()));
 }
 
-QString figure(double value) { return std::isfinite(value) ? QString::number(value, 'g', digits) : nothing; }
+QString figure(double value, int significant = digits) {
+    return std::isfinite(value) ? QString::number(value, 'g', significant) : nothing;
+}
+
+/// The name that the scene language has for it, or how much red, green and blue it is.
+QString wordsFor(const Vec3& colour) {
+    for (const NamedColour& named : namedColours())
+        if (named.colour == colour) return textOf(named.name);
+    constexpr int decimals = 2;
+    QStringList parts;
+    for (const double part : colour) parts += QString::number(part, 'f', decimals);
+    return parts.join(QStringLiteral(", "));
+}
 
 void setFigure(QTreeWidgetItem& row, const QString& value) {
     const QString unit = row.data(Value, unitRole).toString();
@@ -156,6 +170,7 @@ InspectorDock::InspectorDock(QWidget* parent)
     m_tree->setIndentation(10);
     m_tree->setAlternatingRowColors(true);
     m_tree->setUniformRowHeights(true);
+    m_tree->setTextElideMode(Qt::ElideMiddle); // the axis at a name's end tells it from the next
     m_tree->setAccessibleName(tr("Values of the selected body"));
     m_tree->setItemDelegateForColumn(
         Value,
@@ -292,13 +307,14 @@ QTreeWidgetItem* InspectorDock::addField(QTreeWidgetItem* group, const QString& 
                                          std::initializer_list<double> values, const QString& unit) {
     QStringList shown, whole;
     for (const double value : values) {
-        shown += figure(value);
+        shown += figure(value, values.size() > 1 ? digitsOfSeveral : digits);
         whole += QString::fromStdString(shortest(value));
     }
     QTreeWidgetItem* row = addRow(group, name, shown.join(QStringLiteral(", ")), unit);
     row->setFlags(row->flags() | Qt::ItemIsEditable);
     row->setData(Value, parameterRole, QString::fromLatin1(parameter));
     row->setData(Value, literalRole, whole.join(QStringLiteral(", ")));
+    if (values.size() > 1) row->setToolTip(Value, (whole.join(QStringLiteral(", ")) + u' ' + unit).trimmed());
     return row;
 }
 
@@ -360,6 +376,7 @@ void InspectorDock::rebuild() {
     }
     m_tree->expandAll();
     refresh();
+    fitColumns();
     if (inUse.isEmpty()) return; // by keys, which go on with the new one
     for (ValueSlider* one : m_tree->findChildren<ValueSlider*>(inUse)) one->setFocus();
 }
@@ -380,6 +397,7 @@ void InspectorDock::addColour(QTreeWidgetItem* group, const Vec3& colour) {
     QPixmap square(12, 12);
     square.fill(shownColour(colour));
     QTreeWidgetItem* row = group->child(group->childCount() - 1);
+    setFigure(*row, wordsFor(colour));
     row->setIcon(Value, QIcon(square));
     row->setToolTip(Value, tr("A double click chooses another one"));
 }
@@ -453,7 +471,14 @@ std::vector<double> InspectorDock::curveOf(const QString& name) const {
 
 void InspectorDock::resizeEvent(QResizeEvent* event) {
     Panel::resizeEvent(event);
-    m_tree->setColumnHidden(Curve, width() < leastWidth);
+    fitColumns();
+}
+
+/// Curves and sliders stand there where names and values have room beside them.
+void InspectorDock::fitColumns() {
+    const int values = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(Value);
+    const int names = width() - curveWidth - values;
+    m_tree->setColumnHidden(Curve, width() < leastWidth || names < leastNames);
 }
 
 void InspectorDock::refresh() {

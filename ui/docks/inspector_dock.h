@@ -62,6 +62,7 @@ class InspectorDock : public Panel {
   private:
     void addToCurve(QTreeWidgetItem& item, std::int64_t frame, double value) const;
     void rebuild();
+    void fitColumns();
     void refresh();
     void addDeclared();
     void addInertia(QTreeWidgetItem* group, const Vec3& inertia);

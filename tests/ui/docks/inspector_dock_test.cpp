@@ -97,6 +97,27 @@ class InspectorDockTest : public QObject {
         QVERIFY(tree->columnViewportPosition(1) + tree->columnWidth(1) <= tree->viewport()->width());
     }
 
+    void namesCanBeReadBesideLongValues() {
+        // The three components of a grey wall's colour, six digits each, left 20 px of the names.
+        InspectorDock dock;
+        dock.showPipeline(build("wall { normal 0,1,0 toOrig 0 colour gray }\n"
+                                "sphere { radius 1 mass 1 centre -0.099167594,-0.040995269,-12.3456789\n"
+                                "    vel 1e-7,1.00000001e-7,-12345678 colour .1234567,.2345678,.345678 }")
+                              .pipeline);
+        dock.resize(300, 400); // as in the window
+        dock.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
+        const QTreeWidget* tree = dock.findChild<QTreeWidget*>();
+        for (const BodyIndex body : {0, 1}) {
+            dock.showBody(body);
+            QTRY_VERIFY_WITH_TIMEOUT(tree->columnWidth(0) >= 90, longestWait);
+            QVERIFY(tree->columnViewportPosition(1) + tree->columnWidth(1) <= tree->viewport()->width());
+        }
+        QCOMPARE(dock.valueOf(QStringLiteral("colour")), QStringLiteral("0.12, 0.23, 0.35"));
+        dock.showBody(0);
+        QCOMPARE(dock.valueOf(QStringLiteral("colour")), QStringLiteral("gray"));
+    }
+
     void withoutABodyTheWholeIsShownAndAnEmptySceneSaysWhatToDo() {
         InspectorDock dock;
         dock.showPipeline(build(scene).pipeline);
