@@ -1568,8 +1568,8 @@ Die Simulation oben geht dabei weiter.</translation>
         <translation>%1 Bilder von Anfang an: kein klarer Unterschied zwischen den schnellsten, %2.</translation>
     </message>
     <message>
-        <source> and </source>
-        <translation> und </translation>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     QHBoxLayout* sideBySide = new QHBoxLayout(figures);
     sideBySide->setContentsMargins(0, 0, 0, 0);
     sideBySide->addWidget(m_plot, 1);
-    m_plot->setMinimumSize(300, 170);
+    m_plot->setMinimumSize(240, 170);
     m_empty = new EmptyState(figures, tr("Compare all runs the first %1 frames of the scene with every "
                                          "algorithm and shows what each took.\nThe simulation above goes on "
                                          "meanwhile.")
@@ -83,12 +83,13 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     top->addWidget(m_button);
     top->addWidget(m_subject);
     top->addWidget(m_progress);
-    top->addWidget(m_state, 1);
+    top->addStretch();
     top->addWidget(m_chart);
     top->addWidget(m_export);
     QVBoxLayout* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(top);
+    column->addWidget(m_state);
     column->addWidget(m_empty, 1);
     connect(m_button, &QPushButton::clicked, this, &BroadphaseComparison::startOrStop);
     connect(&m_runner, &StudyRunner::failed, this, [this](const QString& sentence) {
@@ -202,6 +203,12 @@ void BroadphaseComparison::finish(const Benchmark& result, double seconds) {
     showChart();
 }
 
+/// "a", "a and b", "a, b and c".
+QString BroadphaseComparison::listOf(const QStringList& names) {
+    if (names.size() < 2) return names.join(QString());
+    return tr("%1 and %2").arg(names.first(names.size() - 1).join(QStringLiteral(", ")), names.last());
+}
+
 QString BroadphaseComparison::sentenceOf(const Benchmark& result) const {
     const std::vector<const BroadphaseRow*> fastest = fastestBroadphases(result);
     if (fastest.empty()) return tr("Stopped before there was anything to compare.");
@@ -215,7 +222,7 @@ QString BroadphaseComparison::sentenceOf(const Benchmark& result) const {
         sentence = (fastest.size() == 1
                         ? tr("%1 frames from the start: %2 was fastest.")
                         : tr("%1 frames from the start: no clear difference between the fastest, %2."))
-                       .arg(QString::number(result.plan.frames), names.join(tr(" and ")));
+                       .arg(QString::number(result.plan.frames), listOf(names));
         if (!result.complete) sentence = tr("Stopped. ") + sentence;
         if (m_compared != m_pipeline) sentence += tr(" The scene has changed since.");
     }
@@ -238,7 +245,19 @@ void BroadphaseComparison::showTable() {
             m_table->setValue(static_cast<int>(row), static_cast<int>(column), content.values[row][column],
                               content.decimals[column]);
     }
-    static_cast<QHBoxLayout*>(m_plot->parentWidget()->layout())->insertWidget(0, m_table, 1);
+    static_cast<QBoxLayout*>(m_plot->parentWidget()->layout())->insertWidget(0, m_table, 1);
+}
+
+int BroadphaseComparison::widthSideBySide() const {
+    const int controls = layout()->itemAt(0)->minimumSize().width();
+    if (m_table == nullptr) return controls;
+    const int spacing = m_plot->parentWidget()->layout()->spacing();
+    return std::max(controls, m_table->minimumSizeHint().width() + spacing + m_plot->minimumWidth());
+}
+
+void BroadphaseComparison::stack(bool stacked) {
+    static_cast<QBoxLayout*>(m_plot->parentWidget()->layout())
+        ->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void BroadphaseComparison::showChart() {

@@ -41,6 +41,11 @@ class BroadphaseComparison : public QWidget {
     /// A row a frame and algorithm; returns likewise. Comparisons on a generator keep no frames.
     QString exportFramesTo(const QString& path) const;
 
+    /// What it needs with the chart beside the table [px].
+    int widthSideBySide() const;
+    /// Puts the chart below the table, or beside it.
+    void stack(bool stacked);
+
   Q_SIGNALS:
     /// What was compared or written, or why not: one sentence.
     void reported(const QString& sentence);
@@ -55,6 +60,7 @@ class BroadphaseComparison : public QWidget {
     void showProgress(std::int64_t done, std::int64_t total, std::optional<double> secondsLeft);
     void finish(const Benchmark& result, double seconds);
     void updateControls();
+    static QString listOf(const QStringList& names);
     QString sentenceOf(const Benchmark& result) const;
     void showTable();
     void showChart();

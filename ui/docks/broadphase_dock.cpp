@@ -13,12 +13,16 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace carom {
 namespace {
 
 constexpr qint64 refreshInterval = 120; // [ms]
+constexpr int mostColumns = 3;          // of figures
+constexpr int valueWidth = 90;          // [px] of a figure
+constexpr int betweenParts = 24;        // [px]
 
 QString count(std::uint64_t value) { return QLocale::c().toString(static_cast<qulonglong>(value)); }
 
@@ -116,7 +120,7 @@ constexpr std::array figures = {
 
 BroadphaseDock::BroadphaseDock(QWidget* parent)
     : Panel(tr("Broad-phase"), parent), m_algorithm(new QComboBox), m_reason(new QLabel),
-      m_comparison(new BroadphaseComparison) {
+      m_grid(new QGridLayout), m_comparison(new BroadphaseComparison) {
     setObjectName(QStringLiteral("broadphase"));
     m_algorithm->setObjectName(QStringLiteral("algorithm"));
     m_algorithm->setMaximumWidth(420);
@@ -130,12 +134,8 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     m_reason->setWordWrap(true);
     m_reason->setProperty("role", QStringLiteral("muted"));
 
-    // Columns of figures side by side, and what compares the algorithms beside them: the dock is wide and
-    // low where it usually stands.
-    QGridLayout* grid = new QGridLayout;
-    grid->setHorizontalSpacing(16);
-    grid->setVerticalSpacing(6);
-    constexpr int columns = 3, rows = (static_cast<int>(figures.size()) + columns - 1) / columns;
+    m_grid->setHorizontalSpacing(16);
+    m_grid->setVerticalSpacing(6);
     for (std::size_t i = 0; i < figures.size(); ++i) {
         QLabel* title = new QLabel(tr(figures[i].title));
         title->setProperty("role", QStringLiteral("muted"));
@@ -145,26 +145,20 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
         value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         value->setToolTip(tr(figures[i].help));
         value->setAccessibleDescription(tr(figures[i].title));
+        m_titles.push_back(title);
         m_values.push_back(value);
-        const int row = static_cast<int>(i) % rows, side = static_cast<int>(i) / rows;
-        grid->addWidget(title, row, side * 3);
-        grid->addWidget(value, row, side * 3 + 1);
     }
-    for (int side = 0; side < columns; ++side) {
-        grid->setColumnMinimumWidth(side * 3 + 1, 90);
-        if (side > 0) grid->setColumnMinimumWidth(side * 3 - 1, 24);
-    }
-    grid->setColumnStretch(columns * 3, 1);
+    setColumns(mostColumns);
     QVBoxLayout* live = new QVBoxLayout;
     live->setSpacing(8);
     live->addWidget(m_algorithm);
     live->addWidget(m_reason);
-    live->addLayout(grid);
+    live->addLayout(m_grid);
     live->addStretch();
     QWidget* content = new QWidget;
     QHBoxLayout* sideBySide = new QHBoxLayout(content);
     sideBySide->setContentsMargins(6, 4, 6, 6);
-    sideBySide->setSpacing(24);
+    sideBySide->setSpacing(betweenParts);
     sideBySide->addLayout(live);
     sideBySide->addWidget(m_comparison, 1);
 
@@ -176,7 +170,46 @@ BroadphaseDock::BroadphaseDock(QWidget* parent)
     setFocusProxy(m_algorithm);
     connect(m_algorithm, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT algorithmChosen(chosen()); });
     connect(m_comparison, &BroadphaseComparison::reported, this, &BroadphaseDock::reported);
+    m_comparison->installEventFilter(this); // what was compared takes more room than the button for it
     clear();
+}
+
+/// The figures in so many columns, read downwards.
+void BroadphaseDock::setColumns(int columns) {
+    if (columns == m_columns) return;
+    const int count = static_cast<int>(m_values.size()), rows = (count + columns - 1) / columns;
+    for (int i = 0; i < count; ++i) {
+        const int row = i % rows, side = i / rows;
+        m_grid->addWidget(m_titles[static_cast<std::size_t>(i)], row, side * 3);
+        m_grid->addWidget(m_values[static_cast<std::size_t>(i)], row, side * 3 + 1);
+    }
+    for (int side = 0; side < mostColumns; ++side) {
+        const bool used = side < columns;
+        m_grid->setColumnMinimumWidth(side * 3 + 1, used ? valueWidth : 0);
+        m_grid->setColumnMinimumWidth(side * 3 + 2, used && side + 1 < columns ? betweenParts : 0);
+    }
+    m_columns = columns;
+}
+
+/// As many columns as leave room for the comparison: the dock is wide and low where it usually stands. Beside
+/// one column that leaves too little, the chart goes below the table.
+void BroadphaseDock::fitColumns() {
+    int titles = 0;
+    for (const QLabel* title : m_titles) titles = std::max(titles, title->sizeHint().width());
+    const int column = titles + valueWidth + 2 * m_grid->horizontalSpacing() + betweenParts;
+    const int room = width() - m_comparison->widthSideBySide() - betweenParts;
+    setColumns(std::clamp(room / column, 1, mostColumns));
+    m_comparison->stack(room < column);
+}
+
+bool BroadphaseDock::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) fitColumns();
+    return Panel::eventFilter(watched, event);
+}
+
+void BroadphaseDock::resizeEvent(QResizeEvent* event) {
+    Panel::resizeEvent(event);
+    fitColumns();
 }
 
 void BroadphaseDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 
 namespace carom {
@@ -36,13 +37,21 @@ class BroadphaseDock : public Panel {
   Q_SIGNALS:
     void algorithmChosen(const carom::BroadphaseRow* row);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     void refresh();
+    void setColumns(int columns);
+    void fitColumns();
 
     QComboBox* m_algorithm;
     QLabel* m_reason;
+    QGridLayout* m_grid;
+    int m_columns = 0; ///< of figures
     BroadphaseComparison* m_comparison;
-    std::vector<QLabel*> m_values; ///< one a row of the table in the source file
+    std::vector<QLabel*> m_titles, m_values; ///< one a row of the table in the source file
     FrameStatistics m_newest;
     QElapsedTimer m_sinceRefresh;
 };

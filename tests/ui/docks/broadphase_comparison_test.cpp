@@ -3,7 +3,9 @@
 #include "tests/support/test_class.h"
 
 #include "ui/docks/broadphase_comparison.h"
+#include "ui/docks/broadphase_dock.h"
 #include "ui/docks/comparison_charts.h"
+#include "ui/widgets/plot.h"
 #include "ui/widgets/value_table.h"
 
 #include "core/generators/generator.h"
@@ -15,6 +17,8 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -94,6 +98,26 @@ class BroadphaseComparisonTest : public QObject {
         QCOMPARE(chart.series.size(), broadphases().size());
         const std::size_t frames = static_cast<std::size_t>(m_comparison->result()->plan.frames);
         for (const ChartSeries& series : chart.series) QCOMPARE(series.x.size(), frames);
+    }
+
+    void tableAndChartFitBesideTheFiguresOfTheFrame() {
+        // In a window of 1500 px the chart was beyond the right edge.
+        for (const int width : {1500, 1000}) {
+            BroadphaseDock dock;
+            dock.resize(width, 300);
+            dock.show();
+            dock.showPipeline(gasOf(20));
+            dock.findChild<QPushButton*>(QStringLiteral("compare"))->click();
+            const auto isWithin = [&](const QWidget* part) {
+                return part != nullptr && part->isVisible() &&
+                       part->width() >= part->minimumSizeHint().width() &&
+                       part->mapTo(&dock, QPoint(part->width(), 0)).x() <= width;
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(isWithin(dock.findChild<ValueTable*>()), longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(isWithin(dock.findChild<PlotWidget*>()), longestWait);
+            QTRY_COMPARE_WITH_TIMEOUT(dock.findChild<QScrollArea*>()->horizontalScrollBar()->maximum(), 0,
+                                      longestWait);
+        }
     }
 
     void anotherChartCanBeChosen() {
