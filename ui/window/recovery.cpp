@@ -60,6 +60,10 @@ Recovery::Recovery(const Document& document, const QString& folder, int interval
     m_lock->setStaleLockTime(0); // stale only when its process is gone
     m_lock->tryLock(0);
     connect(&m_timer, &QTimer::timeout, this, &Recovery::keepBehind);
+    // What has been saved is no loss from then on: the swap file may be older than the file.
+    connect(&document, &Document::pathChanged, this, [this] {
+        if (!m_document.isModified()) keep();
+    });
     m_writer.setMaxThreadCount(1);
     m_timer.start(interval);
 }

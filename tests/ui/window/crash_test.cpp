@@ -176,6 +176,7 @@ class CrashTest : public QObject {
             second.type("// other");
             second.press("ctrl+s");
             QTRY_COMPARE_WITH_TIMEOUT(readFile(other), original + "// other", longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(!desk.swapFile().isEmpty(), longestWait); // of the first only
         }
         // Asked later, the first window gives the text back, and the next one offers it.
         QVERIFY(first.focus(offer));
