@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// How long a reading waits until it is asked whether to go on [ms].
-constexpr int patienceOfPoll = 50;
+constexpr int pollInterval = 50;
 
 /// A child whose output is read, and that does not outlive this object.
 class Child {
@@ -64,7 +64,7 @@ class Child {
     /// What there is within a moment; nothing at the end.
     std::optional<std::string> read() {
         pollfd ready{m_output, POLLIN, 0};
-        if (poll(&ready, 1, patienceOfPoll) == 0) return std::string();
+        if (poll(&ready, 1, pollInterval) == 0) return std::string();
         std::string piece(1 << 16, '\0');
         const ssize_t count = ::read(m_output, piece.data(), piece.size());
         if (count < 0 && errno == EINTR) return std::string();
