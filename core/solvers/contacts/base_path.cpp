@@ -2,12 +2,15 @@
 #include "core/solvers/contacts/base_path.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carom {
 namespace {
 
-/// Islands of so few contact points are swept twice in a step, and take more and shorter steps.
+/// Islands of so few contact points take more and shorter steps.
 constexpr std::size_t fewPoints = 192;
+/// Others than balls of so few are swept twice in a step.
+constexpr std::size_t pointsSweptTwice = 2 * fewPoints;
 /// Balls with more than so many take one step a look: their contacts turn with them.
 constexpr std::size_t manyPoints = 4 * fewPoints;
 /// So many times fewer points, so many times more looks in a substep.
@@ -38,9 +41,7 @@ bool isNear(const SteppedInput& input, BodyPair pair) {
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
 /// contacts, up to those of an island with few points; what turns comes down with another part of it, and is
-/// looked at the more often, the fewer its points are. Large islands of what turns are swept twice a step,
-/// too: swept once, forces in heaps of more than fifty cuboids and cylinders are never so well balanced that
-/// they come to rest, and everything creeps by a millimetre a second.
+/// looked at the more often, the fewer its points are.
 constexpr std::array<Division, 7> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
                                                      {1, 1, 2},         {1, 2, 1}, {1, 1, 1}};
 
@@ -54,7 +55,8 @@ constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number 
 
 /// Which of them.
 std::uint8_t divisionNumber(const ContactCount& count) {
-    if (count.points > fewPoints) return !count.round ? 3 : count.points > manyPoints ? 6 : 5;
+    if (count.points > fewPoints && !count.round) return count.points > pointsSweptTwice ? 5 : 3;
+    if (count.points > fewPoints) return count.points > manyPoints ? 6 : 5;
     if (count.points == 0) return 2; // nobody knows yet
     if (count.round) return count.points >= 8 ? 2 : count.points >= 4 ? 3 : count.points >= 2 ? 4 : 6;
     const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);
@@ -97,6 +99,12 @@ bool BasePath::isBusy(const Bodies& bodies, const State& state, std::span<const 
 
 Division BasePath::divisionFor(const ContactCount& count, int passes) {
     return divisionOf(divisionNumber(count), passes);
+}
+
+Division BasePath::divisionFor(const Island& island, const ContactCount& count) const {
+    const std::uint8_t last = m_lastBlock[island.bodies.front()];
+    if (last == noBlock) return divisionFor(count, m_passes);
+    return divisionOf(static_cast<std::uint8_t>(last - 1), m_passes);
 }
 
 std::size_t BasePath::islands() const {
@@ -437,7 +445,7 @@ void BasePath::dropWhatLeft() {
 }
 
 std::size_t BasePath::bytes() const {
-    std::size_t sum = heldBytes(m_reach, m_origin, m_block, m_renewed, m_renewal);
+    std::size_t sum = heldBytes(m_reach, m_origin, m_block, m_lastBlock, m_renewed, m_renewal);
     for (const SteppedMotion& block : m_blocks) sum += block.bytes();
     return sum;
 }
@@ -452,7 +460,7 @@ void BasePath::leaveMarked(const SteppedInput& input, Manifolds& manifolds, std:
         block.leave(input, manifolds, m_newNumbers, left, m_leaving);
         m_isEmpty = m_isEmpty && block.isEmpty();
     }
-    for (const BodyIndex body : left) m_block[body] = noBlock;
+    for (const BodyIndex body : left) m_lastBlock[body] = std::exchange(m_block[body], noBlock);
     for (const Entry& entry : m_leaving) carried.push_back({entry.pair, entry.place});
 }
 

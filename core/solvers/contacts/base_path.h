@@ -48,7 +48,7 @@ class BasePath {
     /// `passes` times the passes that are usual.
     BasePath(std::size_t bodies, int passes)
         : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock),
-          m_renewal(bodies, 0) {}
+          m_lastBlock(bodies, noBlock), m_renewal(bodies, 0) {}
 
     bool isEmpty() const { return m_isEmpty; }
     bool has(BodyIndex body) const { return isHere(m_block[body]); }
@@ -113,6 +113,9 @@ class BasePath {
                        std::size_t pairs, double time);
     /// How an island with such contacts divides a substep.
     static Division divisionFor(const ContactCount& count, int passes);
+    /// How one that is not here divides it: as when it was here last, or by its contacts. With
+    /// each division contacts are another spring: what changes it rises or sinks.
+    Division divisionFor(const Island& island, const ContactCount& count) const;
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
@@ -150,9 +153,10 @@ class BasePath {
 
     int m_passes = 1;
     bool m_isEmpty = true;
-    std::vector<double> m_reach;       // by body [m]
-    std::vector<Pose> m_origin;        // by body: where it was when it entered
-    std::vector<std::uint8_t> m_block; // by body
+    std::vector<double> m_reach;           // by body [m]
+    std::vector<Pose> m_origin;            // by body: where it was when it entered
+    std::vector<std::uint8_t> m_block;     // by body
+    std::vector<std::uint8_t> m_lastBlock; // by body: the one it left last
     std::array<SteppedMotion, divisions> m_blocks;
     Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted

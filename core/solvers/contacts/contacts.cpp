@@ -457,7 +457,7 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
         count.add(manifold.count, manifold.round);
     }
     const SteppedInput stepping = stepped(input);
-    m_rest.begin(input.bodies, BasePath::divisionFor(count, passesOf(m_settings)), input.substep);
+    m_rest.begin(input.bodies, m_base.divisionFor(island, count), input.substep);
     m_rest.addIsland(stepping, island.bodies, island.links);
     for (const std::uint32_t index : island.pairs)
         m_rest.addPair(stepping,

@@ -28,7 +28,7 @@ constexpr bool fromTop = true;
 
 /// Balls do not sway on faces: their contacts may be harder (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
-    settings.hardness = 0.54;
+    settings.hardness *= 0.54 / StepSettings{}.hardness;
     settings.damping = 60;
     return settings;
 }
@@ -298,7 +298,12 @@ void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedRepor
 void SteppedMotion::step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
                          SteppedReport& report) {
     const Vec3 fall = duration * input.gravity;
-    const StepSettings settings{.duration = duration, .resting = 2 * fall.norm()};
+    // As stiff a spring as in a whole step: in a short one it would be much stiffer, and its forces would
+    // push far too much in the next.
+    const double whole = m_substep / (m_division.looks * m_division.steps);
+    const StepSettings settings{.duration = duration,
+                                .hardness = StepSettings{}.hardness * duration / whole,
+                                .resting = 2 * fall.norm()};
     const bool ballsBounce = m_balls.recordApproach(m_bodies, settings);
     const bool bounces = recordApproach(m_rows, m_bodies, settings) || ballsBounce;
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
