@@ -96,6 +96,25 @@ class BasePathLeavingTest : public QObject {
         QVERIFY(left > 100 && stayed > 1000);
     }
 
+    // With each division contacts are another spring: what left goes on with the one it had, whatever its
+    // contacts would ask for now.
+    void islandThatLeftKeepsItsDivision() {
+        const Scene scene = test::sceneOf({test::floorOf(0.5), test::cuboid({0.2, 0.2, 0.2}, 1, {0, 0.1, 0})},
+                                          test::downwards());
+        Entered entered(scene);
+        const ContactCount few{4, false}, many{1000, false};
+        const std::vector<BodyIndex> cube{1};
+        const Island island{cube, {}, {}};
+        const int looks = BasePath::divisionFor(few, 1).looks;
+        QVERIFY(looks > BasePath::divisionFor(many, 1).looks);
+        QCOMPARE(entered.path.divisionFor(island, many).looks, BasePath::divisionFor(many, 1).looks);
+        entered.enterAll();
+        entered.advance();
+        entered.path.mark(1);
+        QCOMPARE(entered.leaveMarked(), cube);
+        QCOMPARE(entered.path.divisionFor(island, many).looks, looks);
+    }
+
     // Single balls on a floor that come and go one by one leave no empty places behind.
     void whoEntersTakesThePlaceOfWhoLeft() {
         Scene scene = test::sceneOf({test::floorOf(0.5)}, test::downwards());
