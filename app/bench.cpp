@@ -109,9 +109,13 @@ int runBench(const Arguments& arguments) {
     };
     std::unique_ptr<Progress> progress;
     Benchmark benchmark; // as far as it is
+    benchmark.plan = plan;
     InterimResults interim("carom bench");
     {
-        InterruptibleWork work([&] { printOut(summaryOf(benchmark)); });
+        InterruptibleWork work([&] {
+            printOut(summaryOf(benchmark));
+            writeFigures(benchmark);
+        });
         const auto goOn = [&progress](std::int64_t done, std::int64_t total) {
             if (!progress) progress = std::make_unique<Progress>(total);
             progress->update(done);

@@ -74,7 +74,7 @@ void InterruptibleWork::watch(const std::stop_token& stop) {
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any never;
-    never.wait_for(lock, stop, 300ms, [] { return false; }); // or until the work has ended by itself
+    never.wait_for(lock, stop, 200ms, [] { return false; }); // or until the work has ended by itself
     const std::unique_lock held(m_mutex);
     if (stop.stop_requested()) return;
     try {

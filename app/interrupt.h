@@ -21,7 +21,7 @@ bool interrupted();
 ///         ... add what it gave to what there is ...
 ///     }
 ///
-/// Where the loop has not ended 0.3 s after the signal because it is inside a step, a thread of this class's
+/// Where the loop has not ended 0.2 s after the signal because it is inside a step, a thread of this class's
 /// own calls the function given and ends the program with 130.
 class InterruptibleWork {
   public:

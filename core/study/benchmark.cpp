@@ -111,16 +111,19 @@ BenchmarkPoint pointOf(const Contest& contest, std::size_t world) {
                              : contest.worlds[world]->stateHash()};
 }
 
-/// Replaces that time of every frame of the first contest by the median over all of them.
-void takeMedians(std::vector<Contest>& repeats, double FrameStatistics::*time) {
+/// The frames of a world, each of its times the median over the repeats.
+std::vector<FrameStatistics> withMedians(const std::vector<Contest>& repeats, std::size_t world) {
+    std::vector<FrameStatistics> frames = repeats.front().frames[world];
     std::vector<double> times;
-    for (std::size_t world = 0; world < repeats.front().frames.size(); ++world) {
-        for (std::size_t frame = 0; frame < repeats.front().frames[world].size(); ++frame) {
+    for (double FrameStatistics::*time :
+         {&FrameStatistics::simulate, &FrameStatistics::integrate, &FrameStatistics::broadphase,
+          &FrameStatistics::narrowphase, &FrameStatistics::respond})
+        for (std::size_t frame = 0; frame < frames.size(); ++frame) {
             times.clear();
             for (const Contest& repeat : repeats) times.push_back(repeat.frames[world][frame].*time);
-            repeats.front().frames[world][frame].*time = summarise(times).median;
+            frames[frame].*time = summarise(times).median;
         }
-    }
+    return frames;
 }
 
 /// Runs the plan and counts frames for the listener.
@@ -136,7 +139,7 @@ class Runner {
     }
 
     Benchmark run() {
-        m_result.complete = runTraces() && runScenes();
+        m_result.complete = runScenes() && runTraces(); // what is there first was done within a second
         return std::move(m_result);
     }
 
@@ -148,18 +151,15 @@ class Runner {
         for (int repeat = 0; repeat < plan.traceRepeats; ++repeat) {
             repeats.push_back(prepare(*plan.traceScene, plan.traceCount, plan.options, plan.algorithms));
             if (!advance(repeats.back(), plan.traceFrames, m_heard)) return false;
+            const Contest& contest = repeats.front();
+            m_result.traces.clear();
+            for (std::size_t k = 0; k < contest.worlds.size(); ++k)
+                m_result.traces.push_back({.scene = contest.scene,
+                                           .n = contest.n,
+                                           .algorithm = contest.algorithms[k],
+                                           .frames = withMedians(repeats, k)});
+            if (m_measured) m_measured(m_result);
         }
-        Contest& contest = repeats.front();
-        for (double FrameStatistics::*time :
-             {&FrameStatistics::simulate, &FrameStatistics::integrate, &FrameStatistics::broadphase,
-              &FrameStatistics::narrowphase, &FrameStatistics::respond})
-            takeMedians(repeats, time);
-        for (std::size_t k = 0; k < contest.worlds.size(); ++k)
-            m_result.traces.push_back({.scene = contest.scene,
-                                       .n = contest.n,
-                                       .algorithm = contest.algorithms[k],
-                                       .frames = std::move(contest.frames[k])});
-        if (m_measured) m_measured(m_result);
         return true;
     }
 

@@ -82,7 +82,8 @@ struct Benchmark {
 /// Told after each frame how many are done of about how many; false ends the benchmark.
 using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t total)>;
 
-/// `measured` gets what there is after every scene and number, and after the traces.
+/// `measured` gets what there is after every scene and number, then after every repeat of the traces, whose
+/// times are medians of the repeats so far.
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn,
                        const std::function<void(const Benchmark&)>& measured = {});
 

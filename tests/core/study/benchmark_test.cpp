@@ -87,13 +87,34 @@ class BenchmarkTest : public QObject {
     void stoppedEarlyItKeepsWhatIsWhole() {
         const BenchmarkPlan plan = smallPlan();
         const std::int64_t algorithms = std::ssize(plan.algorithms);
-        const std::int64_t firstContest = algorithms * (2 * plan.traceFrames + plan.frames);
+        const std::int64_t firstContest = algorithms * plan.frames;
         const Benchmark benchmark =
             runBenchmark(plan, [&](std::int64_t done, std::int64_t) { return done <= firstContest; });
         QVERIFY(!benchmark.complete);
-        QCOMPARE(std::ssize(benchmark.traces), algorithms);
+        QVERIFY(benchmark.traces.empty());
         QCOMPARE(std::ssize(benchmark.points), algorithms);
         QVERIFY(summaryOf(benchmark).find("Stopped early") != std::string::npos);
+
+        const std::int64_t allAndATrace = algorithms * (4 * plan.frames + plan.traceFrames);
+        const Benchmark later =
+            runBenchmark(plan, [&](std::int64_t done, std::int64_t) { return done <= allAndATrace; });
+        QVERIFY(!later.complete);
+        QCOMPARE(std::ssize(later.traces), algorithms); // of one repeat of two
+        QCOMPARE(std::ssize(later.points), 4 * algorithms);
+    }
+
+    // The traces came first: nothing was written for ten seconds, and a kill then lost everything.
+    void theFirstRowsAreThereAfterTheSmallestScene() {
+        const BenchmarkPlan plan = smallPlan();
+        std::int64_t heard = 0, atFirst = 0, calls = 0;
+        runBenchmark(
+            plan, [&](std::int64_t done, std::int64_t) { return (heard = done) > 0; },
+            [&](const Benchmark& soFar) {
+                if (calls++ == 0) atFirst = heard;
+                QVERIFY(!soFar.points.empty());
+            });
+        QCOMPARE(atFirst, std::ssize(plan.algorithms) * plan.frames);
+        QCOMPARE(calls, 2 * 2 + plan.traceRepeats);
     }
 
     void theSlowAreLeftOutAtLargerNumbersAndNamed() {
