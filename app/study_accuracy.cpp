@@ -25,6 +25,7 @@
 #include <exception>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 
 namespace carom {
@@ -127,9 +128,12 @@ class Results {
         if (!study.reference && std::filesystem::exists(path(figuresFile))) return;
         writeFile(m_folder, figuresFile, pointsAsCsv(study, m_hash, m_origin));
     }
-    void writeAll(const AccuracyStudy& study, const std::string& title) const {
+    void writeTexts(const AccuracyStudy& study) const {
         writeFigures(study);
         writeFile(m_folder, "summary.txt", summaryOf(study));
+    }
+    void writeAll(const AccuracyStudy& study, const std::string& title) const {
+        writeTexts(study);
         if (chartDrawer().accuracy == nullptr) return;
         for (const char* name : {"accuracy.svg", "accuracy.png", "accuracy.pdf"})
             chartDrawer().accuracy(study, title, path(name));
@@ -185,7 +189,7 @@ struct PlannedStudy {
 PlannedStudy planned(const Arguments& arguments, const std::string& path) {
     PlannedStudy study{.path = path, .built = loadScene(path), .plan = {}, .results = {}};
     if (study.built.pipeline->bodies().mobileBodies.empty())
-        throw UsageError("nothing in the scene can move; there is no error to study");
+        throw UsageError("nothing in `" + displayName(path) + "` can move; there is no error to study");
     study.plan = planFrom(arguments, path, study.scene());
     return study;
 }
@@ -206,7 +210,10 @@ AccuracyStudy run(const PlannedStudy& planned, const KnownPoints& known) {
                                                "s of the budget");
     AccuracyStudy study; // as far as it is
     InterimResults interim("carom " + std::string(command));
-    InterruptibleWork work([&] { printOut(summaryOf(study)); });
+    InterruptibleWork work([&] {
+        printOut(summaryOf(study));
+        if (planned.results) planned.results->writeTexts(study);
+    });
     AccuracyListener listener;
     listener.goOn = [&](double seconds) {
         progress->update(static_cast<std::int64_t>(seconds));
@@ -258,7 +265,16 @@ int studyMany(const Arguments& arguments) {
             throw UsageError("`--" + std::string(option) + "` is for one scene; there are " +
                              std::to_string(arguments.operands.size()));
     std::size_t width = 0;
-    for (const std::string& path : arguments.operands) width = std::max(width, titleOf(path).size());
+    std::map<std::string, std::string> titles;
+    for (const std::string& path : arguments.operands) {
+        width = std::max(width, titleOf(path).size());
+        const auto [first, isNew] = titles.try_emplace(titleOf(path), path);
+        if (!isNew && arguments.has("output"))
+            throw UsageError("`" + first->second + "` and `" + path + "` have one name, `" + first->first +
+                             "`, and would write into one folder");
+    }
+    // What is wrong with the last scene is said before the first has taken a minute.
+    for (const std::string& path : partOf(shard, arguments.operands)) planned(arguments, path);
     catchInterrupts();
     CsvTable table(comparisonColumns());
     printOut(comparisonHeading(width));

@@ -99,6 +99,8 @@ std::string_view nameOf(PointStatus status) {
     switch (status) {
     case PointStatus::Waiting:
         return "waiting";
+    case PointStatus::Timed:
+        return "timed";
     case PointStatus::Measured:
         return "measured";
     case PointStatus::Broken:
@@ -117,6 +119,14 @@ double AccuracyPoint::leastCost() const {
 }
 double AccuracyPoint::mostCost() const {
     return times.empty() ? 0 : *std::max_element(times.begin(), times.end());
+}
+
+AccuracySetting ownSettingOf(const Scene& scene) {
+    std::vector<Diagnostic> ignored;
+    const RunSettings own = settledSettings(scene, {}, ignored);
+    if (own.method->isExact) return {own.method, nullptr, 1, 0};
+    return {own.method, own.integrator, own.substeps, own.tolerance,
+            own.method->iterates() ? own.preset : nullptr};
 }
 
 AccuracyPlan planFor(const Scene& scene) {

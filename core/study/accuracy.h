@@ -22,11 +22,15 @@
 // A study lasts as long as its budget at most. It goes from coarse to fine: the scene's own setting, those of
 // the presets, then every family with 1, 2, 4, ... substeps, as long as the next run is known to fit. Every
 // point has its error and a time as soon as it is there, so that a study is valid whenever it ends; what time
-// is left repeats runs until their times agree. Runs that do not fit are left out, and said to be.
+// is left repeats runs until their times agree. Runs that do not fit are left out, and said to be. While the
+// reference solution is computed the scene's own setting has a time and its invariants, but no error.
 
 namespace carom {
 
 struct MeasureRow;
+
+/// Times that differ by this part of the shorter one at most are not told apart.
+inline constexpr double agreeingTimes = 0.05;
 
 /// One way to simulate a scene.
 struct AccuracySetting {
@@ -48,6 +52,7 @@ struct AccuracySetting {
 
 enum class PointStatus : std::uint8_t {
     Waiting,
+    Timed, ///< it ran, but there is no reference solution yet: it has a time, and no errors
     Measured,
     Broken,   ///< it ran, but an invariant broke
     Failed,   ///< the state was lost
@@ -76,6 +81,7 @@ struct AccuracyPoint {
     std::optional<CrowdFigures> crowd{};    ///< of a crowd, beyond the horizon
     double instructions = 0;                ///< a simulated second, where somebody counted them
     std::vector<double> times{};            ///< [ms] a simulated second, a run each
+    double longestStep = 0;                 ///< [s] of wall time, of the run that gave the errors
 
     bool usable() const { return status == PointStatus::Measured; }
     double cost() const;      ///< median of the times
@@ -108,6 +114,9 @@ struct AccuracyPlan {
     std::function<std::string(const EngineRequest&)> runEngine{};
 };
 
+/// The one that a study has before it has measured anything.
+const MeasureRow* firstMeasure();
+
 struct AccuracyStudy {
     AccuracyPlan plan;
     RunSettings settings;                       ///< the scene's own
@@ -117,7 +126,7 @@ struct AccuracyStudy {
     std::vector<std::string> engineNotes;       ///< where rules of other engines are not ours
     double duration = 0;                        ///< [s] that were simulated
     double seconds = 0;                         ///< [s] of wall time that it took
-    const MeasureRow* measure = nullptr;        ///< of the diagram; never null
+    const MeasureRow* measure = firstMeasure(); ///< of the diagram; never null
     bool conservative = false;                  ///< nothing in the scene takes energy out
     bool complete = false;                      ///< false: somebody told it to stop; what is there is whole
 
@@ -134,6 +143,9 @@ struct KnownPoints {
     double duration = 0;
 };
 
+/// What the scene runs with as it is.
+AccuracySetting ownSettingOf(const Scene& scene);
+
 /// The plan for a scene: every method that can treat it, with every integrator where the choice matters and
 /// every preset where bodies can meet, at 1 to 64 substeps; the presets' own settings first, then coarse to
 /// fine.
@@ -147,8 +159,9 @@ void sortForStudy(AccuracyPlan& plan);
 void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::vector<double>& tolerances);
 
 struct AccuracyListener {
-    std::function<bool(double seconds)> goOn;            ///< the wall time spent; false ends the study
-    std::function<void(const AccuracyStudy&)> changed{}; ///< after every run
+    std::function<bool(double seconds)> goOn; ///< the wall time spent; false ends the study
+    /// After every run, the first one of the scene's own setting, which is only timed.
+    std::function<void(const AccuracyStudy&)> changed{};
     StudyClock clock{};
 };
 

@@ -33,12 +33,19 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double finiteOr(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
-constexpr std::array statuses = {PointStatus::Measured, PointStatus::Broken, PointStatus::Failed,
-                                 PointStatus::TimedOut};
+constexpr std::array statuses = {PointStatus::Timed, PointStatus::Measured, PointStatus::Broken,
+                                 PointStatus::Failed, PointStatus::TimedOut};
 
 /// What was not looked at is empty in the file.
 struct Extras {
-    explicit Extras(const AccuracyPoint& point) {
+    Extras(const AccuracyPoint& point, const AccuracyStudy& study) {
+        if (point.status != PointStatus::Timed)
+            errors = {point.errors.position, point.errors.positionRms, point.errors.attitude};
+        if (study.reference) {
+            reference = nameOf(study.reference->kind);
+            referenceError = study.reference->error;
+            horizon = study.reference->horizon;
+        }
         if (point.impacts)
             impacts = {static_cast<double>(point.impacts->expected), static_cast<double>(point.impacts->seen),
                        static_cast<double>(point.impacts->matched), point.impacts->time};
@@ -55,6 +62,9 @@ struct Extras {
 
     std::array<double, 4> impacts{none, none, none, none};
     std::array<double, 4> end{none, none, none, none};
+    std::array<double, 3> errors{none, none, none};
+    std::string_view reference{};
+    double referenceError = none, horizon = none;
     double copies = none, instructions = none;
     Quartiles speeds{none, none, none}, pressure{none, none, none}, freeTime{none, none, none};
 };
@@ -123,28 +133,25 @@ std::optional<AccuracyPoint> pointFrom(const Cells& cells) {
 
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin) {
     CsvTable table(columns);
-    if (!study.reference) return table.take();
     const std::vector<const AccuracyPoint*> front = paretoFront(study);
     for (const AccuracyPoint& p : study.points) {
         if (p.status == PointStatus::Waiting) continue;
         std::string runs;
         for (const double time : p.times) runs.append(runs.empty() ? "" : ";").append(shortest(time));
         const bool onFront = std::find(front.begin(), front.end(), &p) != front.end();
-        const Extras x(p);
+        const Extras x(p, study);
         table.row(p.setting.method->name, p.setting.integrator ? p.setting.integrator->name : "",
                   p.setting.substeps, p.setting.tolerance, p.setting.preset ? p.setting.preset->name : "",
                   p.setting.engine + (p.setting.isTuned ? " tuned" : ""), p.isDefault ? "yes" : "no",
                   nameOf(p.status), p.reason.text(), study.measure->name, finiteOr(study.errorOf(p), none),
-                  p.errors.position, p.errors.positionRms, p.errors.attitude, p.energy.drift,
-                  p.energy.oscillation, p.energy.worst, p.energy.gain, p.energyOff.value_or(none),
-                  p.momentumChange, p.penetration, p.residual, p.relativeResidual, p.coneViolation, x.end[0],
-                  x.end[1], x.end[2], x.end[3], x.impacts[0], x.impacts[1], x.impacts[2], x.impacts[3],
-                  x.copies, x.speeds.lower, x.speeds.median, x.speeds.upper, x.pressure.lower,
-                  x.pressure.median, x.pressure.upper, x.freeTime.lower, x.freeTime.median, x.freeTime.upper,
-                  p.cost(), p.leastCost(), p.mostCost(), x.instructions, runs, onFront ? "yes" : "no",
-                  nameOf(study.reference->kind), study.reference->error, study.reference->horizon,
-                  study.duration, study.plan.duration, sceneHash, origin.command, origin.version,
-                  origin.machine);
+                  x.errors[0], x.errors[1], x.errors[2], p.energy.drift, p.energy.oscillation, p.energy.worst,
+                  p.energy.gain, p.energyOff.value_or(none), p.momentumChange, p.penetration, p.residual,
+                  p.relativeResidual, p.coneViolation, x.end[0], x.end[1], x.end[2], x.end[3], x.impacts[0],
+                  x.impacts[1], x.impacts[2], x.impacts[3], x.copies, x.speeds.lower, x.speeds.median,
+                  x.speeds.upper, x.pressure.lower, x.pressure.median, x.pressure.upper, x.freeTime.lower,
+                  x.freeTime.median, x.freeTime.upper, p.cost(), p.leastCost(), p.mostCost(), x.instructions,
+                  runs, onFront ? "yes" : "no", x.reference, x.referenceError, x.horizon, study.duration,
+                  study.plan.duration, sceneHash, origin.command, origin.version, origin.machine);
     }
     return table.take();
 }

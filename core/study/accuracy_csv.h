@@ -12,8 +12,9 @@
 
 namespace carom {
 
-/// A row a point that is not waiting. Lengths are relative to the scene's size, times and instructions for a
-/// simulated second; what was not looked at is empty.
+/// A row a point that is not waiting; before there is a reference solution it has no errors. Lengths are
+/// relative to the scene's size, times and instructions for a simulated second; what was not looked at is
+/// empty.
 ///
 ///     method, integrator, substeps, tolerance, preset, engine, default, status, reason
 ///     measure, error                        of the diagram

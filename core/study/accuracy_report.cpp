@@ -5,6 +5,7 @@
 #include "core/study/measures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -34,6 +35,9 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
     return text;
 }
 
+/// What has not been measured is no figure.
+std::string known(double value) { return std::isfinite(value) ? figure(value) : "-"; }
+
 std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
     const auto any = [&](const auto& has) {
         return std::any_of(study.points.begin(), study.points.end(), has);
@@ -51,9 +55,10 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
     lines[0].push_back("");
     for (const AccuracyPoint* point : family.points) {
         std::vector<std::string>& line = lines.emplace_back();
-        line = {std::to_string(point->setting.substeps), figure(study.errorOf(*point)),
+        line = {std::to_string(point->setting.substeps), known(study.errorOf(*point)),
                 point->times.empty() ? "-" : figure(point->cost())};
-        if (study.measure->name != "trajectory") line.push_back(figure(point->errors.worst()));
+        if (study.measure->name != "trajectory")
+            line.push_back(known(point->status == PointStatus::Timed ? HUGE_VAL : point->errors.worst()));
         if (counted) line.push_back(point->instructions > 0 ? figure(point->instructions, 4) : "-");
         line.push_back(figure(point->energy.worst));
         line.push_back(figure(point->energy.gain));

@@ -26,12 +26,12 @@ bool isSteppedApart(const Pipeline& pipeline) {
     return !pipeline.settings().method->iterates() || !pipeline.simulates("collision");
 }
 
-/// Whether the run must end here, and why.
+/// Whether the run must end here, and why. Another step may take as long as the longest one so far.
 bool isOver(const World& world, double limit, double elapsed, AccuracyPoint& point) {
     if (!world.health().finite) {
         point.status = PointStatus::Failed;
         point.reason = Sentence{"the state was lost after %1 s", {figure(world.state().time)}};
-    } else if (elapsed > limit) {
+    } else if (elapsed + point.longestStep > limit) {
         point.status = PointStatus::TimedOut;
         point.reason = Sentence{"it took longer than the %1 s that were left for it", {figure(limit, 2)}};
     } else {
@@ -43,20 +43,24 @@ bool isOver(const World& world, double limit, double elapsed, AccuracyPoint& poi
 
 void fillIn(const AccuracyRun& run, const RunCourse& course, const World& world, AccuracyPoint& point) {
     const ReferenceSolution& reference = *run.study.reference;
-    point.energy = course.energy();
+    addInvariants(course, world, point);
     if (!reference.energy.empty())
         point.energyOff = distanceOf(course.frames(), reference.energy, reference.energyScale);
-    point.momentumChange = course.momentumChange(world);
-    point.penetration = course.overlap();
-    point.residual = course.residual();
-    point.relativeResidual = course.relativeResidual();
-    point.coneViolation = course.coneViolation();
     if (reference.outcome && point.status == PointStatus::Waiting)
         point.outcome =
             differenceOf(course.outcome(world), *reference.outcome, reference.size, run.study.duration);
 }
 
 } // namespace
+
+void addInvariants(const RunCourse& course, const World& world, AccuracyPoint& point) {
+    point.energy = course.energy();
+    point.momentumChange = course.momentumChange(world);
+    point.penetration = course.overlap();
+    point.residual = course.residual();
+    point.relativeResidual = course.relativeResidual();
+    point.coneViolation = course.coneViolation();
+}
 
 void judge(const AccuracyStudy& study, AccuracyPoint& point) {
     point.status = PointStatus::Measured;
@@ -91,7 +95,8 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
     ImpactWatch impacts(bodies, pipeline->gravity(), run.step(), world.state());
     const double start = run.clock.wall();
     const std::int64_t steps = run.frames() * perFrame;
-    double spent = 0; // [ms] behind the first frame, the first touch of everything
+    double elapsed = 0; // [s] of wall time
+    double spent = 0;   // [ms] behind the first frame, the first touch of everything
     for (std::int64_t step = 0;; ++step) {
         if (step > 0) course.add(world);
         if (step > 0 && step % perFrame == 0) {
@@ -108,7 +113,11 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point) {
         world.step();
         if (step > 0) spent += run.clock.processor() - before;
         if (!run.goOn()) return false;
-        if (isOver(world, run.limit, 1e-3 * (run.clock.wall() - start), point)) break;
+        const double now = 1e-3 * (run.clock.wall() - start);
+        point.longestStep = std::max(point.longestStep, now - elapsed);
+        elapsed = now;
+        const bool isLast = step + 1 == steps;
+        if (isOver(world, isLast ? HUGE_VAL : run.limit, elapsed, point)) break;
     }
     point.errors = meter.norms();
     if (!reference.impacts.empty()) {
@@ -158,7 +167,7 @@ bool timeOnce(const AccuracyRun& run, AccuracyPoint& point) {
             spent += run.clock.processor() - start;
             if (!run.goOn()) return false;
             const double now = run.clock.wall();
-            if (now - begin > 1000 * run.limit) {
+            if (now - begin > 1000 * (run.limit - point.longestStep)) {
                 if (point.times.empty()) point.times.push_back(spent / simulated);
                 return true;
             }

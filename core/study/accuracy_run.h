@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/study/accuracy.h"
+#include "core/study/run_course.h"
 
 #include <functional>
 #include <optional>
@@ -26,6 +27,9 @@ struct AccuracyRun {
 /// Measured, or broken where its energy is off by more than an invariant may.
 void judge(const AccuracyStudy& study, AccuracyPoint& point);
 
+/// What a run did to energy, momentum and contacts.
+void addInvariants(const RunCourse& course, const World& world, AccuracyPoint& point);
+
 /// Runs the point's setting and fills in its errors, its invariants, what became of it and, where the run is
 /// one that times can be taken from, its time. False if told to stop.
 bool measure(const AccuracyRun& run, AccuracyPoint& point);
@@ -34,7 +38,8 @@ bool measure(const AccuracyRun& run, AccuracyPoint& point);
 /// nothing if told to stop or its state is lost.
 std::optional<CrowdDeviation> measureCrowd(const AccuracyRun& run, const AccuracyPoint& point, int copy);
 
-/// Adds a time to the point, if it is done within the limit. False if told to stop.
+/// Adds a time to the point, if it is done within the limit, which its longest step is not to exceed. False
+/// if told to stop.
 bool timeOnce(const AccuracyRun& run, AccuracyPoint& point);
 
 } // namespace carom

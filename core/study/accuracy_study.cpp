@@ -26,9 +26,8 @@ constexpr double ownRun = 0.05;
 /// The part of the time left that a run may take of which nothing is known.
 constexpr double unknownRun = 0.25;
 /// Every setting has so many times. Those that nothing beats, and the scene's own, have more until the middle
-/// half of them is so narrow relative to their median.
+/// half of them is as narrow as `agreeingTimes` relative to their median.
 constexpr std::size_t leastTimes = 3;
-constexpr double agreeingTimes = 0.05;
 
 bool losesNothing(const Scene& scene) {
     for (const Body& body : scene.bodies)
@@ -60,7 +59,7 @@ class Runner {
     AccuracyStudy run(const KnownPoints& known) {
         for (AccuracyPoint& point : m_study.points)
             for (const AccuracyPoint& old : known.points)
-                if (old.setting == point.setting) takeOver(old, point);
+                if (old.setting == point.setting && old.status != PointStatus::Timed) takeOver(old, point);
         if (known.duration > 0) m_study.duration = known.duration;
         m_study.complete = (known.duration > 0 || fitDuration()) && findReference() && measureAll() &&
                            watchCrowds() && repeatTimes();
@@ -73,10 +72,7 @@ class Runner {
 
   private:
     void addPoints() {
-        const RunSettings& own = m_study.settings;
-        AccuracySetting standard{own.method, own.integrator, own.substeps, own.tolerance,
-                                 own.method->iterates() ? own.preset : nullptr};
-        if (own.method->isExact) standard = {own.method, nullptr, 1, 0};
+        const AccuracySetting standard = ownSettingOf(m_scene);
         m_study.points.push_back({.setting = standard, .isDefault = true});
         for (const AccuracySetting& setting : m_study.plan.settings)
             if (!(setting == standard)) m_study.points.push_back({.setting = setting});
@@ -127,21 +123,34 @@ class Runner {
     std::map<std::string, Taken> m_taken;
 };
 
-// Runs the scene's own setting, as long as it may take, to see how much of the scene can be studied.
+// Runs the scene's own setting, as long as it may take, to see how much of the scene can be studied. What can
+// be said of it without a reference solution is said then.
 bool Runner::fitDuration() {
-    const RunSettings& own = m_study.settings;
-    SimulationSettings options = m_study.points.front().setting.options();
-    options.step = own.step;
+    AccuracyPoint& point = m_study.points.front();
+    const double step = m_study.settings.step;
+    SimulationSettings options = point.setting.options();
+    options.step = step;
     World world(std::make_shared<const Pipeline>(m_scene, options));
-    const auto frames = static_cast<std::int64_t>(std::ceil(m_study.duration / own.step * (1 - 1e-12)));
+    RunCourse course(world, sizeOf(world.pipeline().bodies(), {step, {world.state().pose}}));
+    const auto frames = static_cast<std::int64_t>(std::ceil(m_study.duration / step * (1 - 1e-12)));
     const double limit = ownRun * m_study.plan.budget, begin = spent();
+    double time = 0; // [ms] behind the first frame
     std::int64_t frame = 0;
-    while (frame < frames && world.health().finite && (frame < 2 || spent() - begin < limit)) {
+    while (frame < frames && (frame < 2 || spent() - begin < limit)) {
+        const double before = m_listener.clock.processor();
         world.step();
-        ++frame;
+        if (frame > 0) time += m_listener.clock.processor() - before;
         if (!goOn()) return false;
+        if (!world.health().finite) return true;
+        course.add(world);
+        ++frame;
     }
-    if (frame < frames && world.health().finite) m_study.duration = static_cast<double>(frame) * own.step;
+    if (frame < frames) m_study.duration = static_cast<double>(frame) * step;
+    if (frame < 2) return true;
+    point.status = PointStatus::Timed;
+    point.times = {time / (static_cast<double>(frame - 1) * step)};
+    addInvariants(course, world, point);
+    changed();
     return true;
 }
 
@@ -173,7 +182,7 @@ std::optional<double> Runner::predicted(const AccuracySetting& setting) const {
 bool Runner::measureAll() {
     std::set<std::string> closed; // families of which nothing finer fits
     for (AccuracyPoint& point : m_study.points) {
-        if (point.status != PointStatus::Waiting) continue;
+        if (point.status != PointStatus::Waiting && point.status != PointStatus::Timed) continue;
         const std::string family = point.setting.family();
         const std::optional<double> expected = predicted(point.setting);
         const double rest = left(pointsBy);
@@ -184,9 +193,11 @@ bool Runner::measureAll() {
             continue;
         }
         const double begin = spent();
-        if (!measureOne(point, expected || point.isDefault ? std::max(rest, unknownRun * left(allBy))
-                                                           : unknownRun * rest))
+        AccuracyPoint measured{.setting = point.setting, .isDefault = point.isDefault};
+        if (!measureOne(measured, expected || point.isDefault ? std::max(rest, unknownRun * left(allBy))
+                                                              : unknownRun * rest))
             return false;
+        point = std::move(measured);
         m_taken[family] = {point.setting.substeps, spent() - begin};
         if (point.status == PointStatus::TimedOut) closed.insert(family);
         changed();

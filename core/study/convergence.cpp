@@ -97,7 +97,8 @@ const AccuracyPoint* cheapestWithin(const AccuracyStudy& study, double error) {
 const AccuracyPoint* ownPoint(const AccuracyStudy& study) {
     const auto own = std::find_if(study.points.begin(), study.points.end(),
                                   [](const AccuracyPoint& point) { return point.isDefault; });
-    return own == study.points.end() || own->times.empty() ? nullptr : &*own;
+    if (own == study.points.end() || own->times.empty() || own->status == PointStatus::Timed) return nullptr;
+    return &*own;
 }
 
 namespace {
@@ -160,10 +161,11 @@ std::vector<Limit> limitsOfOwn(const AccuracyStudy& study, const AccuracyPoint& 
     return limitsFor(study, std::max(study.errorOf(own), equalErrorsOf(study)));
 }
 
-/// The cheapest setting that is no worse than the scene's own by any measure.
+/// The cheapest setting that is no worse than the scene's own by any measure; null where none is cheaper by
+/// more than times agree to.
 const AccuracyPoint* cheapestNoWorse(const AccuracyStudy& study, const AccuracyPoint& own) {
     const AccuracyPoint* best = cheapestWithin(study, limitsOfOwn(study, own));
-    return best != nullptr && best->cost() < own.cost() ? best : nullptr;
+    return best != nullptr && own.cost() > (1 + agreeingTimes) * best->cost() ? best : nullptr;
 }
 
 /// The setting that a sentence ends in, with its substep.

@@ -62,6 +62,7 @@ class StudyAccuracyTest : public QObject {
         QCOMPARE(first.exitCode, 130);
         const QStringList interrupted = linesOf(QString::fromUtf8(readFile(folder + "/accuracy.csv")));
         QVERIFY2(interrupted.size() >= 1, qPrintable(first.out));
+        QVERIFY(readFile(folder + "/summary.txt").contains("The study was interrupted"));
 
         const Ended whole = study({"-o", folder});
         QCOMPARE(whole.exitCode, 0);
@@ -93,7 +94,7 @@ class StudyAccuracyTest : public QObject {
         QCOMPARE(ended.exitCode, 2);
         ended = carom({"study", "accuracy", "-"}, "wall { normal 0, 1, 0 toOrig 0 }\n");
         QCOMPARE(ended.exitCode, 2);
-        QVERIFY(ended.err.contains("nothing in the scene can move; there is no error to study"));
+        QVERIFY(ended.err.contains("nothing in `<stdin>` can move; there is no error to study"));
     }
 
     void theEndOfTheBudgetIsNoInterruption() {
@@ -151,6 +152,22 @@ class StudyAccuracyTest : public QObject {
         const Ended refused = study({other, "--resume"});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY(refused.err.contains("`--resume` is for one scene; there are 2"));
+    }
+
+    // The last of twenty scenes ended the command after nineteen minutes.
+    void whatIsWrongWithASceneOfManyIsSaidBeforeTheFirst() {
+        const QString still = m_folder.filePath("still.sdl"), folder = m_folder.filePath("refused");
+        writeFile(still, "wall { normal 0, 1, 0 toOrig 0 }\n");
+        const Ended ended = study({still, "-o", folder});
+        QCOMPARE(ended.exitCode, 2);
+        QVERIFY2(ended.err.contains("still.sdl` can move"), qPrintable(ended.err));
+        QVERIFY(ended.out.isEmpty());
+        QVERIFY(QDir().mkpath(m_folder.filePath("twin")));
+        const QString twin = m_folder.filePath("twin/ball.sdl");
+        writeFile(twin, bounce);
+        const Ended alike = study({twin, "-o", folder});
+        QCOMPARE(alike.exitCode, 2);
+        QVERIFY2(alike.err.contains("have one name, `ball`"), qPrintable(alike.err));
     }
 
     void scenesAreSharedByShards() {

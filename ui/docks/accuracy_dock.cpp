@@ -52,10 +52,12 @@ std::vector<QAction*> choices(QMenu& menu, const Rows& rows) {
     return actions;
 }
 
-/// A point without a time is nowhere in the diagram yet.
+/// A point without a time, or without an error, is nowhere in the diagram yet.
 bool hasFigures(const std::optional<AccuracyStudy>& study) {
-    return study && std::any_of(study->points.begin(), study->points.end(),
-                                [](const AccuracyPoint& point) { return !point.times.empty(); });
+    return study &&
+           std::any_of(study->points.begin(), study->points.end(), [](const AccuracyPoint& point) {
+               return !point.times.empty() && point.status != PointStatus::Timed;
+           });
 }
 
 bool sameText(const SharedBuild& a, const SharedBuild& b) {
@@ -303,7 +305,7 @@ StudyRunner::Finish AccuracyDock::run(const std::stop_token& stop, const SharedB
         return !stop.stop_requested();
     };
     listener.changed = [&](const AccuracyStudy& study) {
-        if (sinceChart.elapsed() < chartInterval) return;
+        if (!study.reference || sinceChart.elapsed() < chartInterval) return;
         sinceChart.lap();
         QMetaObject::invokeMethod(
             this, [this, study] { take(study); }, Qt::QueuedConnection);

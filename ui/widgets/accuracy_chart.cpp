@@ -147,7 +147,7 @@ void addVerdicts(const AccuracyStudy& study, ChartSpec& chart) {
         marksOnly(AccuracyChartTexts::tr("recommended"), SeriesMark::Halo, QColor(0xC0, 0x20, 0x80));
     const bool converged = study.reference && study.reference->kind == ReferenceKind::ConvergedRun;
     for (const AccuracyPoint& point : study.points) {
-        if (point.times.empty()) continue;
+        if (point.times.empty() || point.status == PointStatus::Timed) continue;
         const bool lost = !point.finished();
         if (converged && !lost && study.errorOf(point) < study.resolution()) append(study, point, doubtful);
         if (point.status == PointStatus::Broken) append(study, point, broken);

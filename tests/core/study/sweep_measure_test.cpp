@@ -39,7 +39,7 @@ std::vector<double> figuresOf(const std::string& text, const std::vector<const c
     return watch.figures();
 }
 
-bool near(double a, double b, double tolerance = 1e-12) { return std::abs(a - b) <= tolerance; }
+bool isNear(double a, double b, double tolerance = 1e-12) { return std::abs(a - b) <= tolerance; }
 
 } // namespace
 
@@ -56,17 +56,17 @@ class SweepMeasureTest : public QObject {
                        "min distance of ball and floor", "max y of high", "min y of high", "final y of high",
                        "first y of ball above 9"},
                       30);
-        QVERIFY(near(figures[0], 3.85));
-        QVERIFY(near(figures[1], 5));
-        QVERIFY(near(figures[2], 3.85));
-        QVERIFY(near(figures[3], 5.0 * 31 / 60)); // the mean of k/30 · 5, k from 1 to 30
-        QVERIFY(near(figures[4], 5.1 - 5 * 0.123 * 0.123));
-        QVERIFY(near(figures[5], 0.2));
-        QVERIFY(near(figures[6], std::sqrt(0.02), 1e-3)); // on the straight line between two frames
-        QVERIFY(near(figures[7], 3.75));
-        QVERIFY(near(figures[8], 90));
-        QVERIFY(near(figures[9], 68.75));
-        QVERIFY(near(figures[10], 78.75));
+        QVERIFY(isNear(figures[0], 3.85));
+        QVERIFY(isNear(figures[1], 5));
+        QVERIFY(isNear(figures[2], 3.85));
+        QVERIFY(isNear(figures[3], 5.0 * 31 / 60)); // the mean of k/30 · 5, k from 1 to 30
+        QVERIFY(isNear(figures[4], 5.1 - 5 * 0.123 * 0.123));
+        QVERIFY(isNear(figures[5], 0.2));
+        QVERIFY(isNear(figures[6], std::sqrt(0.02), 1e-3)); // on the straight line between two frames
+        QVERIFY(isNear(figures[7], 3.75));
+        QVERIFY(isNear(figures[8], 90));
+        QVERIFY(isNear(figures[9], 68.75));
+        QVERIFY(isNear(figures[10], 78.75));
         QVERIFY(std::isnan(figures[11]));
     }
 
@@ -93,7 +93,7 @@ class SweepMeasureTest : public QObject {
             const std::vector<double> figures =
                 figuresOf(text, {"first impact of ball and floor", "first impact of ball"}, 60);
             for (const double time : figures)
-                QVERIFY2(near(time, std::sqrt(0.6), 1e-9), qPrintable(QString::number(time, 'g', 17)));
+                QVERIFY2(isNear(time, std::sqrt(0.6), 1e-9), qPrintable(QString::number(time, 'g', 17)));
         }
     }
 
@@ -108,7 +108,7 @@ class SweepMeasureTest : public QObject {
                       "simulation { method contacts }\n",
                       {"first impact of a and b", "first impact of b"}, 60);
         for (const double time : figures)
-            QVERIFY2(near(time, 1.0 / 3, 1e-6), qPrintable(QString::number(time, 'g', 17)));
+            QVERIFY2(isNear(time, 1.0 / 3, 1e-6), qPrintable(QString::number(time, 'g', 17)));
     }
 
     // A row of four, the first with 2.9 m/s from 1 m away, on a floor: what touches is struck at that
@@ -131,9 +131,9 @@ class SweepMeasureTest : public QObject {
             // Of what is struck through others only the places at both ends of a frame tell when, and
             // `contacts` moves those a little to hold bodies apart.
             constexpr double onPaths = 1e-9, fromPlaces = 2e-5; // [s]
-            QVERIFY(near(figures[0], 1 / 2.9, onPaths));
+            QVERIFY(isNear(figures[0], 1 / 2.9, onPaths));
             for (const std::size_t k : {1U, 2U, 3U})
-                QVERIFY2(near(figures[k], 1 / 2.9, fromPlaces),
+                QVERIFY2(isNear(figures[k], 1 / 2.9, fromPlaces),
                          qPrintable(QString::number(figures[k], 'g', 17)));
             QVERIFY(std::isnan(figures[4]) && std::isnan(figures[5]));
         }
@@ -146,8 +146,8 @@ class SweepMeasureTest : public QObject {
         text.replace(text.find("mass 2"), 6, "mass 2 elastic 0.5");
         const std::vector<double> figures =
             figuresOf(text, {"final energy_by_restitution", "energy_by_restitution at 1.21"}, 90);
-        QVERIFY(near(figures[0], -75, 1e-6));
-        QVERIFY(near(figures[1], -75, 1e-6));
+        QVERIFY(isNear(figures[0], -75, 1e-6));
+        QVERIFY(isNear(figures[1], -75, 1e-6));
     }
 
     void whatIsNoMeasureIsSaid_data() {
