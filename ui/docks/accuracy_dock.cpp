@@ -54,8 +54,7 @@ std::vector<QAction*> choices(QMenu& menu, const Rows& rows) {
 
 /// A point without a time, or without an error, is nowhere in the diagram yet.
 bool hasFigures(const std::optional<AccuracyStudy>& study) {
-    return study &&
-           std::any_of(study->points.begin(), study->points.end(), [](const AccuracyPoint& point) {
+    return study && std::any_of(study->points.begin(), study->points.end(), [](const AccuracyPoint& point) {
                return !point.times.empty() && point.status != PointStatus::Timed;
            });
 }
