@@ -13,6 +13,9 @@ namespace {
 /// A slice is long enough if in it one ball of so many crosses into another cell: looking for them costs
 /// as much as one crossing then. And short enough if most crossings can be made at its beginning.
 constexpr std::size_t ballsPerCrossing = 64, mostQueuedOf = 4;
+/// Cells that a ball passes at once; then it waits in the queue, where the work of a call is bounded. In a
+/// slice it is a few, but for a ball so fast that no time passes between two cells.
+constexpr int mostAtOnce = 10'000;
 
 } // namespace
 
@@ -80,7 +83,7 @@ inline void EventGas::crossNext(std::uint32_t i, Crossing next) {
 }
 
 void EventGas::crossEarly(std::uint32_t i, double now) {
-    while (m_nextCrossings[i] < m_sliceEnd) {
+    for (int passed = 0; passed < mostAtOnce && m_nextCrossings[i] < m_sliceEnd; ++passed) {
         const Crossing next = nextCrossing(i);
         if (!mayCrossEarly(i, next.axis, now)) return;
         crossNext(i, next);
@@ -89,9 +92,9 @@ void EventGas::crossEarly(std::uint32_t i, double now) {
 
 // All crossings of this slice.
 void EventGas::crossAll(std::uint32_t i, double now) {
-    while (m_nextCrossings[i] < m_sliceEnd) {
+    for (int passed = 0; m_nextCrossings[i] < m_sliceEnd; ++passed) {
         const Crossing next = nextCrossing(i);
-        if (!mayCrossEarly(i, next.axis, now)) return queueCrossing(i);
+        if (passed == mostAtOnce || !mayCrossEarly(i, next.axis, now)) return queueCrossing(i);
         const unsigned known = m_cells.wallsNear(m_records[i]);
         crossNext(i, next);
         m_cells.newlyAround(m_records, i, next.axis, next.direction,

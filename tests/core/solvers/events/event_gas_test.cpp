@@ -230,6 +230,18 @@ class EventGasTest : public QObject {
         QVERIFY2(gas.counts().crossings < 5'500'000, qPrintable(QString::number(gas.counts().crossings)));
     }
 
+    // No time passes between two cells of a ball at 2e85 m/s: it went through all 2e9 of them at once, 90 s.
+    void theWorkIsBoundedWhereNoTimePasses() {
+        const Scene scene =
+            test::sceneOf({sphere(0.1, 0.1, Vec3(-0.73, 2.3, -0.46), Vec3(-1.1, -2e85, 4.1))}, ofTheEarth);
+        const Bodies bodies = bodiesOf(scene);
+        EventGas gas(bodies, initialStateOf(scene), ofTheEarth);
+        const Loss loss = gas.advanceTo(1.0 / 120);
+        QVERIFY(loss);
+        QCOMPARE(loss.quantity, std::string_view("velocity"));
+        QVERIFY2(gas.counts().crossings < 11'000'000, qPrintable(QString::number(gas.counts().crossings)));
+    }
+
     // The limit grows with what happens: a ball between two walls passes more cells than that.
     void aCallInWhichMuchHappensHasNoSuchLimit() {
         const double width = 100;
