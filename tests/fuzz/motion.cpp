@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/motion.h"
+
 #include "core/simulation/build.h"
 #include "core/simulation/world.h"
 #include "core/solvers/contacts/work_budget.h"
@@ -10,10 +12,8 @@
 namespace carom::test {
 namespace {
 
-constexpr std::size_t mostBodies = 64; // so that a text takes milliseconds
 constexpr int frames = 20, middle = 10;
-// What is followed of a scene that an accurate preset spends seconds a frame on [operations].
-constexpr double mostWork = 1e8, operationsPerEvent = 100;
+constexpr double operationsPerEvent = 100;
 // A scene may ask for more, and is right to: they are its author's to wait for.
 constexpr int substeps = 2, iterations = 20;
 
@@ -31,14 +31,19 @@ std::string brokenState(const World& world, std::int64_t frame) {
     return health.quantity.empty() ? "a run stopped for no reason" : "";
 }
 
-std::string brokenMotion(const std::shared_ptr<const Pipeline>& pipeline) {
+bool isQuiet(const FrameStatistics& frame) {
+    return frame.contacts == 0 && frame.events == 0 && frame.work.impacts == 0;
+}
+
+std::string brokenRun(const std::shared_ptr<const Pipeline>& pipeline, const MotionLimits& limits) {
     World world(pipeline);
     std::optional<Checkpoint> checkpoint;
     double work = 0;
-    int frame = 0;
-    while (frame < frames && work < mostWork) {
+    int frame = 0, quiet = 0;
+    while (frame < frames && work < limits.operations && quiet < limits.quietFrames) {
         world.step();
         ++frame;
+        quiet = isQuiet(world.statistics()) ? quiet + 1 : 0;
         work += operationsOf(world.statistics().work) +
                 operationsPerEvent * static_cast<double>(world.statistics().events);
         if (std::string broken = brokenState(world, frame); !broken.empty()) return broken;
@@ -49,7 +54,7 @@ std::string brokenMotion(const std::shared_ptr<const Pipeline>& pipeline) {
         }
         if (frame == middle) checkpoint = world.checkpoint();
     }
-    if (!checkpoint) return {};
+    if (!checkpoint || !limits.comparesCheckpoint) return {};
     World again(pipeline);
     again.restore(*checkpoint);
     while (again.state().frame < frame) again.step();
@@ -58,18 +63,21 @@ std::string brokenMotion(const std::shared_ptr<const Pipeline>& pipeline) {
 
 } // namespace
 
+std::string brokenMotion(std::string_view text, const SolverRow& method, const MotionLimits& limits) {
+    SimulationSettings options;
+    options.method = method.name;
+    options.substeps = substeps;
+    options.iterations = iterations;
+    options.threads = 1;
+    const Build made = build(std::string(text), options);
+    if (made.analysis.scene.bodies.size() > limits.bodies) return {};
+    const std::string broken = brokenRun(made.pipeline, limits);
+    return broken.empty() ? broken : std::string(method.name) + ": " + broken;
+}
+
 std::string brokenProperty(std::string_view text) {
-    for (const SolverRow& method : solvers()) {
-        SimulationSettings options;
-        options.method = method.name;
-        options.substeps = substeps;
-        options.iterations = iterations;
-        options.threads = 1;
-        const Build made = build(std::string(text), options);
-        if (made.analysis.scene.bodies.size() > mostBodies) return {};
-        if (std::string broken = brokenMotion(made.pipeline); !broken.empty())
-            return std::string(method.name) + ": " + broken;
-    }
+    for (const SolverRow& method : solvers())
+        if (std::string broken = brokenMotion(text, method, {}); !broken.empty()) return broken;
     return {};
 }
 
