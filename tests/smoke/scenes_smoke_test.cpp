@@ -10,6 +10,7 @@
 #include "tests/support/test_class.h"
 
 #include <QDirIterator>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <set>
@@ -70,6 +71,9 @@ void ScenesSmokeTest::everySceneBuildsWithoutErrorsAndOpensWithWhatToLookFor() {
     for (const QByteArray& line : test::readFile(path).split('\n'))
         if (line.contains("//") && !line.startsWith("// carom "))
             QVERIFY2(QString::fromUtf8(line).size() <= 72, line.constData());
+    static const QRegularExpression withoutZero(QStringLiteral(R"(//.*[\s(=,]\.\d)"));
+    for (const QByteArray& line : test::readFile(path).split('\n'))
+        QVERIFY2(!withoutZero.match(QString::fromUtf8(line)).hasMatch(), line.constData());
 }
 
 void ScenesSmokeTest::nothingMobileOverlapsAtTheStart() {

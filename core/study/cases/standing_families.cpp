@@ -207,7 +207,7 @@ void runBalance(Trial& trial) {
         drift.note(departure(trial, slabsOnBalls(random.uniform(0.02, 0.2), 1 + member % 3), seconds).shift,
                    member);
     });
-    trial.expectNone("overhangs of .999 that fall", fallen);
+    trial.expectNone("overhangs of 0.999 that fall", fallen);
     trial.expectNone("overhangs of 1.001 that stand", standing);
     trial.expect(drift.named("drift of boxes on discs and slabs on balls"), drift.value(), {1e-4, 1e-6}, "m");
 }
@@ -247,7 +247,7 @@ constinit const HardCase staticsCase = {
 constinit const HardCase balanceCase = {
     .number = 61,
     .name = "balance",
-    .title = "harmonic overhangs of .999 and 1.001, boxes on discs, slabs on balls",
+    .title = "harmonic overhangs of 0.999 and 1.001, boxes on discs, slabs on balls",
     .answer = "what is balanced stands",
     .byDefault = "drift 1e-4 m",
     .accurate = "1e-6 m",
