@@ -14,15 +14,18 @@
 namespace carom {
 namespace {
 
+/// Whether what accelerates bodies changes along their way.
+bool forcesVary(const Bodies& bodies) { return !bodies.springs.empty() || !bodies.forces.empty(); }
+
 /// Whether integrators differ on this scene: something accelerates bodies, or turns them unevenly.
 bool integratorsMatter(const Pipeline& pipeline) {
-    return pipeline.simulates("gravity") || pipeline.simulates("spring") ||
-           pipeline.simulates("gyroscopic_term") || !pipeline.bodies().forces.empty();
+    const Bodies& bodies = pipeline.bodies();
+    return bodies.gravity != Vec3::Zero() || forcesVary(bodies) || pipeline.simulates("gyroscopic_term");
 }
 
 /// Schemes that are exact in free fall are one and the same where nothing bends the fall; one will do.
 bool duplicates(const IntegratorRow& integrator, const SolverRow& method, const Pipeline& pipeline) {
-    const bool bent = pipeline.simulates("spring") || !pipeline.bodies().forces.empty() ||
+    const bool bent = forcesVary(pipeline.bodies()) ||
                       (method.abilities.gyroscopicTerm && pipeline.simulates("gyroscopic_term"));
     if (bent || !integrator.motion.isExactInFreeFall) return false;
     const auto isExact = [](const IntegratorRow& row) { return row.motion.isExactInFreeFall; };

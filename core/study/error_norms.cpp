@@ -53,7 +53,7 @@ ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bo
 namespace {
 
 /// How far a body is from its counterpart: relative to the size, or in radians times `lever`.
-double apartOf(const Pose& a, const Pose& b, double size, double lever) {
+double deviationOf(const Pose& a, const Pose& b, double size, double lever) {
     const double away = (a.position - b.position).norm() / size;
     if (a.orientation.coeffs() == b.orientation.coeffs()) return away;
     return std::max(away, lever * toRotationVector(a.orientation * b.orientation.conjugate()).norm());
@@ -62,13 +62,13 @@ double apartOf(const Pose& a, const Pose& b, double size, double lever) {
 } // namespace
 
 Horizons horizonsOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
-                    const Parting& parting) {
+                    const Divergence& divergence) {
     const std::size_t looks = a.common(b);
     Horizons horizons(bodies.count(), static_cast<double>(looks - 1) * a.spacing);
     for (const BodyIndex i : bodies.mobileBodies) {
-        const double lever = parting.by == Apart::Error ? 1 : bodies.boundingRadius[i] / size;
+        const double lever = divergence.by == Deviation::Error ? 1 : bodies.boundingRadius[i] / size;
         for (std::size_t k = 0; k < looks; ++k)
-            if (apartOf(a.samples[k][i], b.samples[k][i], size, lever) > parting.most) {
+            if (deviationOf(a.samples[k][i], b.samples[k][i], size, lever) > divergence.most) {
                 horizons[i] = static_cast<double>(k > 0 ? k - 1 : 0) * a.spacing;
                 break;
             }
@@ -80,7 +80,7 @@ double largestWay(const Trajectory& run, const Bodies& bodies, double size) {
     double largest = 0;
     for (const std::vector<Pose>& poses : run.samples)
         for (const BodyIndex i : bodies.mobileBodies)
-            largest = std::max(largest, apartOf(poses[i], run.samples.front()[i], size, 1));
+            largest = std::max(largest, deviationOf(poses[i], run.samples.front()[i], size, 1));
     return largest;
 }
 

@@ -59,19 +59,19 @@ ErrorNorms distanceOf(const Trajectory& a, const Trajectory& b, const Bodies& bo
                       const Horizons& horizons);
 
 /// What the distance of a body from its counterpart is measured by.
-enum class Apart : std::uint8_t {
+enum class Deviation : std::uint8_t {
     Error,  ///< as ErrorNorms::worst: relative to the size, or in radians, the greater
     Surface ///< of a point of its surface at most, relative to the size: turning a small ball means little
 };
 
 /// How far each body stays with its counterpart: the last sample [s] before the one that is more than `most`
 /// away, lengths relative to `size` [m].
-struct Parting {
-    Apart by = Apart::Error;
+struct Divergence {
+    Deviation by = Deviation::Error;
     double most = 0;
 };
 Horizons horizonsOf(const Trajectory& a, const Trajectory& b, const Bodies& bodies, double size,
-                    const Parting& parting);
+                    const Divergence& divergence);
 
 /// The largest way of a mobile body from where it starts, relative to `size` [m], or the largest angle [rad].
 double largestWay(const Trajectory& run, const Bodies& bodies, double size);

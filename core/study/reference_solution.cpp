@@ -16,7 +16,7 @@ namespace {
 
 /// Copies start so far apart, relative to the scene's size: exact ones above rounding, others above what the
 /// tolerance of their contacts leaves; and how many times as far they are when they count as parted.
-constexpr double exactApart = 1e-12, runsApart = 1e-9, partedBy = 1e3;
+constexpr double exactApart = 1e-12, runsApart = 1e-9, divergedBy = 1e3;
 /// Errors of a closed form and of exact events: rounding of a few thousand operations.
 constexpr double roundingOfReference = 1e-13;
 /// Looks a frame where nothing keeps them from the times between frames: errors are measured there too.
@@ -178,11 +178,11 @@ void summariseHorizons(const Bodies& bodies, ReferenceSolution& reference) {
 void measureChaos(const Trajectory& run, const Trajectory& copy, const Bodies& bodies,
                   ReferenceSolution& reference) {
     reference.horizons =
-        horizonsOf(run, copy, bodies, reference.size, {Apart::Surface, partedBy * reference.nudge});
+        horizonsOf(run, copy, bodies, reference.size, {Deviation::Surface, divergedBy * reference.nudge});
     reference.duration = static_cast<double>(run.common(copy) - 1) * run.spacing;
     summariseHorizons(bodies, reference);
     if (reference.chaotic && reference.firstHorizon > 0)
-        reference.growth = std::log(partedBy) / reference.firstHorizon;
+        reference.growth = std::log(divergedBy) / reference.firstHorizon;
 }
 
 /// How far runs of the scene that should be alike differ in what does not follow single bodies.
@@ -260,7 +260,7 @@ std::optional<ReferenceSolution> exactReference(Search& search, const Bodies& bo
     conclude(bodies, std::move(*run), reference);
     if (!reference.chaotic) return reference;
     // Within the horizon rounding has grown as the distance of the copies has.
-    reference.error = roundingOfReference * partedBy;
+    reference.error = roundingOfReference * divergedBy;
     const double enough = search.left() / 2;
     CrowdRun crowd{.scene = request.scene,
                    .frames = search.frames(),
@@ -278,7 +278,7 @@ class Convergence {
   public:
     Convergence(Search& search, const Pipeline& pipeline)
         : m_search(search), m_bodies(pipeline.bodies()),
-          m_integrator(pipeline.simulates("spring") || m_bodies.count() == 1 ? "rk4" : "midpoint"),
+          m_integrator(!m_bodies.springs.empty() || m_bodies.count() == 1 ? "rk4" : "midpoint"),
           m_looks(pipeline.simulates("collision") ? 1 : looksBetween) {}
 
     std::optional<ReferenceSolution> find() {
@@ -370,7 +370,7 @@ class Convergence {
         if (!finer || !finer->outcome) return false;
         const double followed = sum(m_reference.horizons), error = m_reference.error;
         const Horizons together = horizonsOf(m_run->trajectory, finer->trajectory, m_bodies, m_reference.size,
-                                             {Apart::Error, m_search.request().agreement});
+                                             {Deviation::Error, m_search.request().agreement});
         for (std::size_t i = 0; i < together.size(); ++i)
             m_reference.horizons[i] = std::min(m_beforeChaos[i], together[i]);
         m_reference.error =

@@ -25,18 +25,18 @@ double BouncingPoint::path() const {
 // t0 + 2 t0 (e + e² + … + e^(k−1)).
 double BouncingPoint::impactTime(int k) const {
     const double e = restitution;
-    const double flights = e == 1 ? k - 1 : e * (1 - std::pow(e, k - 1)) / (1 - e);
-    return firstContact() * (1 + 2 * flights);
+    const double arcs = e == 1 ? k - 1 : e * (1 - std::pow(e, k - 1)) / (1 - e);
+    return firstContact() * (1 + 2 * arcs);
 }
 
 Motion BouncingPoint::at(double time) const {
     const double fall = firstContact();
     if (time < fall) return {height - 0.5 * gravity * time * time, -gravity * time};
     if (restitution < 1 && time >= restTime()) return {};
-    // The number of contacts so far, from the sum of flights; rounding may miss it by one.
-    const double flights = (time / fall - 1) / 2;
+    // The number of contacts so far, from the sum of arcs; rounding may miss it by one.
+    const double arcs = (time / fall - 1) / 2;
     const double e = restitution;
-    const double count = e == 1 ? flights + 1 : 1 + std::log1p(-flights * (1 - e) / e) / std::log(e);
+    const double count = e == 1 ? arcs + 1 : 1 + std::log1p(-arcs * (1 - e) / e) / std::log(e);
     int k = e == 0 ? 1 : std::max(1, static_cast<int>(count));
     while (impactTime(k + 1) <= time) ++k;
     while (k > 1 && impactTime(k) > time) --k;

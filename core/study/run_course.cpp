@@ -15,9 +15,10 @@ constexpr double restingPart = 1e-6;
 constexpr double noMomentum = 1e-12;
 
 bool isClosed(const Pipeline& pipeline) {
-    if (pipeline.simulates("gravity") || !pipeline.bodies().forces.empty()) return false;
-    if (pipeline.bodies().mobileBodies.size() < pipeline.bodies().count()) return false;
-    return std::all_of(pipeline.bodies().springs.begin(), pipeline.bodies().springs.end(),
+    const Bodies& bodies = pipeline.bodies();
+    if (bodies.gravity != Vec3::Zero() || !bodies.forces.empty()) return false;
+    if (bodies.mobileBodies.size() < bodies.count()) return false;
+    return std::all_of(bodies.springs.begin(), bodies.springs.end(),
                        [](const SpringForce& s) { return s.from != noBody && s.to != noBody; });
 }
 

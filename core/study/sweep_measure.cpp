@@ -85,7 +85,7 @@ MeasureWatch::MeasureWatch(std::span<const SweepMeasure> measures, std::shared_p
             followed.bodies = m_pipeline->bodies().mobileBodies;
         if (!measure.to.empty()) followed.other = bodiesNamed(scene, measure.to).front();
         if (measure.quantity == impact)
-            followed.meeting =
+            followed.firstImpact =
                 BreakWatch({{.kind = BreakKind::Contact, .a = followed.bodies.front(), .b = followed.other}});
         m_followed.push_back(std::move(followed));
     }
@@ -105,7 +105,7 @@ void MeasureWatch::begin(const World& world) {
         followed.before.clear();
         followed.figure = nothing;
         followed.frames = 0;
-        followed.meeting.begin(world);
+        followed.firstImpact.begin(world);
         if (followed.measure->quantity == impacts && !m_impacts)
             m_impacts.emplace(m_pipeline->bodies(), m_pipeline->gravity(), m_pipeline->settings().step,
                               world.state());
@@ -138,7 +138,7 @@ void MeasureWatch::take(Followed& followed, const World& world, const Moment& mo
     const SweepMeasure& measure = *followed.measure;
     const double time = world.state().time;
     if (measure.quantity == impact) {
-        if (std::isnan(followed.figure) && world.state().frame > 0 && followed.meeting.check(world))
+        if (std::isnan(followed.figure) && world.state().frame > 0 && followed.firstImpact.check(world))
             followed.figure = momentOfImpact(followed, world);
         return;
     }

@@ -46,7 +46,7 @@ class MeasureWatch {
         std::vector<BodyIndex> bodies;    ///< noBody: the whole
         BodyIndex other = noBody;         ///< of a distance or an impact
         std::vector<double> sums;         ///< of what is recorded frame by frame, by body
-        BreakWatch meeting;               ///< of a first impact
+        BreakWatch firstImpact;           ///< of a first impact
         std::vector<double> before;       ///< of another first: in the frame before, by body
         double figure = 0;                ///< so far; NaN: nothing
         std::int64_t frames = 0;          ///< of a mean

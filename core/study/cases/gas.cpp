@@ -89,12 +89,12 @@ void runGasConservation(Trial& trial) {
         heap += text("sphere { radius 0.2  mass 1  centre ", place, "  vel ", Vec3(-place + 0.2 * jitter),
                      " }\n");
     }
-    World meeting = trial.world(heap);
-    const Vec3 momentum = meeting.statistics().momentum;
-    const double scale = std::sqrt(2 * energyOf(meeting) * 216);
+    World heapWorld = trial.world(heap);
+    const Vec3 momentum = heapWorld.statistics().momentum;
+    const double scale = std::sqrt(2 * energyOf(heapWorld) * 216);
     double drift = 0;
-    trial.run(meeting, trial.shortOrLong(90, 180),
-              [&] { drift = std::max(drift, (meeting.statistics().momentum - momentum).norm() / scale); });
+    trial.run(heapWorld, trial.shortOrLong(90, 180),
+              [&] { drift = std::max(drift, (heapWorld.statistics().momentum - momentum).norm() / scale); });
     trial.expect("momentum error", drift, {1e-9, 1e-12});
 }
 
