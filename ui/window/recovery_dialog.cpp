@@ -52,15 +52,15 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
     row->addWidget(m_difference, 1);
 
     QDialogButtonBox* buttons = new QDialogButtonBox;
-    QPushButton* takeUp = buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole);
-    QPushButton* throwAway = buttons->addButton(tr("&Discard"), QDialogButtonBox::DestructiveRole);
+    QPushButton* recover = buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole);
+    QPushButton* discard = buttons->addButton(tr("&Discard"), QDialogButtonBox::DestructiveRole);
     QPushButton* later = buttons->addButton(tr("Ask me &later"), QDialogButtonBox::RejectRole);
-    takeUp->setObjectName(QStringLiteral("takeUp"));
-    throwAway->setObjectName(QStringLiteral("throwAway"));
+    recover->setObjectName(QStringLiteral("recover"));
+    discard->setObjectName(QStringLiteral("discard"));
     later->setObjectName(QStringLiteral("later"));
-    takeUp->setDefault(true);
-    connect(takeUp, &QPushButton::clicked, this, [this] { done(TakeUp); });
-    connect(throwAway, &QPushButton::clicked, this, [this] { done(ThrowAway); });
+    recover->setDefault(true);
+    connect(recover, &QPushButton::clicked, this, [this] { done(Recover); });
+    connect(discard, &QPushButton::clicked, this, [this] { done(Discard); });
     connect(later, &QPushButton::clicked, this, [this] { done(Later); });
 
     QVBoxLayout* column = new QVBoxLayout(this);

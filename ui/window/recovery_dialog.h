@@ -12,12 +12,12 @@ namespace carom {
 
 class DifferenceView;
 
-/// What crashed sessions left, each with what it changes in its file: one takes a text up, throws it away, or
+/// What crashed sessions left, each with what it changes in its file: one recovers a text, discards it, or
 /// decides later.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
   public:
-    enum Answer { Later = QDialog::Rejected, TakeUp = QDialog::Accepted, ThrowAway };
+    enum Answer { Later = QDialog::Rejected, Recover = QDialog::Accepted, Discard };
 
     RecoveryDialog(std::vector<LostText> lost, const Theme& theme, QWidget* parent);
 

@@ -119,13 +119,13 @@ bool Workbench::offerRecovery() {
     const int answer = dialog.exec();
     if (answer == RecoveryDialog::Later) return false; // asked again next time
     const LostText& chosen = dialog.chosen();
-    if (answer == RecoveryDialog::TakeUp) {
+    if (answer == RecoveryDialog::Recover) {
         m_document->recover(chosen.path, chosen.text);
         m_window->output().add(tr("recovered the unsaved text of %1").arg(m_document->name()));
     }
     // The old swap file goes when its text is in this session's own.
-    if (answer == RecoveryDialog::ThrowAway || m_recovery->keep()) Recovery::discard(chosen);
-    return answer == RecoveryDialog::TakeUp;
+    if (answer == RecoveryDialog::Discard || m_recovery->keep()) Recovery::discard(chosen);
+    return answer == RecoveryDialog::Recover;
 }
 
 void Workbench::playWhenBuilt() {

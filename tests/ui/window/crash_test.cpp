@@ -145,7 +145,7 @@ class CrashTest : public QObject {
 
         Session next(desk.home.path(), desk.scene);
         QVERIFY(next.focus(QStringLiteral("Unsaved text found")));
-        next.press("Return"); // takes it up
+        next.press("Return"); // recovers it
         QVERIFY(next.loses(QStringLiteral("Unsaved text found")));
         QTRY_VERIFY_WITH_TIMEOUT(!desk.swapFile().isEmpty(), longestWait);
         QVERIFY(next.focus(QStringLiteral("scene.sdl")));

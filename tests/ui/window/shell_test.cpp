@@ -257,9 +257,9 @@ class ShellTest : public QObject {
         QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText(),
                  QString::fromUtf8("  one\n− two\n+ 2\n  three\n+ four"));
         answerNextDialog([](QWidget& shown) {
-            QTest::mouseClick(shown.findChild<QPushButton*>(QStringLiteral("throwAway")), Qt::LeftButton);
+            QTest::mouseClick(shown.findChild<QPushButton*>(QStringLiteral("discard")), Qt::LeftButton);
         });
-        QCOMPARE(dialog.exec(), int(RecoveryDialog::ThrowAway));
+        QCOMPARE(dialog.exec(), int(RecoveryDialog::Discard));
     }
 
     void f1OpensTheManualAtTheWord() {

@@ -24,7 +24,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr std::int64_t middle = 30; // frames: both balls are in flight or have just landed
+constexpr std::int64_t middle = 30; // frames: both balls are in the air or have just hit the floor
 
 void goTo(Ide& ide, std::int64_t frame) {
     Timeline& timeline = ide.bench.window().timeline();
