@@ -136,7 +136,8 @@ CommandRow sweepCommand() {
         .summary = "Run a scene over ranges of its numbers, on all cores or in shards",
         .operands = "[SCENE]",
         .example =
-            "carom sweep scenes/pool_break.sdl --vary cue.vel.z=-12:-4:17 --vary bodies.friction=0,0.1,0.3 \\\n"
+            "carom sweep scenes/pool_break.sdl --vary cue.vel.z=-12:-4:17 --vary bodies.friction=0,0.1,0.3 "
+            "\\\n"
             "    --measure 'max speed of black' --measure 'first impact of cue' --frames 120 -o breaks\n"
             "carom sweep --generate 'pile --n 100' --vary generate.height=0.5:2:4 --seeds 20 \\\n"
             "    --measure 'final centre_of_mass_y' -o piles\n"
