@@ -9,8 +9,6 @@ namespace {
 
 /// Islands of so few contact points take more and shorter steps.
 constexpr std::size_t fewPoints = 192;
-/// Others than balls of so few are swept twice in a step.
-constexpr std::size_t pointsSweptTwice = 2 * fewPoints;
 /// Balls with more than so many take one step a look: their contacts turn with them.
 constexpr std::size_t manyPoints = 4 * fewPoints;
 /// So many times fewer points, so many times more looks in a substep.
@@ -41,9 +39,12 @@ bool isNear(const SteppedInput& input, BodyPair pair) {
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
 /// contacts, up to those of an island with few points; what turns comes down with another part of it, and is
-/// looked at the more often, the fewer its points are.
-constexpr std::array<Division, 7> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
-                                                     {1, 1, 2},         {1, 2, 1}, {1, 1, 1}};
+/// looked at the more often, the fewer its points are. Large islands of what turns take three steps of one
+/// pass: what they rest on each other by falls with the square of the step. Two steps of two passes cost
+/// more, heaps of a hundred bodies rest as late, and twice as deep in each other; with two of one pass three
+/// times as many frames of their fall have an overlap of more than a tenth of a body's half size.
+constexpr std::array<Division, 8> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
+                                                     {1, 1, 2},         {1, 2, 1}, {1, 1, 1}, {1, 3, 1}};
 
 constexpr int sweepsOf(std::size_t number) {
     const Division& division = divisionsOfSubstep[number];
@@ -55,8 +56,7 @@ constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number 
 
 /// Which of them.
 std::uint8_t divisionNumber(const ContactCount& count) {
-    if (count.points > fewPoints && !count.round) return count.points > pointsSweptTwice ? 5 : 3;
-    if (count.points > fewPoints) return count.points > manyPoints ? 6 : 5;
+    if (count.points > fewPoints) return !count.round ? 7 : count.points > manyPoints ? 6 : 5;
     if (count.points == 0) return 2; // nobody knows yet
     if (count.round) return count.points >= 8 ? 2 : count.points >= 4 ? 3 : count.points >= 2 ? 4 : 6;
     const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);

@@ -119,7 +119,7 @@ class BasePath {
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
-    static constexpr std::size_t divisions = 7;
+    static constexpr std::size_t divisions = 8;
     static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
     struct Renewed {
         BodyIndex body = 0;
