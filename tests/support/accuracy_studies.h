@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/text.h"
+
 #include "core/simulation/build.h"
 #include "core/study/accuracy.h"
-
-#include <QString>
 
 #include <string>
 #include <utility>
@@ -80,7 +80,5 @@ inline Scene pegsAndPasser() {
                   "sphere among { radius 0.1 mass 1 centre -0.7, 0.55, 0 vel 25, 15, 0 }\n"
                   "sphere alone { radius 0.1 mass 1 centre 0.1, 0, 5 vel 0.1, 0, 0 }");
 }
-
-inline QString q(const std::string& text) { return QString::fromStdString(text); }
 
 } // namespace carom::test
