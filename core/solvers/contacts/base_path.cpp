@@ -160,7 +160,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
 void BasePath::markWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
-        outrun[number].assign(m_blocks[number].isEmpty() ? 0 : m_blocks[number].islandNumbers(), 0);
+        outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islandNumbers(), 0);
     for (const auto& [body, reach] : m_renewed) {
         const std::uint32_t island = blockWith(body).islandOf(body);
         if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island)) mark(body);
@@ -377,7 +377,7 @@ std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifold
         const std::size_t number = m_block[here] - 1u;
         std::array<std::vector<ContactCount>, divisions>& counts = m_counts;
         if (counts[number].empty()) countContacts(number, manifolds);
-        count.add(counts[number][m_blocks[number].islandOf(here)]);
+        count.add(counts[number][block(number).islandOf(here)]);
         if (isFarWrong(number, count)) mark(here);
         return m_block[here];
     }
@@ -417,8 +417,8 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
 void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
     std::array<std::vector<ContactCount>, divisions>& all = m_counts;
     std::vector<ContactCount>& counts = all[number];
-    counts.assign(m_blocks[number].islandNumbers(), {});
-    m_blocks[number].forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
+    counts.assign(block(number).islandNumbers(), {});
+    block(number).forEachCount(manifolds, [&](std::uint32_t island, int points, bool isRound) {
         counts[island].add(points, isRound);
     });
 }
@@ -439,14 +439,9 @@ bool BasePath::markOutgrown(const Manifolds& manifolds) {
     return any;
 }
 
-void BasePath::dropWhatLeft() {
-    for (SteppedMotion& block : m_blocks)
-        if (block.isEmpty()) block = SteppedMotion();
-}
-
 std::size_t BasePath::bytes() const {
     std::size_t sum = heldBytes(m_reach, m_origin, m_block, m_lastBlock, m_renewed, m_renewal);
-    for (const SteppedMotion& block : m_blocks) sum += block.bytes();
+    for (const Block& block : m_blocks) sum += block.bytes();
     return sum;
 }
 

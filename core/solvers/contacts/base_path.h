@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -96,8 +97,6 @@ class BasePath {
     /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
     /// of a coarser division: they have grown since they entered. True if there are any.
     bool markOutgrown(const Manifolds& manifolds);
-    /// What has left is left out of copies that are to be kept.
-    void dropWhatLeft();
     std::size_t bytes() const;
     /// Those of marked islands leave. `left` are the bodies; appends the manifolds that are carried on.
     void leaveMarked(const SteppedInput& input, Manifolds& manifolds, std::vector<BodyIndex>& left,
@@ -121,6 +120,34 @@ class BasePath {
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
     static constexpr std::size_t divisions = 8;
     static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
+    /// Bodies with one division. Where there are none a copy, as a checkpoint has it, takes no room.
+    class Block {
+      public:
+        Block() = default;
+        Block(const Block& other) { *this = other; }
+        Block(Block&&) noexcept = default;
+        Block& operator=(Block&&) noexcept = default;
+        ~Block() = default;
+        Block& operator=(const Block& other) {
+            const bool isEmpty = other.m_motion == nullptr || other.m_motion->isEmpty();
+            m_motion = isEmpty ? nullptr : std::make_unique<SteppedMotion>(*other.m_motion);
+            return *this;
+        }
+        operator SteppedMotion&() {
+            if (m_motion == nullptr) m_motion = std::make_unique<SteppedMotion>();
+            return *m_motion;
+        }
+        operator const SteppedMotion&() const {
+            static const SteppedMotion none{};
+            return m_motion != nullptr ? *m_motion : none;
+        }
+        std::size_t bytes() const {
+            return m_motion != nullptr ? sizeof(SteppedMotion) + pieceOverhead + m_motion->bytes() : 0;
+        }
+
+      private:
+        std::unique_ptr<SteppedMotion> m_motion;
+    };
     struct Renewed {
         BodyIndex body = 0;
         double reach = 0; // [m]
@@ -137,7 +164,8 @@ class BasePath {
     bool findStruck(const SteppedInput& input, Neighbours& neighbours);
     void markWhereMany();
     void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
-    SteppedMotion& blockWith(BodyIndex body) { return m_blocks[m_block[body] - 1u]; }
+    SteppedMotion& block(std::size_t number) { return m_blocks[number]; }
+    SteppedMotion& blockWith(BodyIndex body) { return block(m_block[body] - 1u); }
     double roomLeft(const SteppedInput& input, BodyIndex body) const;
     double marginOf(const SteppedInput& input, BodyPair pair) const;
     bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
@@ -157,7 +185,7 @@ class BasePath {
     std::vector<Pose> m_origin;            // by body: where it was when it entered
     std::vector<std::uint8_t> m_block;     // by body
     std::vector<std::uint8_t> m_lastBlock; // by body: the one it left last
-    std::array<SteppedMotion, divisions> m_blocks;
+    std::array<Block, divisions> m_blocks;
     Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted
     Scratch<SteppedMotion::NewNumbers> m_newNumbers;

@@ -231,7 +231,6 @@ std::unique_ptr<const SolverMemory> Contacts::memory() const {
     Persistent persistent{m_contacts,    m_sleeping, m_found.manifolds(),
                           m_base,        m_backOff,  m_refinement.memory(),
                           m_calm.stays()};
-    persistent.base.dropWhatLeft();
     return std::make_unique<Remembered<Persistent>>(std::move(persistent));
 }
 

@@ -114,7 +114,7 @@ class CheckpointMemoryTest : public QObject {
 
     // A scene of one body must not carry what solving large ones takes.
     void aCheckpointOfOneBodyIsSmall() {
-        constexpr std::size_t most = 12'500; // [bytes], with eight empty divisions; it was 58,632
+        constexpr std::size_t most = 3'500; // [bytes]; it was 58,632
         World world(build(test::textOfScene(QStringLiteral("spring_pendulum.sdl"))).pipeline);
         test::run(world, 60);
         QVERIFY2(world.checkpoint().bytes() < most, qPrintable(QString::number(world.checkpoint().bytes())));
