@@ -14,4 +14,7 @@ void writeNumbersAsScenesDo();
 /// "0.2".
 QString rounded(double value, int digits);
 
+/// A number in decimals without the zeros at its end: "0.2" for "0.200", "0" for "-0.00".
+QString withoutLastZeros(QString number);
+
 } // namespace carom

@@ -2,6 +2,7 @@
 #include "ui/viewport/body_grab.h"
 
 #include "core/math/rotation.h"
+#include "ui/base/numbers.h"
 
 #include <QStringList>
 
@@ -147,17 +148,6 @@ double snapStep(double pixelSize) {
         if (times * power >= least) return times * power;
     return 10 * power;
 }
-
-namespace {
-
-QString withoutLastZeros(QString number) {
-    if (!number.contains(u'.')) return number;
-    while (number.endsWith(u'0')) number.chop(1);
-    if (number.endsWith(u'.')) number.chop(1);
-    return number == QStringLiteral("-0") ? QStringLiteral("0") : number;
-}
-
-} // namespace
 
 QString tellOf(const BodyGrab& grab, const DraggedBody& now, double pixelSize) {
     if (grab.handle == BodyHandle::Turn) {

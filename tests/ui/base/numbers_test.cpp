@@ -34,6 +34,13 @@ class NumbersTest : public QObject {
         QCOMPARE(rounded(-35.4, 2), QStringLiteral("-35"));
     }
 
+    void zerosAtTheEndAreLeftOut() {
+        QCOMPARE(withoutLastZeros(QStringLiteral("0.200")), QStringLiteral("0.2"));
+        QCOMPARE(withoutLastZeros(QStringLiteral("3.00")), QStringLiteral("3"));
+        QCOMPARE(withoutLastZeros(QStringLiteral("300")), QStringLiteral("300"));
+        QCOMPARE(withoutLastZeros(QStringLiteral("-0.00")), QStringLiteral("0"));
+    }
+
     void fieldsShowAndTakeAPoint() {
         QDoubleSpinBox field;
         field.setMaximum(1e6);
