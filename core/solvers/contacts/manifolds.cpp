@@ -42,9 +42,10 @@ bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
     return 1 - cosine < 0.5 * 0.25 * keptAngle * keptAngle;
 }
 
-/// A point that is further apart than the deepest counts as so many times nearer to the others. At a tenth of
-/// it bodies that stand on two points of an edge get one of them, and three that are a hundredth of their
-/// size away, where the faces lean against each other.
+/// A point that is further apart than the deepest counts as so many times nearer to the others. At less than
+/// half of it bodies that stand on two points of an edge get one of them, and others that are a hundredth of
+/// their size away, where the faces lean against each other; at twice it the points left after a tilt of .004
+/// rad can no longer take over what others bore.
 constexpr double gapCounts = 50;
 
 // Of more than four points the deepest, the one furthest from it, the one furthest from the line of both, and
