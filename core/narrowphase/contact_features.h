@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/narrowphase/axis_search.h"
+#include "core/narrowphase/solid.h"
 
 #include <array>
 
@@ -34,11 +35,14 @@ struct ContactFeature {
     std::uint32_t name = 0;        ///< which of the shape's features of that kind
 };
 
-/// The feature of a bounded shape (cylinder or cuboid) that is flattest across `n`, relative to `origin`.
-ContactFeature featureTowards(const PlacedShape& shape, const Vec3& n, const Vec3& origin);
+/// The feature that is flattest across `n`.
+ContactFeature featureTowards(const Solid& solid, const Vec3& n);
 
 /// The contact of A and B (each a cylinder or a cuboid), given the direction in which they are furthest apart
-/// or overlap least. At least one point; those further apart than `margin` [m] are left out.
+/// or overlap least. At least one point; those further apart than `margin` [m] are left out. The solids are
+/// seen from `origin`, which is best near them: the points are computed there.
+void fillManifold(const Solid& a, const Solid& b, const Vec3& origin, const BestAxis& axis, double margin,
+                  Manifold& manifold);
 void fillManifold(const PlacedShape& a, const PlacedShape& b, const BestAxis& axis, double margin,
                   Manifold& manifold);
 

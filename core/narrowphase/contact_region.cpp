@@ -96,10 +96,10 @@ void ContactRegion::meet(const Sides& sides) {
 }
 
 void ContactRegion::add(const Sides& sides, const Vec3& onFirst, const Vec3& onSecond, std::uint32_t name) {
-    if (m_count == capacity) return;
+    if (m_points.isFull()) return;
     const Vec3& onA = sides.isSwapped ? onSecond : onFirst;
     const Vec3& onB = sides.isSwapped ? onFirst : onSecond;
-    m_points[m_count++] = {onA, onB, m_normal.dot(onB - onA), name};
+    m_points.push_back({onA, onB, m_normal.dot(onB - onA), name});
 }
 
 Vec3 ContactRegion::alongNormalOnto(const ContactFeature& feature, const Vec3& point) const {
@@ -286,7 +286,7 @@ void ContactRegion::meetLines(const Sides& sides) {
         }
     }
     double least = std::numeric_limits<double>::infinity();
-    for (const ContactPoint& point : *this) least = std::min(least, point.separation);
+    for (const ContactPoint& point : m_points) least = std::min(least, point.separation);
     const double there = sign * m_normal.dot(crossing.onB - crossing.onA) - first.radius - second.radius;
     if (there < least - m_slack) addBetween(crossing.onA, crossing.onB, 2);
 }

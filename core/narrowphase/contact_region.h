@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/fixed_list.h"
 #include "core/narrowphase/contact_features.h"
 
-#include <array>
+#include <cstddef>
 
 namespace carom {
 
@@ -15,8 +16,9 @@ class ContactRegion {
     /// `slack` [m]: features that miss each other by no more still touch.
     ContactRegion(const ContactFeature& a, const ContactFeature& b, const Vec3& normal, double slack);
 
-    const ContactPoint* begin() const { return m_points.data(); }
-    const ContactPoint* end() const { return m_points.data() + m_count; }
+    using Points = FixedList<ContactPoint, capacity>;
+    Points& points() { return m_points; }
+    const Points& points() const { return m_points; }
 
   private:
     // Features of the two shapes in the order the cases below are written for.
@@ -37,8 +39,7 @@ class ContactRegion {
 
     Vec3 m_normal;
     double m_slack;
-    std::array<ContactPoint, capacity> m_points;
-    std::size_t m_count = 0;
+    Points m_points;
 };
 
 } // namespace carom

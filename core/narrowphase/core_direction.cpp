@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 namespace carom {
 namespace {
@@ -22,84 +21,43 @@ constexpr int mostIterations = 24;
 /// Directions that are exact in their places win over the others within this part of the size.
 constexpr double tie = 1e-6;
 
-/// A cylinder or cuboid, seen from A.
-struct Solid {
-    bool isCylinder = false;
-    Vec3 half = Vec3::Zero(); ///< of a cuboid; of a cylinder radius, half height, radius [m]
-    Mat3 turn = Mat3::Identity();
-    Vec3 centre = Vec3::Zero(); ///< [m]
+double rimOf(const Solid& solid) { return rimPart * solid.half.minCoeff(); }
 
-    double rim() const { return rimPart * half.minCoeff(); }
-    Solid core() const { return {isCylinder, half.array() - rim(), turn, centre}; }
-
-    /// The point furthest along `direction`.
-    Vec3 support(const Vec3& direction) const {
-        const Vec3 inBody = turn.transpose() * direction;
-        Vec3 point(std::copysign(half.x(), inBody.x()), std::copysign(half.y(), inBody.y()),
-                   std::copysign(half.z(), inBody.z()));
-        if (isCylinder) {
-            const double across = std::sqrt(inBody.x() * inBody.x() + inBody.z() * inBody.z());
-            const double part = across > 0 ? half.x() / across : 0;
-            point.x() = part * inBody.x();
-            point.z() = part * inBody.z();
-        }
-        return centre + turn * point;
-    }
-    /// How far it reaches from its centre along unit `direction` [m].
-    double extent(const Vec3& direction) const {
-        const Vec3 inBody = turn.transpose() * direction;
-        if (!isCylinder) return half.dot(inBody.cwiseAbs());
-        return half.x() * std::sqrt(inBody.x() * inBody.x() + inBody.z() * inBody.z()) +
-               half.y() * std::abs(inBody.y());
-    }
-    bool contains(const Vec3& point, double tolerance) const {
-        const Vec3 inBody = (turn.transpose() * (point - centre)).cwiseAbs();
-        if (!isCylinder) return (inBody.array() <= half.array() + tolerance).all();
-        const double most = half.x() + tolerance;
-        return inBody.y() <= half.y() + tolerance &&
-               inBody.x() * inBody.x() + inBody.z() * inBody.z() <= most * most;
-    }
-    /// The middle of the edge along axis `edge` that is furthest along unit `direction` across it; of a
-    /// cylinder of the line of its side.
-    Vec3 middleOfEdge(Eigen::Index edge, const Vec3& direction) const {
-        if (isCylinder) return centre + half.x() * direction;
-        const Vec3 inBody = turn.transpose() * direction;
-        Vec3 point(std::copysign(half.x(), inBody.x()), std::copysign(half.y(), inBody.y()),
-                   std::copysign(half.z(), inBody.z()));
-        point[edge] = 0;
-        return centre + turn * point;
-    }
-    /// visit(axis) for each direction that has faces across it, and edges along it.
-    template<class Visit>
-    void forEachAxis(const Visit& visit) const {
-        if (isCylinder) return visit(Eigen::Index{1});
-        for (Eigen::Index axis = 0; axis < 3; ++axis) visit(axis);
-    }
-};
-
-Solid solidOf(const Shape& shape) {
-    Solid solid;
-    if (const Cylinder* cylinder = std::get_if<Cylinder>(&shape)) {
-        solid.isCylinder = true;
-        solid.half = {cylinder->radius, cylinder->halfHeight, cylinder->radius};
-    } else {
-        solid.half = std::get_if<Cuboid>(&shape)->halfSize;
-    }
-    return solid;
+Solid coreOf(const Solid& solid) {
+    Solid core = solid;
+    core.half.array() -= rimOf(solid);
+    return core;
 }
 
-/// Two solids, the first at the origin and not turned, and the best of the directions tried.
+/// The middle of the edge along axis `edge` that is furthest along unit `direction` across it; of a
+/// cylinder of the line of its side.
+Vec3 middleOfEdge(const Solid& solid, Eigen::Index edge, const Vec3& direction) {
+    if (solid.isCylinder) return solid.centre + solid.half.x() * direction;
+    const Vec3 along = solid.inBody(direction);
+    Vec3 point = (along.array() < 0).select(-solid.half, solid.half);
+    point[edge] = 0;
+    return solid.centre + solid.turn * point;
+}
+
+/// Two solids, and the best of the directions tried.
 class SolidPair {
   public:
     SolidPair(const Solid& a, const Solid& b)
-        : m_a(a), m_b(b), m_tolerance(tie * (a.half.maxCoeff() + b.half.maxCoeff())) {}
+        : m_a(a), m_b(b), m_between(b.centre - a.centre),
+          m_tolerance(tie * (a.half.maxCoeff() + b.half.maxCoeff())) {}
 
     const Vec3& normal() const { return m_normal; }
     double gap() const { return m_gap; }
 
     void considerFaces() {
-        for (const Solid* solid : {&m_a, &m_b})
-            solid->forEachAxis([&](Eigen::Index axis) { consider(solid->turn.col(axis), noEdge, noEdge); });
+        m_a.forEachAxis([&](Eigen::Index axis) {
+            const Vec3 direction = m_a.turn.col(axis);
+            consider(direction, m_a.half[axis] + m_b.extent(direction), noEdge, noEdge);
+        });
+        m_b.forEachAxis([&](Eigen::Index axis) {
+            const Vec3 direction = m_b.turn.col(axis);
+            consider(direction, m_a.extent(direction) + m_b.half[axis], noEdge, noEdge);
+        });
     }
     void considerEdges() {
         m_a.forEachAxis([&](Eigen::Index one) {
@@ -117,16 +75,16 @@ class SolidPair {
         const double sine = across.norm();
         if (!(sine > smallestSine)) return;
         const Cylinder a{m_a.half.x(), m_a.half.y()}, b{m_b.half.x(), m_b.half.y()};
-        consider(sideToRim(axisA, {b, axisB}, m_b.centre, across / sine));
-        consider(sideToRim(axisB, {a, axisA}, m_b.centre, across / sine));
+        consider(sideToRim(axisA, {b, axisB}, m_between, across / sine));
+        consider(sideToRim(axisB, {a, axisA}, m_between, across / sine));
     }
     /// From the axis of each cylinder straight to the centre of the other.
     void considerSides() {
         for (const Solid* solid : {&m_a, &m_b}) {
             if (!solid->isCylinder) continue;
-            const Vec3 axis = solid->turn.col(1), across = axis.cross(m_b.centre).cross(axis);
+            const Vec3 axis = solid->turn.col(1), across = axis.cross(m_between).cross(axis);
             const double length = across.norm();
-            if (length > smallestSine * m_b.centre.norm()) consider(across / length, noEdge, noEdge);
+            if (length > smallestSine * m_between.norm()) consider(across / length, noEdge, noEdge);
         }
     }
     /// Any unit vector.
@@ -148,8 +106,12 @@ class SolidPair {
     static constexpr double smallestSine = 1e-9;
 
     void consider(const Vec3& direction, Eigen::Index edgeA, Eigen::Index edgeB) {
-        const double between = m_b.centre.dot(direction);
-        const double gap = std::abs(between) - m_a.extent(direction) - m_b.extent(direction);
+        consider(direction, m_a.extent(direction) + m_b.extent(direction), edgeA, edgeB);
+    }
+    /// `extents` [m] of both along the direction.
+    void consider(const Vec3& direction, double extents, Eigen::Index edgeA, Eigen::Index edgeB) {
+        const double between = m_between.dot(direction);
+        const double gap = std::abs(between) - extents;
         if (!(gap > m_gap + m_tolerance)) return;
         m_normal = between < 0 ? Vec3(-direction) : direction;
         m_gap = gap;
@@ -159,7 +121,7 @@ class SolidPair {
     // Whether the edges the best direction is across meet between their ends, seen along it.
     bool doCross() const {
         const Vec3 alongA = m_a.turn.col(m_edgeA), alongB = m_b.turn.col(m_edgeB);
-        const Vec3 between = m_b.middleOfEdge(m_edgeB, -m_normal) - m_a.middleOfEdge(m_edgeA, m_normal);
+        const Vec3 between = middleOfEdge(m_b, m_edgeB, -m_normal) - middleOfEdge(m_a, m_edgeA, m_normal);
         const double sine = alongA.cross(alongB).dot(m_normal);
         const double onA = between.cross(alongB).dot(m_normal), onB = between.cross(alongA).dot(m_normal);
         return std::abs(onA) <= std::abs(sine) * m_a.half[m_edgeA] &&
@@ -168,6 +130,7 @@ class SolidPair {
 
     const Solid& m_a;
     const Solid& m_b;
+    Vec3 m_between;     // from the centre of A to that of B [m]
     double m_tolerance; // [m]
     Vec3 m_normal = Vec3::UnitY();
     double m_gap = -std::numeric_limits<double>::infinity(); // [m]
@@ -290,40 +253,34 @@ Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, double far)
 
 } // namespace
 
-bool haveCores(const Shape& a, const Shape& b) {
-    const auto has = [](const Shape& shape) {
-        return std::holds_alternative<Cylinder>(shape) || std::holds_alternative<Cuboid>(shape);
-    };
-    return has(a) && has(b);
-}
-
-bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
-                  Manifold& manifold) {
-    const Solid solidA = solidOf(*a.shape);
-    Solid solidB = solidOf(*b.shape);
-    const Mat3 turnA = a.pose->orientation.toRotationMatrix();
-    solidB.turn = turnA.transpose() * b.pose->orientation.toRotationMatrix();
-    solidB.centre = turnA.transpose() * (b.pose->position - a.pose->position);
-    const double rims = solidA.rim() + solidB.rim();
-    SolidPair pair(solidA, solidB);
+bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
+                 Manifold& manifold) {
+    const double rims = rimOf(a) + rimOf(b);
+    SolidPair pair(a, b);
     const auto isFound = [&] { return pair.gap() > margin || (pair.gap() > -rims && pair.isProven()); };
     pair.considerFaces();
     if (!isFound()) pair.considerEdges();
     if (!isFound()) pair.considerRims();
     if (!isFound()) {
         const double far = margin + std::sqrt(3.0) * rims; // so far at a corner
-        const Vec3 between = betweenCores(solidA.core(), solidB.core(), turnA.transpose() * guess, far);
+        const Vec3 between = betweenCores(coreOf(a), coreOf(b), guess, far);
         const double distance = between.norm();
-        if (!(distance > 0)) return collide(a, b, margin, manifold);
+        if (!(distance > 0)) return false;
         pair.considerSides();
         pair.consider(between / distance);
     }
-    const BestAxis best{turnA * pair.normal(), pair.gap()};
-    manifold.normal = best.normal;
+    manifold.normal = pair.normal();
     manifold.count = 0;
-    if (!(best.separation <= margin)) return false;
-    fillManifold(a, b, best, margin, manifold);
+    if (pair.gap() <= margin) fillManifold(a, b, origin, {pair.normal(), pair.gap()}, margin, manifold);
     return true;
+}
+
+bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
+                  Manifold& manifold) {
+    const Vec3& origin = a.pose->position;
+    if (!findByCores(solidOf(a, origin), solidOf(b, origin), origin, guess, margin, manifold))
+        return collide(a, b, margin, manifold);
+    return manifold.count > 0;
 }
 
 } // namespace carom

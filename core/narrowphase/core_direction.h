@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/solid.h"
 
 // A quick way to the contact of two cylinders or cuboids that overlap by little. The gap along any direction
 // is a lower bound of the signed distance (axis_search.h), so the direction of the contact is that of the
@@ -22,10 +22,14 @@
 namespace carom {
 
 /// Whether both shapes are cylinders or cuboids.
-bool haveCores(const Shape& a, const Shape& b);
+inline bool haveCores(const Shape& a, const Shape& b) { return isSolid(a) && isSolid(b); }
 
 /// As carom::collide, for shapes that have cores. `guess` is a unit vector from A to B, or any.
 bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
                   Manifold& manifold);
+/// The same of solids seen from `origin`, which is best near them: the points are computed there. False, and
+/// nothing is found, where it takes the exact method.
+bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
+                 Manifold& manifold);
 
 } // namespace carom

@@ -30,7 +30,7 @@ std::optional<Vec3> onSurface(const PlacedShape& shape, const Vec3& normal, cons
     if (const Wall* wall = std::get_if<Wall>(shape.shape))
         return Vec3(point - distanceTo(*wall, point) * wall->normal);
     if (std::holds_alternative<Sphere>(*shape.shape)) return std::nullopt;
-    const ContactFeature feature = featureTowards(shape, -normal, Vec3::Zero());
+    const ContactFeature feature = featureTowards(solidOf(shape, Vec3::Zero()), -normal);
     const Vec3 there =
         point + feature.normal.dot(feature.centre - point) / feature.normal.dot(normal) * normal;
     if (!isOver(feature, there)) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<Vec3> onSurface(const PlacedShape& shape, const Vec3& normal, cons
 /// The point of the rim of the cap that a shape turns along `normal`.
 std::optional<Vec3> onRim(const PlacedShape& shape, const Vec3& normal, const Vec3& towards) {
     if (!std::holds_alternative<Cylinder>(*shape.shape)) return std::nullopt;
-    const ContactFeature cap = featureTowards(shape, normal, Vec3::Zero());
+    const ContactFeature cap = featureTowards(solidOf(shape, Vec3::Zero()), normal);
     if (cap.kind != ContactFeature::Kind::Disc) return std::nullopt;
     const Vec3 way = towards - cap.centre;
     const Vec3 outward = way - way.dot(cap.normal) * cap.normal;

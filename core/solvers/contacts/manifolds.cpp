@@ -2,11 +2,11 @@
 #include "core/solvers/contacts/manifolds.h"
 
 #include "core/base/assert.h"
+#include "core/base/fixed_list.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
-#include "core/narrowphase/separating_axis.h"
 #include "core/solvers/contacts/neighbours.h"
 
 #include <algorithm>
@@ -92,9 +92,6 @@ using Point = PersistentManifold::Point;
 std::span<Point> pointsOf(PersistentManifold& manifold) {
     return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
 }
-std::span<const Point> pointsOf(const PersistentManifold& manifold) {
-    return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
-}
 
 Vec3 middleOf(std::span<const Point> points) {
     Vec3 sum = Vec3::Zero();
@@ -170,26 +167,26 @@ void putOppositesFirst(Manifold& manifold) {
 }
 
 // Forces of old points to the new ones nearest to them. False if some of them found none.
-bool inherit(const PersistentManifold& old, double within, PersistentManifold& fresh) {
+bool inherit(std::span<const Point> old, double within, std::span<Point> fresh) {
     std::array<bool, manifoldPoints> taken{};
-    for (int i = 0; i < fresh.count; ++i) {
-        PersistentManifold::Point& point = fresh.points[static_cast<std::size_t>(i)];
-        const bool alone = old.count == 1 && fresh.count == 1; // the same one, however far it rolled
+    const bool alone = old.size() == 1 && fresh.size() == 1; // the same one, however far it rolled
+    for (Point& point : fresh) {
         double nearest = within * within;
         std::size_t best = manifoldPoints;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k) {
-            const double distance = std::min((old.points[k].onB - point.onB).squaredNorm(),
-                                             (old.points[k].onA - point.onA).squaredNorm());
-            if (taken[k] || !(distance < nearest || alone)) continue;
+        for (std::size_t k = 0; k < old.size(); ++k) {
+            if (taken[k]) continue;
+            const double distance =
+                std::min((old[k].onB - point.onB).squaredNorm(), (old[k].onA - point.onA).squaredNorm());
+            if (!(distance < nearest || alone)) continue;
             nearest = distance;
             best = k;
         }
         if (best == manifoldPoints) continue;
         taken[best] = true;
-        point.force = old.points[best].force;
+        point.force = old[best].force;
     }
-    for (std::size_t k = 0; k < static_cast<std::size_t>(old.count); ++k)
-        if (!taken[k] && old.points[k].force != Vec3::Zero()) return false;
+    for (std::size_t k = 0; k < old.size(); ++k)
+        if (!taken[k] && old[k].force != Vec3::Zero()) return false;
     return true;
 }
 
@@ -233,63 +230,117 @@ void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3
     separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
 }
 
-// The points of a pair whose poses have changed, with the forces of the old ones.
-void findPoints(const ManifoldInput& input, double margin, const Pose& now, PersistentManifold& manifold) {
+/// Both bodies of a pair that has cores, seen from the centre of A.
+struct Solids {
+    Solid a, b;
+
+    Pose relativePose(const ManifoldInput& input, BodyPair pair) const {
+        return {a.inBody(b.centre),
+                input.state.pose[pair.a].orientation.conjugate() * input.state.pose[pair.b].orientation};
+    }
+};
+
+Solids solidsOf(const ManifoldInput& input, BodyPair pair) {
+    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    return {solidOf({&input.bodies.shape[pair.a], &poseA}, poseA.position),
+            solidOf({&input.bodies.shape[pair.b], &poseB}, poseA.position)};
+}
+
+void collideNow(const ManifoldInput& input, BodyPair pair, double margin, Manifold& found) {
+    collide({&input.bodies.shape[pair.a], &input.state.pose[pair.a]},
+            {&input.bodies.shape[pair.b], &input.state.pose[pair.b]}, margin, found);
+}
+
+// Fresh points have the forces of the old ones.
+void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
+              std::span<Point> fresh) {
+    if (old.empty()) return;
+    if (!inherit(old, sameWithin * sizeOf(input.bodies, pair), fresh))
+        shareOut(input, pair, old, normal, fresh);
+}
+
+using OldPoints = FixedList<Point, manifoldPoints>;
+
+// The points of a pair with cores whose poses have changed, with the forces of the old ones.
+void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
+                PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
-    const State& state = input.state;
-    const double size = sizeOf(input.bodies, pair);
-    const bool wallA = isWall(input.bodies.shape[pair.a]);
-    const PersistentManifold old = manifold;
+    const auto& [a, b] = solids;
+    const Vec3 guess = manifold.hasNormal ? Vec3(a.turn * manifold.normal) : Vec3(b.centre.normalized());
     Manifold found;
-    const PlacedShape shapeA{&input.bodies.shape[pair.a], &state.pose[pair.a]},
-        shapeB{&input.bodies.shape[pair.b], &state.pose[pair.b]};
-    if (haveCores(*shapeA.shape, *shapeB.shape)) {
-        const Vec3 between = shapeB.pose->position - shapeA.pose->position;
-        const Vec3 guess = manifold.hasNormal ? normalOf(input, manifold) : Vec3(between.normalized());
-        collideCores(shapeA, shapeB, guess, margin, found);
-    } else {
-        collide(shapeA, shapeB, margin, found);
+    if (!findByCores(a, b, Vec3::Zero(), guess, margin, found)) {
+        collideNow(input, pair, margin, found);
+        for (ContactPoint& point : std::span(found.points).first(static_cast<std::size_t>(found.count))) {
+            point.onA -= input.state.pose[pair.a].position;
+            point.onB -= input.state.pose[pair.a].position;
+        }
     }
     reduce(found);
     putOppositesFirst(found);
+    const OldPoints old(pointsOf(manifold));
+    manifold.count = found.count;
+    manifold.round = false;
+    manifold.hasNormal = true;
+    manifold.normal = a.inBody(found.normal);
+    if (found.count == 0) {
+        manifold.torque.setZero();
+        return;
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) {
+        Point& point = manifold.points[k];
+        point.onA = a.inBody(found.points[k].onA);
+        point.onB = b.inBody(found.points[k].onB - b.centre);
+        point.force.setZero();
+    }
+    takeOver(input, pair, old, found.normal, pointsOf(manifold));
+}
+
+// Of a round contact: one point, with the force of the old one.
+void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& force,
+              PersistentManifold& manifold) {
+    const BodyPair pair = manifold.pair;
+    double separation = found.points[0].separation;
+    Vec3 normal = found.normal;
+    manifold.open = !canMeet(input, pair, separation);
+    manifold.gap = separation;
+    if (!manifold.open) foresee(input, pair, separation, normal);
+    manifold.normal = normal; // in the world, as are the points, relative to the centres
+    Point& point = manifold.points[0];
+    if (normal != found.normal) {
+        point.onA = input.bodies.boundingRadius[pair.a] * normal;
+        point.onB = -input.bodies.boundingRadius[pair.b] * normal;
+    } else {
+        point.onA = found.points[0].onA - input.state.pose[pair.a].position;
+        point.onB = found.points[0].onB - input.state.pose[pair.b].position;
+    }
+    point.force = manifold.open ? Vec3(Vec3::Zero()) : force;
+    if (manifold.open) manifold.torque.setZero();
+}
+
+// The same of a pair one of which is a sphere or a wall.
+void findPoints(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+    const BodyPair pair = manifold.pair;
+    Manifold found;
+    collideNow(input, pair, margin, found);
+    reduce(found);
+    putOppositesFirst(found);
+    const OldPoints old(pointsOf(manifold));
     manifold.count = found.count;
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
-    manifold.position = now.position;
-    manifold.orientation = now.orientation;
     manifold.hasNormal = !manifold.round;
     if (found.count == 0) {
         manifold.torque.setZero();
-        if (manifold.hasNormal && !wallA) manifold.normal = state.pose[pair.a].directionToBody(found.normal);
         return;
     }
-    const Pose &poseA = state.pose[pair.a], &poseB = state.pose[pair.b];
-    if (manifold.round) {
-        double separation = found.points[0].separation;
-        Vec3 normal = found.normal;
-        manifold.open = !canMeet(input, pair, separation);
-        manifold.gap = separation;
-        if (!manifold.open) foresee(input, pair, separation, normal);
-        manifold.normal = normal; // in the world, as are the points, relative to the centres
-        PersistentManifold::Point& point = manifold.points[0];
-        if (normal != found.normal) {
-            point.onA = input.bodies.boundingRadius[pair.a] * normal;
-            point.onB = -input.bodies.boundingRadius[pair.b] * normal;
-        } else {
-            point.onA = found.points[0].onA - poseA.position;
-            point.onB = found.points[0].onB - poseB.position;
-        }
-        point.force = old.count > 0 && !manifold.open ? old.points[0].force : Vec3(Vec3::Zero());
-        if (manifold.open) manifold.torque.setZero();
-        return;
-    }
+    if (manifold.round)
+        return setRound(input, found, old.size() > 0 ? old[0].force : Vec3(Vec3::Zero()), manifold);
+    const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
+    const bool wallA = isWall(input.bodies.shape[pair.a]);
     manifold.normal = wallA ? poseB.directionToBody(found.normal) : poseA.directionToBody(found.normal);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) {
-        manifold.points[k].onA = poseA.toBody(found.points[k].onA);
-        manifold.points[k].onB = poseB.toBody(found.points[k].onB);
-        manifold.points[k].force.setZero();
-    }
-    if (!inherit(old, sameWithin * size, manifold))
-        shareOut(input, pair, pointsOf(old), found.normal, pointsOf(manifold));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
+        manifold.points[k] = {poseA.toBody(found.points[k].onA), poseB.toBody(found.points[k].onB),
+                              Vec3::Zero()};
+    takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
 // Whether the balls about two bodies show that these cannot touch within the substep: then the manifold is
@@ -325,37 +376,58 @@ bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     return closestApproachOf(input, pair, radii).gap <= slack;
 }
 
-bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+namespace {
+
+// Of a pair that has cores.
+bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
-    const State& state = input.state;
-    const double size = sizeOf(input.bodies, pair);
-    const bool wallA = isWall(input.bodies.shape[pair.a]);
-    manifold.open = false;
-    if (!manifold.hasNormal && manifold.count == 0 &&
-        haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]) && openByBalls(input, manifold))
-        return false;
-    if (manifold.hasNormal && !wallA && !isWall(input.bodies.shape[pair.b])) {
+    if (!manifold.hasNormal && manifold.count == 0 && openByBalls(input, manifold)) return false;
+    const Solids solids = solidsOf(input, pair);
+    if (manifold.hasNormal) {
         // How far they are apart at least, seen along the normal there was.
-        const double gap = gapAlong(state.pose[pair.a].directionToWorld(manifold.normal),
-                                    {&input.bodies.shape[pair.a], &state.pose[pair.a]},
-                                    {&input.bodies.shape[pair.b], &state.pose[pair.b]});
+        const double gap = gapAlong(solids.a.turn * manifold.normal, solids.a, solids.b);
         manifold.open = gap > margin || !canMeet(input, pair, gap);
         if (manifold.open) {
             manifold.gap = gap;
-            for (PersistentManifold::Point& point : manifold.points) point.force.setZero();
+            for (Point& point : pointsOf(manifold)) point.force.setZero();
             manifold.torque.setZero();
             if (gap > margin) manifold.count = 0;
             return false;
         }
     }
-    const Pose now = relativePose(state, pair);
-    if (manifold.count > 0 && !manifold.round && isKept(manifold, now, size)) return false;
-    findPoints(input, margin, now, manifold);
+    const Pose now = solids.relativePose(input, pair);
+    if (manifold.count > 0 && isKept(manifold, now, sizeOf(input.bodies, pair))) return false;
+    manifold.position = now.position;
+    manifold.orientation = now.orientation;
+    findPoints(input, margin, solids, manifold);
+    return true;
+}
+
+} // namespace
+
+bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+    const BodyPair pair = manifold.pair;
+    manifold.open = false;
+    if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]))
+        return updateSolids(input, margin, manifold);
+    const bool isRound = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
+    const Pose now = isRound ? Pose() : relativePose(input.state, pair);
+    if (!isRound && manifold.count > 0 && isKept(manifold, now, sizeOf(input.bodies, pair))) return false;
+    manifold.position = now.position;
+    manifold.orientation = now.orientation;
+    findPoints(input, margin, manifold);
     return true;
 }
 
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
-    findPoints(input, margin, relativePose(input.state, manifold.pair), manifold);
+    const BodyPair pair = manifold.pair;
+    const Pose now = relativePose(input.state, pair);
+    manifold.position = now.position;
+    manifold.orientation = now.orientation;
+    if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]))
+        findPoints(input, margin, solidsOf(input, pair), manifold);
+    else
+        findPoints(input, margin, manifold);
     manifold.open = manifold.count == 0;
     return !manifold.open;
 }
@@ -380,11 +452,15 @@ PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& mani
     const bool movesA = bodies.mobile[a] != 0, movesB = bodies.mobile[b] != 0;
     const Vec3 between = poseB.position - poseA.position;
     const bool spheres = isSphere(bodies, a) && isSphere(bodies, b);
+    const auto turnOf = [&](const Pose& pose) {
+        return manifold.round ? Mat3(Mat3::Identity()) : pose.orientation.toRotationMatrix();
+    };
+    const Mat3 turnA = turnOf(poseA), turnB = turnOf(poseB);
     for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
         const PersistentManifold::Point& point = manifold.points[k];
         // From the centre of each body to its side of the contact.
-        const Vec3 onA = manifold.round ? point.onA : poseA.directionToWorld(point.onA);
-        const Vec3 onB = manifold.round ? point.onB : poseB.directionToWorld(point.onB);
+        const Vec3 onA = manifold.round ? point.onA : Vec3(turnA * point.onA);
+        const Vec3 onB = manifold.round ? point.onB : Vec3(turnB * point.onB);
         const Vec3 gap = between + onB - onA;
         PointInput& to = result.points[k];
         to.separation = result.normal.dot(gap);
