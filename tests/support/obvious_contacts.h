@@ -175,7 +175,7 @@ inline ObviousContacts obviousOf(const ContactRows& rows, std::span<const Solver
                                   .tangent = laneOf(group.tangent, lane),
                                   .armA = laneOf(row.armA, lane),
                                   .armB = laneOf(row.armB, lane),
-                                  .gap = row.gap[lane],
+                                  .gap = row.start[lane],
                                   .massNormal = row.massNormal[lane],
                                   .massTangent = row.massTangent[lane],
                                   .friction = group.friction[lane],

@@ -68,10 +68,13 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
         normal = (gap > zero) & (row.normal == zero) ? zero : normal;
     const Wide dn = normal - row.normal;
     if constexpr (pass == Pass::Relax) {
-        const Wide off = row.massNormal > zero ? absolute(dn) / row.massNormal : zero;
-        const Wide slip =
-            row.massTangent > zero ? larger(absolute(d1), absolute(d2)) / row.massTangent : zero;
-        worst = larger(worst, larger(off, slip));
+        const Wide slip = larger(absolute(d1), absolute(d2));
+        if constexpr (requires { row.perNormal; }) {
+            worst = larger(worst, larger(row.perNormal * absolute(dn), row.perTangent * slip));
+        } else {
+            const Wide off = row.massNormal > zero ? absolute(dn) / row.massNormal : zero;
+            worst = larger(worst, larger(off, row.massTangent > zero ? slip / row.massTangent : zero));
+        }
     }
     row.normal = normal;
     row.along1 += d1;

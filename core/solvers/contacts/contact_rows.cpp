@@ -62,6 +62,8 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
             const Wide larger = mean + rootOf(half * half + response.ab * response.ab);
             row.massNormal = used ? one / response.nn : zero;
             row.massTangent = used ? one / larger : zero;
+            row.perNormal = used ? response.nn : zero;
+            row.perTangent = used ? larger : zero;
             row.coupling1 = response.n1;
             row.coupling2 = response.n2;
             const Wide3 impulse{row.normal, row.along1, row.along2};
@@ -126,7 +128,7 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
         RowPoint& to = m_points[group.firstPoint + k];
         setLane(to.armA, lane, from.armA);
         setLane(to.armB, lane, from.armB);
-        to.gap[lane] = from.separation;
+        to.start[lane] = to.gap[lane] = from.separation;
         to.massNormal[lane] = 1; // it is used
         to.normal[lane] = from.impulse.x();
         to.along1[lane] = from.impulse.y();

@@ -45,9 +45,11 @@ struct PairInput {
 /// Four contact points side by side.
 struct alignas(32) RowPoint {
     std::array<Wide, 3> armA, armB;
-    Wide gap;                    ///< separation when the rows were made [m]
+    Wide start;                  ///< separation when the rows were made [m]
+    Wide gap;                    ///< separation now [m]
     Wide massNormal;             ///< 1/Wₙₙ [kg]; 0 in a lane that is not used
     Wide massTangent;            ///< 1 over the larger eigenvalue of Wₜₜ [kg]
+    Wide perNormal, perTangent;  ///< 1 over each [1/kg]; 0 in a lane that is not used
     Wide coupling1, coupling2;   ///< Wₙₜ: what tangential impulses do to uₙ [1/kg]
     Wide normal, along1, along2; ///< impulses [N s]
     Wide approach;               ///< closing speed before an impact, 0 where there is none [m/s]

@@ -1,52 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/energy_limit.h"
 
+#include "core/base/wide.h"
+#include "core/solvers/contacts/wide_bodies.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace carom {
 namespace {
 
-/// ½ v · M v' of a body with two motions.
-double halfProduct(const SolverBody& one, const SolverBody& other) {
-    if (one.inverseMass == 0) return 0;
-    const Vec3 spin = vectorOf(one.spin), otherSpin = vectorOf(other.spin);
-    const double moving = vectorOf(one.velocity).dot(vectorOf(other.velocity)) / one.inverseMass;
-    if (one.roundInverse > 0) return 0.5 * (moving + spin.dot(otherSpin) / one.roundInverse);
-    if (spin == Vec3::Zero()) return 0.5 * moving;
-    return 0.5 * (moving + spin.dot(inverseInertiaOf(one).inverse() * otherSpin));
+/// ½ v · M v' of a body with two motions, one body in each lane. Of what does not turn there is no spin.
+CAROM_INLINE Wide halfProduct(const Motion& one, const Motion& other) {
+    const Wide zero{}, half = wideOf(0.5);
+    // Cofactors of the inverse inertia: its inverse times its determinant.
+    const Wide xx = one.yy * one.zz - one.yz * one.yz, xy = one.xz * one.yz - one.xy * one.zz,
+               xz = one.xy * one.yz - one.xz * one.yy, yy = one.xx * one.zz - one.xz * one.xz,
+               yz = one.xy * one.xz - one.xx * one.yz, zz = one.xx * one.yy - one.xy * one.xy;
+    const Wide determinant = one.xx * xx + one.xy * xy + one.xz * xz;
+    const Wide3 turned{xx * other.spin.x + xy * other.spin.y + xz * other.spin.z,
+                       xy * other.spin.x + yy * other.spin.y + yz * other.spin.z,
+                       xz * other.spin.x + yz * other.spin.y + zz * other.spin.z};
+    const Wide moving = one.inverseMass != zero ? dot(one.velocity, other.velocity) / one.inverseMass : zero;
+    const Wide turning = determinant != zero ? dot(one.spin, turned) / determinant : zero;
+    return half * (moving + turning);
+}
+
+CAROM_WIDE void halfProducts(const SolverBody* one, const SolverBody* other, std::size_t count, double* to) {
+    for (std::size_t i = 0; i < count; i += wideLanes) {
+        std::array<std::uint32_t, 4> four;
+        for (std::size_t lane = 0; lane < wideLanes; ++lane)
+            four[lane] = static_cast<std::uint32_t>(std::min(i + lane, count - 1));
+        Motion a, b;
+        gather(one, four, a);
+        gatherVelocity(other, four, b);
+        const Wide product = halfProduct(a, b);
+        for (std::size_t lane = 0; lane < wideLanes && i + lane < count; ++lane)
+            to[i + lane] = product[static_cast<int>(lane)];
+    }
 }
 
 } // namespace
 
-double kineticEnergyOf(const SolverBody& body) { return halfProduct(body, body); }
+double kineticEnergyOf(const SolverBody& body) {
+    double energy = 0;
+    halfProducts(&body, &body, 1, &energy);
+    return energy;
+}
 
 double kineticEnergyOf(std::span<const SolverBody> bodies) {
     double sum = 0;
-    for (const SolverBody& body : bodies) sum += halfProduct(body, body);
+    for (const SolverBody& body : bodies) sum += kineticEnergyOf(body);
     return sum;
+}
+
+void EnergyLimit::addUp(std::span<const SolverBody> one, std::span<const SolverBody> other,
+                        std::span<const std::uint32_t> islandOf, double Sums::*to) {
+    m_products.resize(one.size());
+    halfProducts(one.data(), other.data(), one.size(), m_products.data());
+    for (std::size_t i = 0; i < one.size(); ++i)
+        if (one[i].inverseMass > 0) m_sums[islandOf[i]].*to += m_products[i];
 }
 
 void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
                            std::size_t islands) {
     m_sums.assign(islands, {});
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].limit += halfProduct(bodies[i], bodies[i]);
+    addUp(bodies, bodies, islandOf, &Sums::limit);
 }
 
 bool EnergyLimit::keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
                        std::span<SolverBody> bodies) {
     for (Sums& sums : m_sums) sums = {.limit = sums.limit};
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].after += halfProduct(bodies[i], bodies[i]);
+    addUp(bodies, bodies, islandOf, &Sums::after);
     const auto isBeyond = [](const Sums& sums) { return sums.after > sums.limit; };
     if (std::none_of(m_sums.begin(), m_sums.end(), isBeyond)) return false;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (bodies[i].inverseMass == 0 || !isBeyond(m_sums[islandOf[i]])) continue;
-        Sums& sums = m_sums[islandOf[i]];
-        sums.before += halfProduct(before[i], before[i]);
-        sums.between += halfProduct(before[i], bodies[i]);
-    }
+    addUp(before, before, islandOf, &Sums::before);
+    addUp(before, bodies, islandOf, &Sums::between);
     for (Sums& sums : m_sums) {
         if (!isBeyond(sums)) continue; // T(s) = T(0) + b s + c s²
         const double b = 2 * (sums.between - sums.before), c = sums.after - sums.before - b;

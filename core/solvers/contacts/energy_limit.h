@@ -45,7 +45,12 @@ class EnergyLimit {
         double limit = 0, before = 0, between = 0, after = 0; // [J]; between: ½ Σ v · M (v + Δv)
         double part = 1;                                      // s
     };
-    std::vector<Sums> m_sums; // by island
+    /// Adds ½ v · M v' of every body that can move, with the velocities it has in each, to its island's sum.
+    void addUp(std::span<const SolverBody> one, std::span<const SolverBody> other,
+               std::span<const std::uint32_t> islandOf, double Sums::*to);
+
+    std::vector<Sums> m_sums;       // by island
+    std::vector<double> m_products; // by body
 };
 
 } // namespace carom

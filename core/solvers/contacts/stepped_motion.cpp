@@ -49,7 +49,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_bodies.assign(1, {});
     m_moved.assign(1, {});
     m_places.assign(1, {});
-    m_orientations.assign(1, Quat::Identity());
+    m_turning.begin();
     m_island.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
@@ -81,7 +81,7 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
         setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, to);
         m_moved.emplace_back();
         m_places.push_back({arrayOf(input.state.pose[body].position)});
-        m_orientations.push_back(input.state.pose[body].orientation);
+        m_turning.add(input.bodies, body, input.state);
         m_island.push_back(island);
         m_free.emplace_back();
         m_struck.push_back(0);
@@ -159,7 +159,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {
-            step(input, m_step, i == 0, manifolds, report);
+            step(input, m_step, manifolds, report);
             if (report.loss) return report;
         }
         turnBalls(input);
@@ -233,22 +233,25 @@ void SteppedMotion::watch(const ManifoldInput& here, std::uint32_t entry, const 
                          .radiusB = turning(manifold.pair.b)});
 }
 
-// Whether a watched pair, one of which was struck, may close its gap within the step.
-bool SteppedMotion::isStruck(const Watched& pair, double duration) const {
-    const auto isFree = [&](std::uint32_t i) {
-        return i == immobile || (m_struck[i] == 0 && m_bodies[i].velocity == m_free[i]);
-    };
-    if (isFree(pair.a) && isFree(pair.b)) return false;
-    double gap = pair.gap;
-    const auto come = [&](std::uint32_t i, double sign, double radius) {
+// How far each body that was struck comes until the end of the step, from where it was at the look.
+void SteppedMotion::foreseeStruck(double duration) {
+    m_coming.resize(m_bodies.size());
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
         const SolverBody& body = m_bodies[i];
-        const Displacement& moved = m_moved[i];
-        gap += sign * pair.normal.dot(vectorOf(moved.shift) + duration * vectorOf(body.velocity));
-        if (radius > 0) gap -= radius * (vectorOf(moved.turn).norm() + duration * vectorOf(body.spin).norm());
-    };
-    come(pair.a, -1, pair.radiusA);
-    come(pair.b, 1, pair.radiusB);
-    return gap < 0;
+        Coming& to = m_coming[i];
+        to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i];
+        to.shift = vectorOf(m_moved[i].shift) + duration * vectorOf(body.velocity);
+        to.turn = body.roundInverse > 0
+                      ? 0
+                      : vectorOf(m_moved[i].turn).norm() + duration * vectorOf(body.spin).norm();
+    }
+}
+
+// Whether a watched pair, one of which was struck, may close its gap within the step.
+bool SteppedMotion::isStruck(const Watched& pair) const {
+    const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
+    if (!a.isStruck && !b.isStruck) return false;
+    return pair.gap + pair.normal.dot(b.shift - a.shift) < pair.radiusA * a.turn + pair.radiusB * b.turn;
 }
 
 // Contacts of bodies that were struck become rows. True if there were any.
@@ -256,8 +259,9 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
                               SteppedReport& report) {
     bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity);
     bool anyRow = false;
+    if (!m_watched.empty()) foreseeStruck(duration);
     for (Watched& pair : m_watched) {
-        if (pair.entry == ContactRows::noPair || !isStruck(pair, duration)) continue;
+        if (pair.entry == ContactRows::noPair || !isStruck(pair)) continue;
         PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
         const SolverBody &bodyA = m_bodies[pair.a], &bodyB = m_bodies[pair.b];
         if (pair.a != immobile) input.state.velocity[manifold.pair.a] = vectorOf(bodyA.velocity);
@@ -279,23 +283,25 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
         pair.entry = ContactRows::noPair;
         anyRow = true;
     }
-    if (anyRow) m_rows.end(m_bodies);
+    if (anyRow) {
+        m_rows.end(m_bodies);
+        updateGaps(m_rows, m_moved);
+    }
     return any || anyRow;
 }
 
 // Passes with feedback.
-void SteppedMotion::sweep(const StepSettings& settings, bool first, SteppedReport& report) {
+void SteppedMotion::sweep(const StepSettings& settings, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies);
         m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop);
-        solveVelocities(m_rows, m_bodies, first ? std::span<const Displacement>() : m_moved, settings,
-                        fromTop);
+        solveVelocities(m_rows, m_bodies, settings, fromTop);
         resistRolling(m_rows, m_bodies);
     }
     report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
 }
 
-void SteppedMotion::step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
+void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
     const Vec3 fall = duration * input.gravity;
     // As stiff a spring as in a whole step: in a short one it would be much stiffer, and its forces would
@@ -319,9 +325,9 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
     m_balls.warmStart(m_bodies);
     warmStart(m_rows, m_bodies);
     if (carriesImpact && m_energy.keep(m_before, m_island, m_bodies)) weakenImpulses();
-    sweep(settings, first, report);
+    sweep(settings, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
-        sweep(settings, first, report);
+        sweep(settings, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), duration, m_bodies);
     for (std::size_t i = 1; i < m_bodies.size(); ++i) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
@@ -330,11 +336,12 @@ void SteppedMotion::step(const SteppedInput& input, double duration, bool first,
         return;
     }
     move(input, duration);
+    updateGaps(m_rows, m_moved);
     report.work.rowsSwept += points(); // the warm start
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies);
         const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop);
-        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, m_moved, settings, fromTop));
+        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, settings, fromTop));
         resistRolling(m_rows, m_bodies);
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
@@ -396,7 +403,7 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
-    carom::rebound(m_rows, m_bodies, m_moved, settings, m_division.passes, active);
+    carom::rebound(m_rows, m_bodies, settings, m_division.passes, active);
     m_energy.keep(m_before, m_island, m_bodies);
 }
 
@@ -418,9 +425,10 @@ void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) 
 // Bodies that nothing touched move by the mean of both velocities; the others by their velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    m_turns.clear();
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
         const BodyIndex body = m_list[i - 1];
-        SolverBody& from = m_bodies[i];
+        const SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
         if (from.velocity == m_free[i])
@@ -434,15 +442,13 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         const Vec3 spin = vectorOf(from.spin);
         if (spin == Vec3::Zero()) continue;
         add(moved.turn, duration * spin);
-        if (turnsLater(from)) continue;
-        input.state.angularVelocity[body] = spin;
-        const Vec3 momentum = angularMomentumOf(input.bodies, body, input.state);
-        rotateInParts(input.bodies.inertia[body], momentum, duration, input.state.pose[body].orientation);
-        keepAngularMomentum(input.bodies, body, momentum, input.state);
-        m_orientations[i] = input.state.pose[body].orientation;
-        if (isIsotropic(input.bodies.inertia[body])) continue;
-        from.spin = arrayOf(input.state.angularVelocity[body]);
-        setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, from);
+        if (!turnsLater(from)) m_turns.push_back(i);
+    }
+    m_turning.turn(m_turns, duration, m_bodies);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_turns)) {
+        const BodyIndex body = m_list[i - 1];
+        input.state.pose[body].orientation = m_turning.orientationOf(i);
+        input.state.angularMomentum[body] = m_turning.momentumOf(i);
     }
 }
 
@@ -453,7 +459,7 @@ void SteppedMotion::turnBalls(const SteppedInput& input) {
         if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) continue;
         Quat& orientation = input.state.pose[m_list[i - 1]].orientation;
         orientation = (fromRotationVector(turn) * orientation).normalized();
-        m_orientations[i] = orientation;
+        m_turning.setOrientation(i, orientation);
     }
 }
 
@@ -478,15 +484,16 @@ bool SteppedMotion::isUnchanged(const State& state) const {
         if (vectorOf(m_bodies[i].velocity) != state.velocity[body] ||
             vectorOf(m_bodies[i].spin) != state.angularVelocity[body] ||
             vectorOf(m_places[i].position) != state.pose[body].position ||
-            m_orientations[i].coeffs() != state.pose[body].orientation.coeffs())
+            m_turning.orientationOf(i).coeffs() != state.pose[body].orientation.coeffs())
             return false;
     }
     return true;
 }
 
 std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_orientations, m_island, m_free, m_struck,
-                     m_links, m_entries, m_isFlipped, m_general, m_balls, m_groups);
+    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_free, m_struck, m_links,
+                     m_entries, m_isFlipped, m_general, m_balls, m_groups) +
+           m_turning.bytes();
 }
 
 void SteppedMotion::clear() {

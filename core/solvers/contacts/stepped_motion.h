@@ -11,6 +11,7 @@
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
+#include "core/solvers/contacts/turning_bodies.h"
 #include "core/solvers/contacts/velocity_solve.h"
 
 #include <algorithm>
@@ -171,6 +172,12 @@ class SteppedMotion {
         double gap = 0;                  ///< along the normal, when the rows were made [m]
         double radiusA = 0, radiusB = 0; ///< of what turns with the bodies [m]
     };
+    /// How far a body comes within a step, from where it was at the look.
+    struct Coming {
+        Vec3 shift = Vec3::Zero(); ///< [m]
+        double turn = 0;           ///< [rad]
+        bool isStruck = false;     ///< by anything since the look, this step included
+    };
     struct Group {
         std::uint32_t joined = 0; ///< the island it is part of, its own number if it is one
         std::size_t bodies = 0;
@@ -195,12 +202,12 @@ class SteppedMotion {
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
     void watch(const ManifoldInput& here, std::uint32_t entry, const Manifolds& manifolds);
-    bool isStruck(const Watched& pair, double duration) const;
+    void foreseeStruck(double duration);
+    bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
-    void sweep(const StepSettings& settings, bool first, SteppedReport& report);
-    void step(const SteppedInput& input, double duration, bool first, Manifolds& manifolds,
-              SteppedReport& report);
+    void sweep(const StepSettings& settings, SteppedReport& report);
+    void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void weakenImpulses();
     void rebound(const StepSettings& settings, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
@@ -221,7 +228,7 @@ class SteppedMotion {
     std::vector<SolverBody> m_bodies;
     std::vector<Displacement> m_moved;
     std::vector<BodyPlace> m_places;
-    std::vector<Quat> m_orientations;
+    TurningBodies m_turning;
     std::vector<std::uint32_t> m_island;
     std::vector<std::array<double, 3>> m_free;   // velocities that only gravity and force terms have changed
     std::vector<std::uint8_t> m_struck;          // by anything since the last look
@@ -244,6 +251,8 @@ class SteppedMotion {
     // Of a look or a step.
     Scratch<ContactRows> m_rows;
     Scratch<std::vector<Watched>> m_watched;
+    Scratch<std::vector<Coming>> m_coming;       // by number
+    Scratch<std::vector<std::uint32_t>> m_turns; // numbers of those that turn in the step
     Scratch<EnergyLimit> m_energy;
     bool m_mayCarryImpact = true;  // impulses of the last step are not all of forces
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers

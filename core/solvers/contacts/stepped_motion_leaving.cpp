@@ -113,7 +113,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
         m_list[kept - 1] = body;
         m_bodies[kept] = m_bodies[i];
         m_places[kept] = m_places[i];
-        m_orientations[kept] = m_orientations[i];
+        m_turning.renumber(i, kept);
         m_island[kept] = island;
         numbers.bodies[i] = kept++;
     }
@@ -121,7 +121,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_bodies.resize(kept);
     m_moved.resize(kept);
     m_places.resize(kept);
-    m_orientations.resize(kept);
+    m_turning.resize(kept);
     m_island.resize(kept);
     m_free.resize(kept);
     m_struck.resize(kept);

@@ -12,21 +12,16 @@
 namespace carom {
 namespace {
 
-template<Pass pass, bool first>
+template<Pass pass>
 CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody* bodies,
-                             const Displacement* moved, const StepSettings& settings,
-                             const Softnesses& softness, const ActiveBodies& active) {
+                             const StepSettings& settings, const Softnesses& softness,
+                             const ActiveBodies& active) {
     Wide reached{};
     if constexpr (pass == Pass::Rebound)
         if (!anyLane(reached = activeLanes(group, active))) return Wide{};
     Motion a, b;
     gather(bodies, group.a, a);
     gather(bodies, group.b, b);
-    Moved movedA, movedB;
-    if constexpr (!first) {
-        movedA = gather(moved, group.a);
-        movedB = gather(moved, group.b);
-    }
     const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
     const Softness soft = select(group.hard, softness);
     Wide worst{}, most{};
@@ -34,12 +29,8 @@ CAROM_INLINE Wide solveGroup(const RowGroup& group, RowPoint* points, SolverBody
         RowPoint& row = points[group.firstPoint + k];
         const Wide3 armA = load(row.armA), armB = load(row.armB);
         const Wide3 u = relativeVelocity(a, b, armA, armB);
-        Wide gap = row.gap;
-        if constexpr (!first)
-            gap = gap +
-                  dot(n, movedB.shift + cross(movedB.turn, armB) - movedA.shift - cross(movedA.turn, armA));
         [[maybe_unused]] const RowPoint before = row;
-        Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gap, group, soft,
+        Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, row.gap, group, soft,
                                         settings.duration, row, worst);
         if constexpr (pass == Pass::Rebound) change = changeIn(reached, before, change, row);
         const Wide3 p = change.x * n + change.y * t1 + change.z * t2;
@@ -98,35 +89,44 @@ struct Sweep {
     std::span<const RowGroup> groups;
     RowPoint* points;
     SolverBody* bodies;
-    const Displacement* moved;
     const StepSettings& settings;
     bool back;
     ActiveBodies active = {};
 };
 
-template<Pass pass, bool first>
+template<Pass pass>
 CAROM_INLINE double sweepGroups(const Sweep& with) {
     Wide worst{};
     const Softnesses softness = softnessesOf(with.settings);
     const std::size_t count = with.groups.size();
     for (std::size_t i = 0; i < count; ++i)
-        worst = larger(worst, solveGroup<pass, first>(with.groups[with.back ? count - 1 - i : i], with.points,
-                                                      with.bodies, with.moved, with.settings, softness,
-                                                      with.active));
+        worst = larger(worst, solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.points,
+                                               with.bodies, with.settings, softness, with.active));
     return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
 }
 
 CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
     switch (pass) {
     case Pass::Relax:
-        return sweepGroups<Pass::Relax, false>(with);
+        return sweepGroups<Pass::Relax>(with);
     case Pass::Rebound:
-        return sweepGroups<Pass::Rebound, false>(with);
+        return sweepGroups<Pass::Rebound>(with);
     case Pass::Feedback:
         break;
     }
-    return with.moved == nullptr ? sweepGroups<Pass::Feedback, true>(with)
-                                 : sweepGroups<Pass::Feedback, false>(with);
+    return sweepGroups<Pass::Feedback>(with);
+}
+
+CAROM_WIDE void passGaps(std::span<const RowGroup> groups, RowPoint* points, const Displacement* moved) {
+    for (const RowGroup& group : groups) {
+        const Moved a = gather(moved, group.a), b = gather(moved, group.b);
+        const Wide3 n = load(group.normal), shift = b.shift - a.shift;
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            RowPoint& row = points[group.firstPoint + k];
+            row.gap =
+                row.start + dot(n, shift + cross(b.turn, load(row.armB)) - cross(a.turn, load(row.armA)));
+        }
+    }
 }
 
 CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoint* points,
@@ -167,16 +167,18 @@ void warmStart(const ContactRows& rows, std::span<SolverBody> bodies) {
     }
 }
 
-void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                     const StepSettings& settings, bool back) {
-    sweep(Pass::Feedback, {rows.groups(), rows.points().data(), bodies.data(),
-                           moved.empty() ? nullptr : moved.data(), settings, back});
+void updateGaps(ContactRows& rows, std::span<const Displacement> moved) {
+    passGaps(rows.groups(), rows.points().data(), moved.data());
 }
 
-double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                       const StepSettings& settings, bool back) {
-    return sweep(Pass::Relax,
-                 {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings, back});
+void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
+                     bool back) {
+    sweep(Pass::Feedback, {rows.groups(), rows.points().data(), bodies.data(), settings, back});
+}
+
+double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
+                       bool back) {
+    return sweep(Pass::Relax, {rows.groups(), rows.points().data(), bodies.data(), settings, back});
 }
 
 int activate(const ContactRows& rows, const ActiveBodies& active) {
@@ -193,11 +195,11 @@ int activate(const ContactRows& rows, const ActiveBodies& active) {
     return struck;
 }
 
-void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes, const ActiveBodies& active) {
+void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
+             const ActiveBodies& active) {
     for (int pass = 0; pass < passes; ++pass)
-        sweep(Pass::Rebound, {rows.groups(), rows.points().data(), bodies.data(), moved.data(), settings,
-                              pass % 2 != 0, active});
+        sweep(Pass::Rebound,
+              {rows.groups(), rows.points().data(), bodies.data(), settings, pass % 2 != 0, active});
     for (const RowGroup& group : rows.groups()) {
         if (!group.bounces) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {

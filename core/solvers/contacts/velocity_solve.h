@@ -17,7 +17,7 @@
 //                  true forces give none, what an impact has left in them would throw bodies about
 //     solve        with feedback: contacts that overlap are made to part, open ones may close as far as they
 //                  are
-//     x += h v     by the caller, who adds to the displacements
+//     x += h v     by the caller, who adds to the displacements and has the gaps follow them
 //     relax        without feedback: what parting added to the velocities is taken out again
 //     rebound      contacts that closed at a speed and took an impulse part at e times that speed; of balls
 //     one
@@ -66,14 +66,16 @@ struct StepSettings {
 /// Remembers closing speeds of rows without an impulse. True if there are any.
 bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings);
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies);
-/// One pass through the groups, there or `back`. `moved` is empty in the first step after the rows were made.
-void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                     const StepSettings& settings, bool back);
+/// What `moved`, of all bodies since the rows were made, has made of the gaps.
+void updateGaps(ContactRows& rows, std::span<const Displacement> moved);
+/// One pass through the groups, there or `back`.
+void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
+                     bool back);
 /// Rolling resistance after a pass: torques that oppose rolling, within what the normal impulses allow.
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
 /// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
-double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                       const StepSettings& settings, bool back);
+double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
+                       bool back);
 /// The bodies that a rebound reaches, by body: 1, or 1 more than the pass in which an impact of balls changed
 /// it last. What cannot move is none of them: 0.
 struct ActiveBodies {
@@ -87,7 +89,7 @@ int activate(const ContactRows& rows, const ActiveBodies& active);
 /// Makes them rebound. Rows of which no body is active are left as they are; those that change by more than
 /// what rests activate their bodies. The impulses of those that part faster than what rests are forgotten:
 /// they are no forces.
-void rebound(ContactRows& rows, std::span<SolverBody> bodies, std::span<const Displacement> moved,
-             const StepSettings& settings, int passes, const ActiveBodies& active);
+void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
+             const ActiveBodies& active);
 
 } // namespace carom

@@ -186,15 +186,16 @@ class BallRowsTest : public QObject {
             std::vector<Displacement> moved = scene.still();
             for (int pass = 0; pass < 4; ++pass) {
                 rows.solve(scene.bodies, moved, settings, pass % 2 != 0);
-                solveVelocities(general, bodies, moved, settings, pass % 2 != 0);
+                solveVelocities(general, bodies, settings, pass % 2 != 0);
                 QVERIFY(agrees());
                 for (std::size_t i = 0; i + 1 < moved.size(); ++i) // turning changes no gap of a ball
                     for (auto* to : {&moved[i].shift, &moved[i].turn})
                         add(*to, test::uniformIn(random, 0.002));
+                updateGaps(general, moved);
             }
             for (int pass = 0; pass < 3; ++pass) {
                 rows.relax(scene.bodies, moved, settings, pass % 2 != 0);
-                relaxVelocities(general, bodies, moved, settings, pass % 2 != 0);
+                relaxVelocities(general, bodies, settings, pass % 2 != 0);
                 QVERIFY(agrees());
             }
             std::vector<std::uint8_t> ofBalls(scene.bodies.size(), 1), ofGeneral = ofBalls;
