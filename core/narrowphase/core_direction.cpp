@@ -39,24 +39,46 @@ Vec3 middleOfEdge(const Solid& solid, Eigen::Index edge, const Vec3& direction) 
     return solid.centre + solid.turn * point;
 }
 
+/// Edges at a smaller angle [rad] count as parallel: the direction across them would be rounding to more than
+/// 1e-7, and faces see what they could.
+constexpr double smallestSine = 1e-9;
+
+/// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
+/// axes are parallel.
+Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource::Kind side) {
+    const Vec3 axisA = a.turn.col(1), axisB = b.turn.col(1), across = axisA.cross(axisB);
+    const double sine = across.norm();
+    if (!(sine > smallestSine)) return Vec3::Zero();
+    const bool isOfA = side == DirectionSource::Kind::SideA;
+    const Solid& other = isOfA ? b : a;
+    const Cylinder cylinder{other.half.x(), other.half.y()};
+    return sideToRim(isOfA ? axisA : axisB, {cylinder, isOfA ? axisB : axisA}, b.centre - a.centre,
+                     across / sine);
+}
+
 /// Two solids, and the best of the directions tried.
 class SolidPair {
+    using Kind = DirectionSource::Kind;
+
   public:
     SolidPair(const Solid& a, const Solid& b)
         : m_a(a), m_b(b), m_between(b.centre - a.centre),
           m_tolerance(tie * (a.half.maxCoeff() + b.half.maxCoeff())) {}
 
     const Vec3& normal() const { return m_normal; }
+    DirectionSource source() const { return m_source; }
     double gap() const { return m_gap; }
 
     void considerFaces() {
         m_a.forEachAxis([&](Eigen::Index axis) {
             const Vec3 direction = m_a.turn.col(axis);
-            consider(direction, m_a.half[axis] + m_b.extent(direction), noEdge, noEdge);
+            consider(direction, m_a.half[axis] + m_b.extent(direction),
+                     {Kind::FaceA, static_cast<std::uint8_t>(axis), 0});
         });
         m_b.forEachAxis([&](Eigen::Index axis) {
             const Vec3 direction = m_b.turn.col(axis);
-            consider(direction, m_a.extent(direction) + m_b.half[axis], noEdge, noEdge);
+            consider(direction, m_a.extent(direction) + m_b.half[axis],
+                     {Kind::FaceB, 0, static_cast<std::uint8_t>(axis)});
         });
     }
     void considerEdges() {
@@ -64,19 +86,19 @@ class SolidPair {
             m_b.forEachAxis([&](Eigen::Index other) {
                 const Vec3 across = m_a.turn.col(one).cross(m_b.turn.col(other));
                 const double sine = across.norm();
-                if (sine > smallestSine) consider(across / sine, one, other);
+                if (sine > smallestSine)
+                    consider(across / sine,
+                             {Kind::Edges, static_cast<std::uint8_t>(one), static_cast<std::uint8_t>(other)});
             });
         });
     }
     /// Of two cylinders: the side of each and a rim of the other.
     void considerRims() {
         if (!m_a.isCylinder || !m_b.isCylinder) return;
-        const Vec3 axisA = m_a.turn.col(1), axisB = m_b.turn.col(1), across = axisA.cross(axisB);
-        const double sine = across.norm();
-        if (!(sine > smallestSine)) return;
-        const Cylinder a{m_a.half.x(), m_a.half.y()}, b{m_b.half.x(), m_b.half.y()};
-        consider(sideToRim(axisA, {b, axisB}, m_between, across / sine));
-        consider(sideToRim(axisB, {a, axisA}, m_between, across / sine));
+        for (const Kind side : {Kind::SideA, Kind::SideB}) {
+            const Vec3 direction = fromSideToRim(m_a, m_b, side);
+            if (direction != Vec3::Zero()) consider(direction, {side});
+        }
     }
     /// From the axis of each cylinder straight to the centre of the other.
     void considerSides() {
@@ -84,48 +106,43 @@ class SolidPair {
             if (!solid->isCylinder) continue;
             const Vec3 axis = solid->turn.col(1), across = axis.cross(m_between).cross(axis);
             const double length = across.norm();
-            if (length > smallestSine * m_between.norm()) consider(across / length, noEdge, noEdge);
+            if (length > smallestSine * m_between.norm()) consider(across / length);
         }
     }
     /// Any unit vector.
-    void consider(const Vec3& direction) { consider(direction, noEdge, noEdge); }
+    void consider(const Vec3& direction) { consider(direction, {Kind::Other}); }
 
     /// Whether two points straight across from each other show that no direction near the best is better; if
     /// the solids are apart, that no direction is.
     bool isProven() const {
-        if (m_edgeA != noEdge) return doCross();
+        if (m_source.kind == Kind::Edges) return doCross();
         const Vec3 step = m_gap * m_normal;
         return m_b.contains(m_a.support(m_normal) + step, m_tolerance) ||
                m_a.contains(m_b.support(-m_normal) - step, m_tolerance);
     }
 
   private:
-    static constexpr Eigen::Index noEdge = -1;
-    /// Edges at a smaller angle [rad] count as parallel: the direction across them would be rounding to more
-    /// than 1e-7, and faces see what they could.
-    static constexpr double smallestSine = 1e-9;
-
-    void consider(const Vec3& direction, Eigen::Index edgeA, Eigen::Index edgeB) {
-        consider(direction, m_a.extent(direction) + m_b.extent(direction), edgeA, edgeB);
+    void consider(const Vec3& direction, DirectionSource source) {
+        consider(direction, m_a.extent(direction) + m_b.extent(direction), source);
     }
     /// `extents` [m] of both along the direction.
-    void consider(const Vec3& direction, double extents, Eigen::Index edgeA, Eigen::Index edgeB) {
+    void consider(const Vec3& direction, double extents, DirectionSource source) {
         const double between = m_between.dot(direction);
         const double gap = std::abs(between) - extents;
         if (!(gap > m_gap + m_tolerance)) return;
         m_normal = between < 0 ? Vec3(-direction) : direction;
         m_gap = gap;
-        m_edgeA = edgeA;
-        m_edgeB = edgeB;
+        m_source = source;
     }
     // Whether the edges the best direction is across meet between their ends, seen along it.
     bool doCross() const {
-        const Vec3 alongA = m_a.turn.col(m_edgeA), alongB = m_b.turn.col(m_edgeB);
-        const Vec3 between = middleOfEdge(m_b, m_edgeB, -m_normal) - middleOfEdge(m_a, m_edgeA, m_normal);
+        const Eigen::Index edgeA = m_source.edgeA, edgeB = m_source.edgeB;
+        const Vec3 alongA = m_a.turn.col(edgeA), alongB = m_b.turn.col(edgeB);
+        const Vec3 between = middleOfEdge(m_b, edgeB, -m_normal) - middleOfEdge(m_a, edgeA, m_normal);
         const double sine = alongA.cross(alongB).dot(m_normal);
         const double onA = between.cross(alongB).dot(m_normal), onB = between.cross(alongA).dot(m_normal);
-        return std::abs(onA) <= std::abs(sine) * m_a.half[m_edgeA] &&
-               std::abs(onB) <= std::abs(sine) * m_b.half[m_edgeB];
+        return std::abs(onA) <= std::abs(sine) * m_a.half[edgeA] &&
+               std::abs(onB) <= std::abs(sine) * m_b.half[edgeB];
     }
 
     const Solid& m_a;
@@ -134,7 +151,7 @@ class SolidPair {
     double m_tolerance; // [m]
     Vec3 m_normal = Vec3::UnitY();
     double m_gap = -std::numeric_limits<double>::infinity(); // [m]
-    Eigen::Index m_edgeA = noEdge, m_edgeB = noEdge;         // that the normal is across
+    DirectionSource m_source;
 };
 
 /// Up to four points of the difference B − A.
@@ -253,8 +270,37 @@ Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, double far)
 
 } // namespace
 
+Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, const Vec3& before) {
+    using Kind = DirectionSource::Kind;
+    Vec3 now = before;
+    switch (source.kind) {
+    case Kind::Other:
+        break;
+    case Kind::FaceA:
+    case Kind::FaceB: {
+        const Mat3& turn = source.kind == Kind::FaceA ? a.turn : b.turn;
+        now = turn.col(source.kind == Kind::FaceA ? source.edgeA : source.edgeB);
+        break;
+    }
+    case Kind::Edges: {
+        const Vec3 across = a.turn.col(source.edgeA).cross(b.turn.col(source.edgeB));
+        const double sine = across.norm();
+        if (sine > smallestSine) now = across / sine;
+        break;
+    }
+    case Kind::SideA:
+    case Kind::SideB:
+        if (const Vec3 direction = fromSideToRim(a, b, source.kind); direction != Vec3::Zero())
+            now = direction;
+    }
+    constexpr double sameDirection = 0.9; // another is no small turn of it
+    const double cosine = now.dot(before);
+    if (!(std::abs(cosine) > sameDirection)) return before;
+    return cosine < 0 ? Vec3(-now) : now;
+}
+
 bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
-                 Manifold& manifold) {
+                 Manifold& manifold, DirectionSource& source) {
     const double rims = rimOf(a) + rimOf(b);
     SolidPair pair(a, b);
     const auto isFound = [&] { return pair.gap() > margin || (pair.gap() > -rims && pair.isProven()); };
@@ -269,6 +315,7 @@ bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3&
         pair.considerSides();
         pair.consider(between / distance);
     }
+    source = pair.source();
     manifold.normal = pair.normal();
     manifold.count = 0;
     if (pair.gap() <= margin) fillManifold(a, b, origin, {pair.normal(), pair.gap()}, margin, manifold);
@@ -278,7 +325,8 @@ bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3&
 bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
                   Manifold& manifold) {
     const Vec3& origin = a.pose->position;
-    if (!findByCores(solidOf(a, origin), solidOf(b, origin), origin, guess, margin, manifold))
+    DirectionSource source;
+    if (!findByCores(solidOf(a, origin), solidOf(b, origin), origin, guess, margin, manifold, source))
         return collide(a, b, margin, manifold);
     return manifold.count > 0;
 }

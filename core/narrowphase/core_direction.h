@@ -3,6 +3,8 @@
 
 #include "core/narrowphase/solid.h"
 
+#include <cstdint>
+
 // A quick way to the contact of two cylinders or cuboids that overlap by little. The gap along any direction
 // is a lower bound of the signed distance (axis_search.h), so the direction of the contact is that of the
 // largest. First those are tried that are exact where features meet squarely: across a face, across two
@@ -21,6 +23,25 @@
 
 namespace carom {
 
+/// What a direction of contact is across.
+struct DirectionSource {
+    enum class Kind : std::uint8_t {
+        Other, ///< whatever the cores say
+        FaceA, ///< a face of A
+        FaceB,
+        Edges, ///< an edge of each; of a cylinder its axis
+        SideA, ///< the side of cylinder A, where it meets a rim of cylinder B
+        SideB
+    };
+    Kind kind = Kind::Other;
+    std::uint8_t edgeA = 0,
+                 edgeB = 0; ///< along which axes of the bodies the edges are, or across which the face is
+};
+
+/// The direction from A to B that two solids have now for a contact that was across such a source, near
+/// `before`, which is unit.
+Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, const Vec3& before);
+
 /// Whether both shapes are cylinders or cuboids.
 inline bool haveCores(const Shape& a, const Shape& b) { return isSolid(a) && isSolid(b); }
 
@@ -30,6 +51,6 @@ bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess,
 /// The same of solids seen from `origin`, which is best near them: the points are computed there. False, and
 /// nothing is found, where it takes the exact method.
 bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
-                 Manifold& manifold);
+                 Manifold& manifold, DirectionSource& source);
 
 } // namespace carom

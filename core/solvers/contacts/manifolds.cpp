@@ -7,6 +7,7 @@
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
+#include "core/solvers/contacts/manifold_following.h"
 #include "core/solvers/contacts/neighbours.h"
 
 #include <algorithm>
@@ -16,10 +17,6 @@
 namespace carom {
 namespace {
 
-/// Relative poses within this part of the smaller body's size and this angle [rad] keep their points. What
-/// rolls leaves them behind by up to that, so that they push it on: at ten times as much cylinders that rock
-/// in a heap do so ever more.
-constexpr double keptWithin = 0.0002, keptAngle = 0.0002;
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
 double sizeOf(const Bodies& bodies, BodyPair pair) {
@@ -36,10 +33,9 @@ Pose relativePose(const State& state, BodyPair pair) {
 }
 
 bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
-    if ((now.position - manifold.position).squaredNorm() > keptWithin * keptWithin * size * size)
-        return false;
-    const double cosine = std::abs(now.orientation.dot(manifold.orientation)); // of half the angle
-    return 1 - cosine < 0.5 * 0.25 * keptAngle * keptAngle;
+    const double within = PersistentManifold::keptWithin * size;
+    return (now.position - manifold.position).squaredNorm() <= within * within &&
+           !isTurned(manifold, now.orientation, PersistentManifold::keptAngle);
 }
 
 /// A point that is further apart than the deepest counts as so many times nearer to the others. At less than
@@ -230,15 +226,10 @@ void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3
     separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
 }
 
-/// Both bodies of a pair that has cores, seen from the centre of A.
-struct Solids {
-    Solid a, b;
-
-    Pose relativePose(const ManifoldInput& input, BodyPair pair) const {
-        return {a.inBody(b.centre),
-                input.state.pose[pair.a].orientation.conjugate() * input.state.pose[pair.b].orientation};
-    }
-};
+/// Of B, seen from A.
+Quat relativeOrientation(const State& state, BodyPair pair) {
+    return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
+}
 
 Solids solidsOf(const ManifoldInput& input, BodyPair pair) {
     const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
@@ -268,7 +259,8 @@ void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
     const auto& [a, b] = solids;
     const Vec3 guess = manifold.hasNormal ? Vec3(a.turn * manifold.normal) : Vec3(b.centre.normalized());
     Manifold found;
-    if (!findByCores(a, b, Vec3::Zero(), guess, margin, found)) {
+    if (!findByCores(a, b, Vec3::Zero(), guess, margin, found, manifold.source)) {
+        manifold.source = {};
         collideNow(input, pair, margin, found);
         for (ContactPoint& point : std::span(found.points).first(static_cast<std::size_t>(found.count))) {
             point.onA -= input.state.pose[pair.a].position;
@@ -282,6 +274,7 @@ void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
     manifold.round = false;
     manifold.hasNormal = true;
     manifold.normal = a.inBody(found.normal);
+    manifold.normalInB = b.inBody(found.normal);
     if (found.count == 0) {
         manifold.torque.setZero();
         return;
@@ -292,6 +285,7 @@ void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
         point.onB = b.inBody(found.points[k].onB - b.centre);
         point.force.setZero();
     }
+    beginFollowing(solids, found.points[0].onA, manifold);
     takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
@@ -384,6 +378,7 @@ bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold&
     if (!manifold.hasNormal && manifold.count == 0 && openByBalls(input, manifold)) return false;
     const Solids solids = solidsOf(input, pair);
     if (manifold.hasNormal) {
+        if (manifold.count > 0) follow(solids, manifold);
         // How far they are apart at least, seen along the normal there was.
         const double gap = gapAlong(solids.a.turn * manifold.normal, solids.a, solids.b);
         manifold.open = gap > margin || !canMeet(input, pair, gap);
@@ -395,10 +390,9 @@ bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold&
             return false;
         }
     }
-    const Pose now = solids.relativePose(input, pair);
-    if (manifold.count > 0 && isKept(manifold, now, sizeOf(input.bodies, pair))) return false;
-    manifold.position = now.position;
-    manifold.orientation = now.orientation;
+    const Quat now = relativeOrientation(input.state, pair);
+    if (manifold.count > 0 && holds(solids, manifold, now, sizeOf(input.bodies, pair))) return false;
+    manifold.orientation = now;
     findPoints(input, margin, solids, manifold);
     return true;
 }
@@ -421,13 +415,15 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
 
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
-    const Pose now = relativePose(input.state, pair);
-    manifold.position = now.position;
-    manifold.orientation = now.orientation;
-    if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b]))
+    if (haveCores(input.bodies.shape[pair.a], input.bodies.shape[pair.b])) {
+        manifold.orientation = relativeOrientation(input.state, pair);
         findPoints(input, margin, solidsOf(input, pair), manifold);
-    else
+    } else {
+        const Pose now = relativePose(input.state, pair);
+        manifold.position = now.position;
+        manifold.orientation = now.orientation;
         findPoints(input, margin, manifold);
+    }
     manifold.open = manifold.count == 0;
     return !manifold.open;
 }

@@ -5,6 +5,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/contact_constraint.h"
 #include "core/dynamics/state.h"
+#include "core/narrowphase/core_direction.h"
 #include "core/solvers/contacts/contact_rows.h"
 
 #include <array>
@@ -14,9 +15,10 @@
 #include <vector>
 
 // Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
-// within a fiftieth of a percent of their size and a hundredth of a degree, their points are not looked for
-// anew: points fixed to both bodies tell the gap. This saves most of the narrow phase, and it is what lets
-// cylinders stand: points of a disc that are chosen anew each time go round the rim, and forces with them.
+// within a third of a percent of their size and of a degree, or a fifteenth of that where nothing is known of
+// the normal, their points are not looked for anew: points that follow both bodies (manifold_following.h)
+// tell the gap. This saves most of the narrow phase, and it is what lets cylinders stand: points of a disc
+// that are chosen anew each time go round the rim, and forces with them.
 //
 //     found      by the kernels of core/narrowphase, for cylinders and cuboids by the direction of their
 //     cores
@@ -46,6 +48,11 @@ inline bool isSphere(const Bodies& bodies, BodyIndex i) {
 
 /// The contact of two bodies, as it is carried from substep to substep.
 struct PersistentManifold {
+    /// Relative poses within this part of the smaller body's size and this angle [rad] keep their points
+    /// where these do not follow. What rolls leaves them behind by up to that, so that they push it on: at
+    /// ten times as much cylinders that rock in a heap do so ever more.
+    static constexpr double keptWithin = 0.0002, keptAngle = 0.0002;
+
     struct Point {
         Vec3 onA = Vec3::Zero(),
              onB = Vec3::Zero();   ///< in the frames of the bodies, of walls in the world [m]
@@ -58,8 +65,14 @@ struct PersistentManifold {
                             ///< the two; its points are not those of now
     double gap = 0;         ///< of an open one: along the normal, they are apart by this at least [m]
     bool hasNormal = false; ///< also where there are no points: a direction in which they were apart
-    Vec3 normal = Vec3::UnitY();  ///< from A to B, in the frame of A (of B if A is a wall)
-    Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]
+    Vec3 normal = Vec3::UnitY();    ///< from A to B, in the frame of A (of B if A is a wall)
+    Vec3 normalInB = Vec3::UnitY(); ///< of bodies with cores: the same in the frame of B
+    DirectionSource source;         ///< of bodies with cores: what turns the normal
+    std::uint8_t rollsA = 0,
+                 rollsB = 0;      ///< bit k: the side or the rim of the cylinder rolls on under point k
+    Vec3 position = Vec3::Zero(); ///< of B, seen from A, when the points were found [m]; of bodies with cores
+                                  ///< of a point of the contact
+    Vec3 positionInB = Vec3::Zero(); ///< of the same point, seen from B [m]
     Quat orientation = Quat::Identity();
     std::array<Point, manifoldPoints> points;
     Vec3 torque = Vec3::Zero(); ///< of rolling resistance, on B, world [N m]

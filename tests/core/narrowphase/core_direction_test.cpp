@@ -7,6 +7,7 @@
 #include <QtTest/QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -296,6 +297,42 @@ class CoreDirectionTest : public QObject {
         qInfo("by six guesses, differs by: %s", distributionOf(spread).constData());
         QVERIFY(spread.size() > 1000);
         QVERIFY(*std::max_element(spread.begin(), spread.end()) < mostSpread);
+    }
+
+    // Where both bodies have moved a little the direction that is followed is the one that is found anew of
+    // the same source, to rounding.
+    void aDirectionThatIsFollowedIsThatOfItsSource() {
+        Random random(seed, 9);
+        std::array<int, 6> counts{};
+        for (int trial = 0; trial < 4000; ++trial) {
+            double exact = 0;
+            ShapePair pair = nearPair(random, Form::Any, Form::Any, exact);
+            const auto find = [&](DirectionSource& source, Vec3& normal, const Vec3& guess) {
+                const Vec3& origin = pair.poseA.position;
+                Manifold manifold;
+                const bool is = findByCores(solidOf(pair.a(), origin), solidOf(pair.b(), origin), origin,
+                                            guess, 0.2, manifold, source);
+                normal = manifold.normal;
+                return is;
+            };
+            DirectionSource before, after;
+            Vec3 old, fresh;
+            const Vec3 guess = (pair.poseB.position - pair.poseA.position).normalized();
+            if (!find(before, old, guess)) continue;
+            for (Pose* pose : {&pair.poseA, &pair.poseB})
+                pose->orientation = about(randomDirection(random), 0.004) * pose->orientation;
+            pair.poseB.position += 0.002 * smallerOf(pair) * randomDirection(random);
+            if (!find(after, fresh, old) || before.kind != after.kind || before.edgeA != after.edgeA ||
+                before.edgeB != after.edgeB || before.kind == DirectionSource::Kind::Other)
+                continue;
+            if (fresh.dot(old) < 0.9) continue; // another face
+            ++counts[static_cast<std::size_t>(before.kind)];
+            const Vec3& origin = pair.poseA.position;
+            const Vec3 followed =
+                followedDirection(solidOf(pair.a(), origin), solidOf(pair.b(), origin), before, old);
+            QVERIFY((followed - fresh).norm() < rounding);
+        }
+        for (std::size_t kind = 1; kind < counts.size(); ++kind) QVERIFY(counts[kind] > 20);
     }
 
     void seenFromTheOtherSideItIsTheSame() {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/manifold_following.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace carom {
+namespace {
+
+using Point = PersistentManifold::Point;
+using Kind = DirectionSource::Kind;
+
+/// Relative poses within this part of the smaller body's size and this angle [rad] keep their points. At
+/// three times as much falling heaps overlap by half as much again.
+constexpr double followedWithin = 0.003, followedAngle = 0.005;
+/// A cap that leans less has no lowest point that could be followed: it goes round the rim ever faster.
+constexpr double leastLean = 0.05;
+
+/// Whether a point of a solid, in its frame, is where the side or the rim of a cylinder is furthest along the
+/// normal or against it, so that it rolls on when the cylinder turns.
+bool doesRoll(const Solid& solid, const Vec3& point, const Vec3& normal) {
+    constexpr double rounding = 1e-6;
+    constexpr double sameDirection =
+        0.98; // lines that are nearly parallel touch beside where they are lowest
+    if (!solid.isCylinder) return false;
+    const double lean = std::sqrt(normal.x() * normal.x() + normal.z() * normal.z());
+    const double radius = std::sqrt(point.x() * point.x() + point.z() * point.z());
+    const double along = std::abs(point.x() * normal.x() + point.z() * normal.z());
+    return lean > leastLean && radius >= (1 - rounding) * solid.half.x() &&
+           along >= sameDirection * radius * lean;
+}
+
+/// The turn about y that takes the part of one vector across y to that of another.
+struct TurnAboutY {
+    double cosine = 1, sine = 0;
+
+    TurnAboutY(const Vec3& from, const Vec3& to) {
+        const double size =
+            std::sqrt((from.x() * from.x() + from.z() * from.z()) * (to.x() * to.x() + to.z() * to.z()));
+        if (!(size > 0)) return;
+        cosine = (from.x() * to.x() + from.z() * to.z()) / size;
+        sine = (from.z() * to.x() - from.x() * to.z()) / size;
+    }
+    Vec3 operator()(const Vec3& v) const {
+        return {cosine * v.x() + sine * v.z(), v.y(), cosine * v.z() - sine * v.x()};
+    }
+};
+
+} // namespace
+
+void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold& manifold) {
+    const auto& [a, b] = solids;
+    manifold.position = a.inBody(place);
+    manifold.positionInB = b.inBody(place - b.centre);
+    unsigned rollsA = 0, rollsB = 0;
+    for (unsigned k = 0; k < static_cast<unsigned>(manifold.count); ++k) {
+        const Point& point = manifold.points[k];
+        rollsA |= doesRoll(a, point.onA, manifold.normal) ? 1U << k : 0U;
+        rollsB |= doesRoll(b, point.onB, manifold.normalInB) ? 1U << k : 0U;
+    }
+    if (manifold.source.kind == Kind::SideA) rollsA &= ~rollsB; // a rim leads the side that it rolls on
+    if (manifold.source.kind == Kind::SideB) rollsB &= ~rollsA;
+    manifold.rollsA = static_cast<std::uint8_t>(rollsA);
+    manifold.rollsB = static_cast<std::uint8_t>(rollsB);
+}
+
+void follow(const Solids& solids, PersistentManifold& manifold) {
+    const auto& [a, b] = solids;
+    const Vec3 normal = followedDirection(a, b, manifold.source, a.turn * manifold.normal);
+    const Vec3 inA = a.inBody(normal), inB = b.inBody(normal);
+    if ((manifold.rollsA | manifold.rollsB) != 0) {
+        const TurnAboutY turnA(manifold.normal, inA), turnB(manifold.normalInB, inB);
+        for (unsigned k = 0; k < static_cast<unsigned>(manifold.count); ++k) {
+            Point& point = manifold.points[k];
+            const bool rollsA = (manifold.rollsA >> k & 1U) != 0, rollsB = (manifold.rollsB >> k & 1U) != 0;
+            if (rollsA) point.onA = turnA(point.onA);
+            if (rollsB) point.onB = turnB(point.onB);
+            if (rollsA == rollsB) continue;
+            const Vec3 onA = a.turn * point.onA, onB = b.centre + b.turn * point.onB;
+            const Vec3 across = normal.dot(onB - onA) * normal;
+            if (rollsA)
+                point.onB = b.inBody(onA + across - b.centre);
+            else
+                point.onA = a.inBody(onB - across);
+        }
+    }
+    manifold.normal = inA;
+    manifold.normalInB = inB;
+}
+
+// Not how far the centre of one has come, seen from the other: that of a large body comes far.
+bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation, double size) {
+    const bool follows = manifold.source.kind != Kind::Other;
+    const double within = (follows ? followedWithin : PersistentManifold::keptWithin) * size;
+    const auto& [a, b] = solids;
+    const Vec3 slid = b.centre + b.turn * manifold.positionInB - a.turn * manifold.position;
+    return slid.squaredNorm() <= within * within &&
+           !isTurned(manifold, orientation, follows ? followedAngle : PersistentManifold::keptAngle);
+}
+
+bool isTurned(const PersistentManifold& manifold, const Quat& orientation, double angle) {
+    const double cosine = std::abs(orientation.dot(manifold.orientation)); // of half the angle
+    return !(1 - cosine < 0.5 * 0.25 * angle * angle);
+}
+
+} // namespace carom

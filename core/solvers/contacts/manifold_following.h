@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/narrowphase/core_direction.h"
+#include "core/solvers/contacts/manifolds.h"
+
+// How a contact of cylinders and cuboids follows them between the times at which its points are found. What
+// is left where it was found pushes: a cylinder whose points stay behind as it rolls is driven on by them.
+//
+//     normal   across a face, two edges, or the side of a cylinder and a rim: as that is now; otherwise fixed
+//              to A
+//     points   fixed to both bodies, but for those below the side or the rim of a cylinder: they turn about
+//     its
+//              axis as the normal does, and the other body's point is straight across
+//     limits   of what slides and turns: first-order errors are of where a face or a line ends
+
+namespace carom {
+
+/// Both bodies of a pair that has cores, seen from the centre of A.
+struct Solids {
+    Solid a, b;
+};
+
+/// What the points that have just been found will need: what rolls, and where they were found. `place` is a
+/// point of the contact, seen from A, along the axes of the world [m].
+void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold& manifold);
+/// Brings the normal and the points up to the present poses.
+void follow(const Solids& solids, PersistentManifold& manifold);
+/// Whether two bodies, the smaller of which is of that size [m], have slid and turned by so little since the
+/// points were found that these hold. `orientation` is that of B, seen from A.
+bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation, double size);
+
+/// Whether the relative orientation of two bodies is another by more than an angle [rad].
+bool isTurned(const PersistentManifold& manifold, const Quat& orientation, double angle);
+
+} // namespace carom
