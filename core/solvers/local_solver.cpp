@@ -26,9 +26,11 @@ class LocalSolver final : public Solver {
         return report;
     }
 
+    /// Of the world's state, not of this one's: after recall() that is of another frame, or of none.
     ContactSet contacts(const State& state) const override {
-        static_cast<void>(state); // seen from here, where it was left
-        ContactSet set = m_solver->contacts(m_state);
+        State here = state;
+        take(state, here);
+        ContactSet set = m_solver->contacts(here);
         for (ContactPair& pair : set.pairs) {
             pair.a = m_order[pair.a];
             pair.b = m_order[pair.b];
@@ -41,16 +43,20 @@ class LocalSolver final : public Solver {
 
   private:
     void enter(const State& world) {
-        const std::size_t count = m_order.size();
-        if (m_state.pose.size() != count) m_state = world; // the sizes; all values follow
-        m_state.frame = world.frame;
-        m_state.time = world.time;
-        for (BodyIndex k = 0; k < count; ++k) copyBody(world, m_order[k], m_state, k);
+        if (m_state.pose.size() != m_order.size()) m_state = world; // the sizes; all values follow
+        take(world, m_state);
+    }
+
+    /// Into a state of the same size.
+    void take(const State& world, State& here) const {
+        here.frame = world.frame;
+        here.time = world.time;
+        for (BodyIndex k = 0; k < m_order.size(); ++k) copyBody(world, m_order[k], here, k);
         if (m_origin == Vec3::Zero()) return;
         for (const BodyIndex k : m_bodies.bounded) {
-            const WithRest<Vec3> sum = exactSum(m_state.pose[k].position - m_origin, m_state.positionRest[k]);
-            m_state.pose[k].position = sum.value;
-            m_state.positionRest[k] = sum.rest;
+            const WithRest<Vec3> sum = exactSum(here.pose[k].position - m_origin, here.positionRest[k]);
+            here.pose[k].position = sum.value;
+            here.positionRest[k] = sum.rest;
         }
     }
 

@@ -242,6 +242,32 @@ class RecordingTest : public QObject {
         QCOMPARE(recording.furthest(), std::int64_t{100});
     }
 
+    // After a reset, a frame that is kept ended the program: contacts were looked at in the state that the
+    // method had been left in, and a method that is new has none. Without a reset they were those of the
+    // bodies' places in another frame.
+    void aCheckpointHasTheForcesOfItsFrame() {
+        GeneratorRequest request;
+        request.n = 60;
+        const Build built = build(generate(*findGenerator("pile"), request));
+        World world(built.pipeline);
+        for (int frame = 0; frame < 30; ++frame) world.step();
+        const Checkpoint kept = world.checkpoint();
+        const std::vector<ContactForce> forces = world.snapshot().contactForces;
+        QVERIFY(forces.size() > 60);
+        for (const bool isReset : {false, true}) {
+            for (int frame = 0; frame < 5; ++frame) world.step();
+            if (isReset) world.reset();
+            world.restore(kept);
+            const std::vector<ContactForce> again = world.snapshot().contactForces;
+            QCOMPARE(again.size(), forces.size());
+            for (std::size_t i = 0; i < forces.size(); ++i) {
+                QVERIFY(again[i].pair == forces[i].pair);
+                QCOMPARE(again[i].at, forces[i].at);
+                QCOMPARE(again[i].force, forces[i].force);
+            }
+        }
+    }
+
     void aRunThatLostItsNumbersCanGoBackToWhenItHadThem() {
         const Build built = build("gravity { accel 0,-1e306,0 } simulation { step 1 method contacts }"
                                   "sphere { radius 1 mass 1 centre 0,0,0 }");
