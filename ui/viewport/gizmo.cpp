@@ -17,13 +17,13 @@
 namespace carom {
 namespace {
 
-constexpr double axisLength = 80, axisGap = 16; ///< [px]
-constexpr double planeNear = 26, planeFar = 42; ///< [px] from the centre
-constexpr double ringRadius = 100;              ///< [px]
-constexpr double reach = 7;                     ///< [px]
-constexpr double leastAxis = 14;                ///< [px] of an axis that can still be aimed along
-constexpr double flattest = 0.15;               ///< sine of the angle at which a plane can still be used
-constexpr int ringSegments = 64;
+constexpr double axisLength = 80, axisGap = 16;    ///< [px]
+constexpr double planeNear = 26, planeFar = 42;    ///< [px] from the centre
+constexpr double ringRadius = 100;                 ///< [px]
+constexpr double reach = 7;                        ///< [px]
+constexpr double leastAxis = 14;                   ///< [px] of an axis that can still be aimed along
+constexpr double flattest = 0.15;                  ///< sine of the angle at which a plane can still be used
+constexpr int ringSegments = 64;                   ///< of what is drawn of a ring
 constexpr double headLength = 11, headWidth = 4.5; ///< [px]
 
 const std::array<QColor, 3> axisColours = {QColor(232, 74, 74), QColor(94, 190, 70), QColor(74, 132, 240)};
@@ -51,25 +51,19 @@ double distanceTo(const GizmoHandle& handle, const Eigen::Vector2d& point) {
     return least;
 }
 
-/// The longest run of a ring's points that look at the eye, in order.
+/// The half of a ring that is nearer to the eye, from end to end; all of it where it is seen from above.
 std::vector<Vec3> nearHalf(const Vec3& centre, const Vec3& axis, double radius, const Camera& camera) {
     const Tangents across = tangentsOf(axis);
     const Vec3 toEye = camera.orthographic ? Vec3(-camera.forward()) : (camera.eye() - centre).normalized();
-    const bool whole = std::abs(toEye.dot(axis)) > 0.98; // seen from above there is no far half
+    const bool whole = std::abs(toEye.dot(axis)) > 0.98;
+    const double nearest = std::atan2(toEye.dot(across.second), toEye.dot(across.first)); // [rad] its middle
+    const double reaches = whole ? std::numbers::pi : std::numbers::pi / 2; // [rad] to both sides
     std::vector<Vec3> points;
-    int first = 0; // where the near half begins
-    const auto armAt = [&](int i) {
-        const double angle = 2 * std::numbers::pi * i / ringSegments;
-        return Vec3(std::cos(angle) * across.first + std::sin(angle) * across.second);
-    };
-    while (!whole && first < ringSegments &&
-           !(armAt(first).dot(toEye) >= 0 && armAt(first + ringSegments - 1).dot(toEye) < 0))
-        ++first;
-    for (int i = first; i <= first + ringSegments; ++i)
-        if (whole || armAt(i).dot(toEye) >= 0)
-            points.push_back(centre + radius * armAt(i));
-        else
-            break;
+    for (int i = -ringSegments / 2; i <= ringSegments / 2; ++i) {
+        const double angle = nearest + reaches * i / (ringSegments / 2.0);
+        points.push_back(centre +
+                         radius * (std::cos(angle) * across.first + std::sin(angle) * across.second));
+    }
     return points;
 }
 

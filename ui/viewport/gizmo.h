@@ -15,8 +15,8 @@ class QPainter;
 //
 //        y
 //        |   ▫        arrows move along an axis of the world, squares in the plane of two,
-//        | ▫          rings turn about an axis; only the half of a ring that looks at the
-//        o----- x     eye is there to be taken
+//        | ▫          rings turn about an axis; only the half of a ring that is nearer
+//        o----- x     to the eye is there to be taken
 
 namespace carom {
 

@@ -70,6 +70,28 @@ class ViewCubeTest : public QObject {
         QCOMPARE(partAt(far, far.front().line.back()), far.front().part);
         QCOMPARE(partAt(far, {5, 5}), GizmoPart::None);
     }
+
+    // Seen along a diagonal of its plane a ring began at its first point, wherever the eye was, and was a
+    // quarter long: a point at the edge of the near half was on different sides of it after a whole turn.
+    void ofARingTheNearHalfIsThere() {
+        Camera camera;
+        camera.orthographic = true; // both ends are then opposite of each other
+        for (int yaw = 0; yaw < 16; ++yaw)
+            for (const double pitch : {-0.7, 0.3, 0.9}) {
+                camera.yaw = yaw * std::numbers::pi / 8;
+                camera.pitch = pitch;
+                const Eigen::Vector2d centre = *projected(camera, picture, camera.target);
+                int rings = 0;
+                for (const GizmoHandle& handle : gizmoOf(camera, picture, camera.target, true)) {
+                    if (!isTurn(handle.part)) continue;
+                    ++rings;
+                    const Eigen::Vector2d middle = 0.5 * (handle.line.front() + handle.line.back());
+                    QVERIFY2((middle - centre).norm() < 10, // a segment, and not half of a ring, away
+                             qPrintable(QStringLiteral("yaw %1/8 pi, pitch %2").arg(yaw).arg(pitch)));
+                }
+                QCOMPARE(rings, 3);
+            }
+    }
 };
 
 } // namespace carom
