@@ -32,7 +32,7 @@ bool mayReplace(QWidget* parent, const QString& title, const QString& path) {
 } // namespace
 
 QString askWhereToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
-                       const FirstFile& firstFile) {
+                       const Replaced& replaced) {
     QString proposed = QDir(lastFolder()).filePath(name);
     for (;;) {
         QString filter;
@@ -43,8 +43,8 @@ QString askWhereToSave(QWidget* parent, const QString& title, const QString& nam
         static const QRegularExpression ending(QStringLiteral("\\*(\\.\\w+)"));
         if (QFileInfo(path).suffix().isEmpty()) path += ending.match(filter).captured(1);
         rememberFolderOf(path);
-        const QString written = firstFile ? firstFile(path) : path;
-        if (!QFileInfo::exists(written) || mayReplace(parent, title, written)) return path;
+        const QString old = replaced ? replaced(path) : QFileInfo::exists(path) ? path : QString();
+        if (old.isEmpty() || mayReplace(parent, title, old)) return path;
         proposed = path;
     }
 }

@@ -12,6 +12,7 @@
 #include <QImage>
 #include <QMetaObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
@@ -43,8 +44,19 @@ int VideoPlan::pictures() const {
     return 1 + static_cast<int>(std::clamp(behind, 0.0, 1e9));
 }
 
-QString firstFileOf(const QString& path) {
-    return endingOf(path) == QLatin1StringView("png") ? numbered(path, 0) : path;
+QString replacedBy(const QString& path, int pictures) {
+    if (endingOf(path) != QLatin1StringView("png")) return QFileInfo::exists(path) ? path : QString();
+    static const QRegularExpression number(QStringLiteral("^-(\\d{5})\\.png$"));
+    const QFileInfo file(path);
+    const QString name = file.completeBaseName();
+    const QDir folder = file.dir();
+    for (const QString& there :
+         folder.entryList(QDir::AllEntries | QDir::Hidden | QDir::System, QDir::Name)) {
+        if (!there.startsWith(name)) continue;
+        const QRegularExpressionMatch match = number.match(there.mid(name.size()));
+        if (match.hasMatch() && match.captured(1).toInt() < pictures) return folder.filePath(there);
+    }
+    return {};
 }
 
 QString objectionTo(const VideoPlan& plan) {

@@ -30,8 +30,9 @@ struct VideoPlan {
     int pictures() const;
 };
 
-/// The file that a video of this path begins with: the path itself, or the first of its numbered pictures.
-QString firstFileOf(const QString& path);
+/// The first file that stands where a video of so many pictures would be written: at the path itself, or at
+/// that of one of its numbered pictures. Empty where there is none.
+QString replacedBy(const QString& path, int pictures);
 
 /// Why this plan cannot be recorded; empty if it can. MP4 needs the program `ffmpeg`.
 QString objectionTo(const VideoPlan& plan);

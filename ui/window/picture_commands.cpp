@@ -115,20 +115,21 @@ void PictureCommands::askForVideo() {
     form.addRow(tr("Rate"), rate);
     form.addRow(tr("Speed"), speed);
     if (!accepted(dialog, form)) return;
-    const QString path = askWhereToSave(
-        &m_window, tr("Record a video"), QStringLiteral("run.gif"),
-        tr("Animated pictures (*.gif);;Videos (*.mp4);;One picture a frame (*.png)"), firstFileOf);
-    if (path.isEmpty()) return;
     const auto even = [](const QSpinBox* box) { return box->value() / 2 * 2; };
     const Viewport& viewport = m_window.viewport();
-    video({.look = viewport.view({even(width), even(height)}),
-           .overlays = viewport.overlays(),
-           .from = from->value(),
-           .to = to->value(),
-           .rate = rate->value(),
-           .speed = speed->value(),
-           .size = {even(width), even(height)},
-           .path = path});
+    VideoPlan plan{.look = viewport.view({even(width), even(height)}),
+                   .overlays = viewport.overlays(),
+                   .from = from->value(),
+                   .to = to->value(),
+                   .rate = rate->value(),
+                   .speed = speed->value(),
+                   .size = {even(width), even(height)},
+                   .path = {}};
+    plan.path = askWhereToSave(
+        &m_window, tr("Record a video"), QStringLiteral("run.gif"),
+        tr("Animated pictures (*.gif);;Videos (*.mp4);;One picture a frame (*.png)"),
+        [pictures = plan.pictures()](const QString& path) { return replacedBy(path, pictures); });
+    if (!plan.path.isEmpty()) video(plan);
 }
 
 void PictureCommands::video(const VideoPlan& plan) {

@@ -25,7 +25,7 @@ constexpr int opens = 300; // [ms] until the dialog is there; it is asked for ag
 struct Asked {
     QString folder, proposed, path, question;
 
-    explicit Asked(const QString& name, bool mayReplace = true, const FirstFile& firstFile = {}) {
+    explicit Asked(const QString& name, bool mayReplace = true, const Replaced& replaced = {}) {
         QTimer user;
         QObject::connect(&user, &QTimer::timeout, [this, &name, mayReplace] {
             if (QMessageBox* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
@@ -47,7 +47,7 @@ struct Asked {
         });
         user.start(opens);
         path = askWhereToSave(nullptr, QStringLiteral("Record"), QStringLiteral("run.gif"),
-                              QStringLiteral("Animated (*.gif);;Videos (*.mp4)"), firstFile);
+                              QStringLiteral("Animated (*.gif);;Videos (*.mp4)"), replaced);
     }
 };
 
@@ -82,12 +82,11 @@ class SaveDialogTest : public QObject {
         QVERIFY(kept.path.isEmpty());
         QCOMPARE(Asked(QStringLiteral("clip")).path, folder.filePath(QStringLiteral("clip.gif")));
         QVERIFY(Asked(QStringLiteral("other")).question.isEmpty());
-        // Where the first of many is another file, that one counts.
-        const auto first = [](const QString& path) { return path + QStringLiteral("-0"); };
-        QVERIFY(Asked(QStringLiteral("clip"), true, first).question.isEmpty());
-        QFile numbered(folder.filePath(QStringLiteral("new.gif-0")));
-        QVERIFY(numbered.open(QIODevice::WriteOnly));
-        QVERIFY(Asked(QStringLiteral("new"), true, first).question.contains(QStringLiteral("new.gif-0")));
+        // Where other files are written than the one of that name, those count.
+        QVERIFY(
+            Asked(QStringLiteral("clip"), true, [](const QString&) { return QString(); }).question.isEmpty());
+        const auto third = [](const QString& path) { return path + QStringLiteral("-3"); };
+        QVERIFY(Asked(QStringLiteral("new"), true, third).question.contains(QStringLiteral("new.gif-3")));
     }
 
     void whoeverChangesTheirMindGetsNoPath() { QVERIFY(Asked(QString()).path.isEmpty()); }

@@ -125,6 +125,23 @@ class PicturesTest : public QObject {
         QCOMPARE(written.last(), QStringLiteral("run-00004.png"));
     }
 
+    // Only the first number was looked at: where it was free, the others were overwritten without a question.
+    void anyPictureThatAVideoWouldReplaceIsFound() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("run[1].png"));
+        for (const char* other : {"run[1].png", "run[1]-3.png", "run[1]-00003.jpg", "run1-00003.png"})
+            writeFile(folder.filePath(QLatin1StringView(other)), "");
+        QCOMPARE(replacedBy(path, 5), QString());
+        const QString third = folder.filePath(QStringLiteral("run[1]-00003.png"));
+        writeFile(third, "");
+        QCOMPARE(replacedBy(path, 5), third);
+        QCOMPARE(replacedBy(path, 3), QString()); // it ends before
+        const QString animation = folder.filePath(QStringLiteral("run.gif"));
+        QCOMPARE(replacedBy(animation, 5), QString());
+        writeFile(animation, "");
+        QCOMPARE(replacedBy(animation, 5), animation);
+    }
+
     void withoutItsProgramAnMp4IsRefusedAndWithItItGetsThePictures() {
         Ide ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
