@@ -107,6 +107,7 @@ class ColourSwatch : public QWidget {
     std::int64_t offset() const { return m_offset; }
 
   protected:
+    void mousePressEvent(QMouseEvent*) override {} // the text below it has no part in it
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
         painter.fillRect(rect(), palette().color(QPalette::Text));
@@ -222,7 +223,9 @@ bool LiteralHandles::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_number || watched == m_colour) {
         if (event->type() == QEvent::Enter) m_leave.stop();
         if (event->type() == QEvent::Leave) m_leave.start();
-        if (watched == m_colour && event->type() == QEvent::MouseButtonRelease) pick(m_colour->offset());
+        if (watched == m_colour && event->type() == QEvent::MouseButtonRelease &&
+            static_cast<QMouseEvent&>(*event).button() == Qt::LeftButton)
+            pick(m_colour->offset());
         return false;
     }
     const bool moves = event->type() == QEvent::MouseMove;

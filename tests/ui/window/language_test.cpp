@@ -264,7 +264,11 @@ class LanguageTest : public QObject {
         hover(ide.editor, placeOfText(ide.editor, "colour "));
         QWidget* swatch = ide.editor.viewport()->findChild<QWidget*>(QStringLiteral("colourSwatch"));
         QVERIFY(swatch->isVisible());
+        const std::uint32_t caret = ide.editor.caret();
+        QTest::mouseClick(swatch, Qt::RightButton);
+        QVERIFY(ide.editor.findChild<QColorDialog*>() == nullptr);
         QTest::mouseClick(swatch, Qt::LeftButton);
+        QCOMPARE(ide.editor.caret(), caret); // it went to the place under the square
         QColorDialog* dialog = ide.editor.findChild<QColorDialog*>();
         QVERIFY(dialog != nullptr);
         QCOMPARE(dialog->currentColor(), QColor(255, 0, 0));
