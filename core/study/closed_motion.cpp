@@ -23,7 +23,8 @@ ClosedMotion freeMotion(const Pipeline& pipeline) {
     const State start = pipeline.initialState();
     const Vec3 gravity = pipeline.gravity(), inertia = pipeline.bodies().inertia[0];
     const Vec3 momentum = angularMomentumFrom(inertia, start.pose[0].orientation, start.angularVelocity[0]);
-    return {"free motion", [=, last = 0.0, turned = start.pose[0].orientation](double time) mutable {
+    return {Sentence{"free motion"},
+            [=, last = 0.0, turned = start.pose[0].orientation](double time) mutable {
                 std::vector<Pose> pose = start.pose;
                 pose[0].position =
                     reference::freeFall(start.pose[0].position, start.velocity[0], gravity, time).place;
@@ -54,7 +55,7 @@ std::optional<ClosedMotion> alongSpring(const Pipeline& pipeline) {
     const double middle = spring.length + gravity.dot(line) / (rate * rate);
     const double offset = distance - middle, speed = start.velocity[0].dot(line) / rate;
     if (!(middle - std::hypot(offset, speed) > 0)) return std::nullopt; // it would pass through the anchor
-    return ClosedMotion{"harmonic oscillation", [=, poses = start.pose](double time) {
+    return ClosedMotion{Sentence{"harmonic oscillation"}, [=, poses = start.pose](double time) {
                             std::vector<Pose> pose = poses;
                             const double phase = rate * time;
                             pose[0].position =

@@ -12,7 +12,7 @@ namespace carom {
 
 /// A scene whose motion is a closed form of time.
 struct ClosedMotion {
-    std::string name; ///< "free motion"
+    Sentence name; ///< "free motion"
     std::function<std::vector<Pose>(double time)> at;
 };
 

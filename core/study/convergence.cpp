@@ -341,13 +341,17 @@ Reason yardstickOf(const AccuracyStudy& study) {
         text = againstWhat(reference.kind);
         text.add(noReferenceReason(), "");
     } else if (doubtful) {
-        text = Sentence{"Errors are deviations from the scene's own finest run (%1, good to %2): those below "
-                        "%3 say little else",
-                        {reference.description, figure(reference.error), figure(study.resolution())}};
+        text = Sentence{"Errors are deviations from the scene's own finest run ("};
+        text.add(reference.description, "");
+        text.add(Sentence{", good to %1): those below %2 say little else",
+                          {figure(reference.error), figure(study.resolution())}},
+                 "");
     } else {
         text = againstWhat(reference.kind);
-        if (reference.description != nameOf(reference.kind))
-            text.add(verbatim(" (" + reference.description + ")"), "");
+        if (!reference.description.empty()) {
+            text.add(reference.description, " (");
+            text.add(verbatim(")"), "");
+        }
         text.add(Sentence{", good to %1", {figure(reference.error)}}, "");
     }
     if (reference.chaotic && reference.kind != ReferenceKind::None) addHorizon(reference, text);

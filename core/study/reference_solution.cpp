@@ -245,7 +245,6 @@ std::optional<ReferenceSolution> exactReference(Search& search, const Bodies& bo
     if (!run->outcome && !request.settings.method->isExact) return std::nullopt;
     search.shortenTo(*run);
     ReferenceSolution reference{.kind = ReferenceKind::ExactEvents,
-                                .description = "exact events",
                                 .looksPerFrame = looksBetween,
                                 .size = sizeOf(bodies, run->trajectory),
                                 .error = roundingOfReference,
@@ -287,8 +286,9 @@ class Convergence {
         while (m_substeps < most() && m_stalls < mostStalls && m_reference.error > convergedEnough)
             if (!refine()) break;
         if (m_search.stopped()) return std::nullopt;
-        m_reference.description = std::string("contacts, ") + m_integrator + ", preset " + m_grade.preset +
-                                  ", " + std::to_string(m_substeps) + " substeps";
+        m_reference.description =
+            verbatim(std::string("contacts, ") + m_integrator + ", preset " + m_grade.preset);
+        m_reference.description.add(Sentence{", %1 substeps", {std::to_string(m_substeps)}}, "");
         conclude(m_bodies, std::move(*m_run), m_reference);
         return std::move(m_reference);
     }
@@ -409,7 +409,7 @@ class Convergence {
 /// Something to be relative to where nothing can be followed.
 ReferenceSolution noReference(const Pipeline& pipeline, const ReferenceRequest& request) {
     const Trajectory start{request.settings.step, {pipeline.initialState().pose}};
-    ReferenceSolution reference{.kind = ReferenceKind::None, .description = noReferenceReason().text()};
+    ReferenceSolution reference{.kind = ReferenceKind::None, .description = noReferenceReason()};
     reference.size = sizeOf(pipeline.bodies(), start);
     reference.duration = request.duration;
     reference.horizons.assign(pipeline.bodies().count(), 0);

@@ -52,10 +52,10 @@ struct ReferenceRequest {
 
 struct ReferenceSolution {
     ReferenceKind kind = ReferenceKind::ConvergedRun;
-    std::string description{}; ///< "exact events", "contacts, rk4, 256 substeps"; of None, why
-    int looksPerFrame = 1;     ///< frames included
-    Trajectory trajectory{};   ///< every 1/looksPerFrame of a frame
-    ImpactRecord impacts{};    ///< empty where they cannot be seen, or in a closed form, which has none
+    Reason description{};    ///< "free motion", "contacts, rk4, 256 substeps"; of exact events nothing
+    int looksPerFrame = 1;   ///< frames included
+    Trajectory trajectory{}; ///< every 1/looksPerFrame of a frame
+    ImpactRecord impacts{};  ///< empty where they cannot be seen, or in a closed form, which has none
     std::optional<Outcome> outcome{};  ///< of a closed form nothing
     double outcomeScatter = 0;         ///< of it, among the runs that led here, as OutcomeErrors::worst
     std::vector<double> energy{};      ///< [J] at the ends of frames, the start first; of a closed form none

@@ -140,6 +140,13 @@ jenseits des Horizonts, Mediane von %1 Kopien: Geschwindigkeiten um %2 % daneben
     </message>
 </context>
 <context>
+    <name>ColourPicker</name>
+    <message>
+        <source>Choose a colour</source>
+        <translation>Eine Farbe wählen</translation>
+    </message>
+</context>
+<context>
     <name>ComparisonCharts</name>
     <message>
         <source>Broad-phase in each frame</source>
@@ -2305,10 +2312,6 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <translation>Die Studie wurde angehalten, bevor es etwas zum Vergleichen gab.</translation>
     </message>
     <message>
-        <source>Errors are deviations from the scene&apos;s own finest run (%1, good to %2): those below %3 say little else</source>
-        <translation>Fehler sind Abweichungen vom feinsten Lauf der Szene selbst (%1, genau bis %2): unter %3 sagen sie sonst wenig</translation>
-    </message>
-    <message>
         <source>, good to %1</source>
         <translation>, genau bis %1</translation>
     </message>
@@ -2479,6 +2482,22 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
     <message>
         <source>rolling resistance</source>
         <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>free motion</source>
+        <translation>freie Bewegung</translation>
+    </message>
+    <message>
+        <source>harmonic oscillation</source>
+        <translation>harmonische Schwingung</translation>
+    </message>
+    <message>
+        <source>Errors are deviations from the scene&apos;s own finest run (</source>
+        <translation>Fehler sind Abweichungen vom feinsten Lauf der Szene selbst (</translation>
+    </message>
+    <message>
+        <source>, good to %1): those below %2 say little else</source>
+        <translation>, genau bis %1): unter %2 sagen sie sonst wenig</translation>
     </message>
 </context>
 <context>
@@ -2839,20 +2858,16 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
         <translation>Trägheit um %1</translation>
     </message>
     <message>
-        <source>position at the start</source>
+        <source>position at start</source>
         <translation>Ort am Anfang</translation>
     </message>
     <message>
-        <source>velocity at the start</source>
+        <source>velocity at start</source>
         <translation>Geschwindigkeit am Anfang</translation>
     </message>
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>A double click chooses another one</source>
-        <translation>Ein Doppelklick wählt eine andere</translation>
     </message>
     <message>
         <source>Sweep this value…</source>
@@ -2861,6 +2876,10 @@ Ein Klick auf einen Körper, oder die Schreibmarke in seiner Deklaration, zeigt 
     <message>
         <source>Sweep its %1…</source>
         <translation>%1 davon variieren …</translation>
+    </message>
+    <message>
+        <source>A click on the square chooses another one</source>
+        <translation>Ein Klick auf das Quadrat wählt eine andere</translation>
     </message>
 </context>
 <context>

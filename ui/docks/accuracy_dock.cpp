@@ -187,13 +187,12 @@ AccuracyDock::AccuracyDock(QWidget* parent)
         const auto pipeline =
             std::make_shared<const Pipeline>(m_studied->scene(), m_chosen->setting.options());
         Q_EMIT runWanted(pipeline);
-        Q_EMIT reported(tr("running with %1").arg(QString::fromStdString(m_chosen->setting.name())));
+        Q_EMIT reported(tr("running with %1").arg(sentences(saidOf(m_chosen->setting))));
     });
     connect(m_use, &QPushButton::clicked, this, [this] {
         SimulationSettings settings = m_chosen->setting.options();
         Q_EMIT settingWanted(settings);
-        Q_EMIT reported(
-            tr("%1 is now the scene's own setting").arg(QString::fromStdString(m_chosen->setting.name())));
+        Q_EMIT reported(tr("%1 is now the scene's own setting").arg(sentences(saidOf(m_chosen->setting))));
     });
     updateControls();
 }
@@ -348,7 +347,7 @@ void AccuracyDock::showChart() {
     ChartSpec shown = m_chart.spec;
     shown.title.clear();
     shown.note.clear(); // it stands above
-    if (m_chosen && !compares) markChosen(*m_result, *m_chosen, shown);
+    if (m_chosen) markChosen(*m_result, *m_chosen, shown);
     shown.leastForBelow = heightForLegend; // where there is none, the mouse over a point tells
     m_plot->setChart(shown);
 }

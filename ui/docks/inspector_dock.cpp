@@ -17,6 +17,7 @@
 #include <QPolygonF>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
@@ -42,6 +43,8 @@ constexpr int parameterRole = Qt::UserRole + 2, literalRole = Qt::UserRole + 3;
 constexpr int curveRole = Qt::UserRole + 4;
 /// Of the name's cell of a quantity: what it was when it was shown, with all digits.
 constexpr int measuredRole = Qt::UserRole + 5;
+/// Of a value's cell: nothing stands in the curve's beside it, so that it may reach there.
+constexpr int spreadsRole = Qt::UserRole + 6;
 constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
 constexpr int curveWidth = 56;         // [px]
 constexpr int leastWidth = 250;        // [px] of a panel that has room for curves and sliders
@@ -49,7 +52,7 @@ constexpr int leastNames = 96;         // [px] that names keep beside them
 
 constexpr int refreshInterval = 100; // [ms]
 constexpr int digits = 6;            // significant: more change too quickly to be read
-constexpr int digitsOfSeveral = 4;   // where several figures share a cell; its tip has all
+constexpr int digitsOfSeveral = 3;   // where several figures share a cell; its tip has all
 
 /// Of core, which speaks English.
 QString translated(std::string_view title) {
@@ -98,8 +101,39 @@ bool isValue(const QString& text) {
 class ValueField : public QStyledItemDelegate {
   public:
     using Take = std::function<void(const QString& parameter, const QString& text)>;
-    ValueField(Take take, std::function<void()> pickColour, QObject* parent)
-        : QStyledItemDelegate(parent), m_take(std::move(take)), m_pickColour(std::move(pickColour)) {}
+    ValueField(Take take, std::function<void()> pickColour, QTreeWidget* tree)
+        : QStyledItemDelegate(tree), m_tree(tree), m_take(std::move(take)),
+          m_pickColour(std::move(pickColour)) {}
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const QSize hint = QStyledItemDelegate::sizeHint(option, index);
+        return {std::max(0, hint.width() - spreadOf(index)), hint.height()};
+    }
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyleOptionViewItem wide = option;
+        wide.rect.setLeft(option.rect.left() - spreadOf(index));
+        QStyledItemDelegate::paint(painter, wide, index);
+    }
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override {
+        editor->setGeometry(option.rect.adjusted(-spreadOf(index), 0, 0, 0));
+    }
+    /// A click on a colour's square asks for another one.
+    bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                     const QModelIndex& index) override {
+        if (event->type() == QEvent::MouseButtonRelease &&
+            index.data(parameterRole).toString() == colourParameter) {
+            const QMouseEvent& mouse = static_cast<QMouseEvent&>(*event);
+            QStyleOptionViewItem shown = option;
+            initStyleOption(&shown, index);
+            const QRect square =
+                m_tree->style()->subElementRect(QStyle::SE_ItemViewItemDecoration, &shown, m_tree);
+            if (mouse.button() == Qt::LeftButton && square.contains(mouse.position().toPoint()))
+                m_pickColour();
+        }
+        return QStyledItemDelegate::editorEvent(event, model, option, index);
+    }
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
                           const QModelIndex& index) const override {
@@ -121,6 +155,12 @@ class ValueField : public QStyledItemDelegate {
     }
 
   private:
+    /// How far a value reaches into the curves' column [px].
+    int spreadOf(const QModelIndex& index) const {
+        return index.data(spreadsRole).toBool() && !m_tree->isColumnHidden(Curve) ? curveWidth : 0;
+    }
+
+    QTreeWidget* m_tree;
     Take m_take;
     std::function<void()> m_pickColour;
 };
@@ -299,6 +339,7 @@ QTreeWidgetItem* InspectorDock::addRow(QTreeWidgetItem* group, const QString& na
     row->setData(Value, unitRole, unit);
     setFigure(*row, value);
     row->setTextAlignment(Value, Qt::AlignRight | Qt::AlignVCenter);
+    row->setData(Value, spreadsRole, group != m_live);
     return row;
 }
 
@@ -325,6 +366,7 @@ void InspectorDock::addSlidingField(QTreeWidgetItem* group, const QString& name,
     ValueSlider* slider = new ValueSlider(value, range);
     slider->setObjectName(QLatin1StringView(parameter) + QStringLiteral("Slider"));
     slider->setAccessibleName(name);
+    row->setData(Value, spreadsRole, false);
     m_tree->setItemWidget(row, Curve, slider);
     connectSlider(*slider, row);
 }
@@ -399,7 +441,8 @@ void InspectorDock::addColour(QTreeWidgetItem* group, const Vec3& colour) {
     QTreeWidgetItem* row = group->child(group->childCount() - 1);
     setFigure(*row, wordsFor(colour));
     row->setIcon(Value, QIcon(square));
-    row->setToolTip(Value, tr("A double click chooses another one"));
+    row->setData(Value, spreadsRole, false);
+    row->setToolTip(Value, tr("A click on the square chooses another one"));
 }
 
 void InspectorDock::pickColour() {
@@ -430,8 +473,8 @@ void InspectorDock::addDeclared() {
         addRow(group, tr("distance from the origin"), figure(wall->offset), metres);
     } else {
         const Vec3 &at = body.pose.position, &moving = body.velocity;
-        addField(group, tr("position at the start"), "centre", {at.x(), at.y(), at.z()}, metres);
-        addField(group, tr("velocity at the start"), "vel", {moving.x(), moving.y(), moving.z()},
+        addField(group, tr("position at start"), "centre", {at.x(), at.y(), at.z()}, metres);
+        addField(group, tr("velocity at start"), "vel", {moving.x(), moving.y(), moving.z()},
                  QStringLiteral("m/s"));
     }
     if (bodies.mobile[m_body] != 0) {
@@ -476,6 +519,7 @@ void InspectorDock::resizeEvent(QResizeEvent* event) {
 
 /// Curves and sliders stand there where names and values have room beside them.
 void InspectorDock::fitColumns() {
+    m_tree->setColumnHidden(Curve, false); // values reach into it
     const int values = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(Value);
     const int names = width() - curveWidth - values;
     m_tree->setColumnHidden(Curve, width() < leastWidth || names < leastNames);

@@ -158,8 +158,8 @@ class AccuracyBudgetTest : public QObject {
         const AccuracyStudy study = studiedByCount(scene, plan);
         QVERIFY(study.complete);
         QCOMPARE(study.duration, duration);
-        QVERIFY2(study.reference->description.find("preset default") != std::string::npos,
-                 study.reference->description.c_str());
+        const std::string described = study.reference->description.text();
+        QVERIFY2(described.find("preset default") != std::string::npos, described.c_str());
         QVERIFY(study.reference->outcome && !study.reference->energy.empty());
         QVERIFY(study.seconds <= plan.budget);
     }

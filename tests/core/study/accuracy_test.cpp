@@ -120,7 +120,7 @@ class AccuracyTest : public QObject {
         const AccuracyStudy study = studied(scene, quickPlan(scene, {1, 2}, 0.5));
         QCOMPARE(study.reference->kind, ReferenceKind::ConvergedRun);
         QVERIFY(study.reference->error > 0 && study.reference->error < 1e-3);
-        QVERIFY(q(yardstickOf(study).text()).contains(q(study.reference->description)));
+        QVERIFY(q(yardstickOf(study).text()).contains(q(study.reference->description.text())));
     }
 
     void aGasIsChaoticAndItsErrorsEndAtTheHorizon() {

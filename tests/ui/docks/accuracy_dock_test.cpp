@@ -226,6 +226,9 @@ class AccuracyDockTest : public QObject {
         QVERIFY(!m_run->isEnabled());
         Q_EMIT m_plot->pointClicked(balls, 0);
         QVERIFY(m_run->isEnabled());
+        const ChartSeries mark = m_plot->chart().series.back(); // a ring around it, as where nothing is kept
+        QCOMPARE(mark.mark, SeriesMark::Halo);
+        QCOMPARE(mark.x.front(), m_plot->chart().series[static_cast<std::size_t>(balls)].x.front());
     }
 
     void diagramAndFiguresAreWritten() {

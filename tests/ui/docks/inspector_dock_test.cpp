@@ -8,6 +8,8 @@
 #include "core/simulation/world.h"
 
 #include <QApplication>
+#include <QColorDialog>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -116,6 +118,42 @@ class InspectorDockTest : public QObject {
         QCOMPARE(dock.valueOf(QStringLiteral("colour")), QStringLiteral("0.12, 0.23, 0.35"));
         dock.showBody(0);
         QCOMPARE(dock.valueOf(QStringLiteral("colour")), QStringLiteral("gray"));
+    }
+
+    // The cue ball of the pool break: beside its place "position at the start" was "posi…tart".
+    void namesCanBeReadBesideAPlaceOfManyDigits() {
+        InspectorDock dock;
+        dock.showPipeline(
+            build("sphere cue { radius .027 mass .17 centre .000298,.027,.9 vel 0,0,-8 }").pipeline);
+        dock.resize(310, 400); // as in a window of 1580 px
+        dock.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
+        dock.showBody(0);
+        QTreeWidget* tree = dock.findChild<QTreeWidget*>();
+        QVERIFY(!tree->isColumnHidden(2)); // curves and sliders stand beside them all the same
+        const int needed = tree->fontMetrics().horizontalAdvance(QStringLiteral("angular velocity x"));
+        QTRY_VERIFY_WITH_TIMEOUT(tree->columnWidth(0) > needed, longestWait);
+    }
+
+    void aClickOnTheSquareOfAColourAsksForAnotherOne() {
+        InspectorDock dock;
+        dock.showPipeline(build("wall { normal 0,1,0 toOrig 0 colour gray }").pipeline);
+        dock.resize(310, 400);
+        dock.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dock, longestWait));
+        dock.showBody(0);
+        QTreeWidget* tree = dock.findChild<QTreeWidget*>();
+        const QTreeWidgetItem* row = tree->findItems(QStringLiteral("colour"), Qt::MatchRecursive).front();
+        const QRect cell = tree->visualItemRect(row);
+        const QRect value(tree->columnViewportPosition(1), cell.top(), tree->columnWidth(1), cell.height());
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, {value.right() - 8, value.center().y()});
+        QVERIFY(dock.findChild<QColorDialog*>() == nullptr); // its name
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, {value.left() + 10, value.center().y()});
+        QTRY_VERIFY_WITH_TIMEOUT(dock.findChild<QColorDialog*>() != nullptr, longestWait);
+        QSignalSpy wanted(&dock, &InspectorDock::valueWanted);
+        Q_EMIT dock.findChild<QColorDialog*>()->colorSelected(QColor(255, 0, 0));
+        QCOMPARE(wanted.front().at(2).toString(), QStringLiteral("1, 0, 0"));
+        dock.findChild<QColorDialog*>()->close();
     }
 
     void withoutABodyTheWholeIsShownAndAnEmptySceneSaysWhatToDo() {

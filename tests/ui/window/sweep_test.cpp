@@ -107,7 +107,7 @@ class SweepTest : public QObject {
         QCOMPARE(menu->actions().size(), 1);
         menu->actions().front()->trigger();
         QCOMPARE(ide.vary(), QStringLiteral("right.radius=0.25:0.75:9"));
-        const std::unique_ptr<QMenu> vector(inspector.menuOf(QStringLiteral("position at the start")));
+        const std::unique_ptr<QMenu> vector(inspector.menuOf(QStringLiteral("position at start")));
         QVERIFY(vector);
         QCOMPARE(vector->actions().size(), 3);
         vector->actions()[1]->trigger();

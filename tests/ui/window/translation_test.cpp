@@ -170,6 +170,17 @@ class TranslationTest : public QObject {
             point.times = {1.0 + setting.substeps};
         }
         static const QRegularExpression english(QStringLiteral("\\b(the|of|is|at|than|below|substeps?)\\b"));
+        // "128 substeps" of the run that errors are measured against stayed English longest.
+        const Build sliding = build("wall { normal 0,1,0 toOrig 0 friction .5 }\n"
+                                    "sphere { radius .5 mass 1 centre 0,.5,0 vel 1,0,0 friction .5 }");
+        AccuracyPlan brief = planFor(sliding.pipeline->scene());
+        brief.settings.resize(1);
+        brief.duration = 0.1;
+        AccuracyListener silent;
+        silent.goOn = [](double) { return true; };
+        silent.changed = [](const AccuracyStudy&) {};
+        study.reference = runAccuracy(sliding.pipeline->scene(), brief, silent).reference;
+        QVERIFY(study.reference && study.reference->kind == ReferenceKind::ConvergedRun);
         for (const MeasureRow& measure : measures()) {
             study.measure = &measure;
             for (const std::string_view words : {measure.noun, measure.axis, measure.help})
