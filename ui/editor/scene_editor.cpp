@@ -10,6 +10,7 @@
 #include <QContextMenuEvent>
 #include <QDragEnterEvent>
 #include <QFontDatabase>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
 #include <QToolTip>
@@ -357,6 +358,16 @@ void SceneEditor::dropEvent(QDropEvent* event) {
         QsciScintilla::dropEvent(event);
     else
         Q_EMIT fileDropped(path);
+}
+
+/// A letter with Alt belongs to a menu or a button, and where there is none of that letter, to nobody.
+void SceneEditor::keyPressEvent(QKeyEvent* event) {
+    const bool isForMenus = event->modifiers().testFlag(Qt::AltModifier) &&
+                            !event->modifiers().testFlag(Qt::ControlModifier); // both together are AltGr
+    if (isForMenus && !event->text().isEmpty() && event->text().front().isPrint())
+        event->ignore();
+    else
+        QsciScintilla::keyPressEvent(event);
 }
 
 } // namespace carom

@@ -91,6 +91,7 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     void configureEditing();

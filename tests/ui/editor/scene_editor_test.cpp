@@ -414,6 +414,14 @@ class SceneEditorTest : public QObject {
         QCOMPARE(editor.bytes(), QByteArray("a1\na2\na3\n"));
     }
 
+    void aLetterWithAltIsNotTyped() {
+        SceneEditor editor(m_theme);
+        editor.show();
+        QTest::keyClick(&editor, 'd', Qt::AltModifier);                       // of a menu that there is not
+        QTest::keyClick(&editor, '{', Qt::AltModifier | Qt::ControlModifier); // AltGr
+        QVERIFY2(!editor.bytes().contains('d') && editor.bytes().startsWith('{'), editor.bytes().constData());
+    }
+
     void aNewLineIsIndentedLikeTheOneAboveItAndBracesAreMatched() {
         SceneEditor editor(m_theme);
         editor.show();
