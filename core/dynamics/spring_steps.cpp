@@ -41,6 +41,8 @@ constexpr double mostOfRounding = 16; // of all springs at a body
 /// is lost, not its bound.
 constexpr double mostTurn = 0.18;
 constexpr int mostCuts = 64;
+/// So many times as many are tried where the iteration does not lead to a solution for what turns.
+constexpr int mostFiner = 8;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 } // namespace
@@ -169,6 +171,15 @@ void SpringSteps::pull(double T) {
     }
 }
 
+// The square of the speed at which as much energy moves as turns with an angular momentum [m²/s²]; 0 of what
+// no spring turns.
+double SpringSteps::squaredSpeed(const SpringNetwork& network, std::size_t place,
+                                 const Vec3& momentum) const {
+    const Moving& body = m_moving[place];
+    const Vec3& inertia = network.bodies.inertia[network.moving[place]];
+    return body.turns ? momentum.squaredNorm() * body.inverseMass / inertia.minCoeff() : 0;
+}
+
 // The bodies, by those impulses. How much their velocities have changed [m/s].
 double SpringSteps::advance(const SpringNetwork& network, double T) {
     const Vec3 fall = T * network.gravity;
@@ -180,12 +191,11 @@ double SpringSteps::advance(const SpringNetwork& network, double T) {
         body.v1 = velocity;
         body.x1 = body.x0 + (0.5 * T) * (body.v0 + velocity);
         if (!body.turns) continue;
-        const Vec3& inertia = network.bodies.inertia[network.moving[k]];
         const Vec3 momentum = body.L0 + body.torque;
-        change = std::max(change, (momentum - body.L1).squaredNorm() * body.inverseMass / inertia.minCoeff());
+        change = std::max(change, squaredSpeed(network, k, momentum - body.L1));
         body.L1 = momentum;
         body.q1 = body.q0;
-        rotateFreely(inertia, 0.5 * (body.L0 + momentum), T, body.q1);
+        rotateFreely(network.bodies.inertia[network.moving[k]], 0.5 * (body.L0 + momentum), T, body.q1);
     }
     return std::sqrt(change);
 }
@@ -200,7 +210,7 @@ bool SpringSteps::followPart(const SpringNetwork& network, double T, double gues
         body.q0 = body.q1;
         body.impulse.setZero();
         body.torque.setZero();
-        fastest = std::max(fastest, body.v0.squaredNorm());
+        fastest = std::max({fastest, body.v0.squaredNorm(), squaredSpeed(network, k, body.L0)});
     }
     m_rounding = 0;
     beginLinks(T, guess);
@@ -247,10 +257,21 @@ void SpringSteps::noteVelocities() {
 
 bool SpringSteps::find(const SpringNetwork& network, double h, int order, const State& state) {
     load(network, state);
-    m_looks = m_times = 0;
+    m_looks = 0;
+    const int cuts = cutsFor(network, h, state);
+    // Where arms turn the iteration gains less in a longer step, and may gain nothing.
+    const bool turns = std::ranges::any_of(m_moving, [](const Moving& body) { return body.turns; });
+    for (int finer = 1; finer <= (turns ? mostFiner : 1) && finer * cuts <= mostCuts; finer *= 2)
+        if (follow(network, h, order, state, finer * cuts)) return true;
+    return false;
+}
+
+// Into so many steps of equal length.
+bool SpringSteps::follow(const SpringNetwork& network, double h, int order, const State& state, int cuts) {
+    load(network, state);
+    m_times = 0;
     m_velocities.clear();
     noteVelocities();
-    const int cuts = cutsFor(network, h, state);
     const double step = h / cuts;
     std::span<const double> parts = orderFour;
     const bool isResolved = fastestDamping() * step <= mostDamping;

@@ -90,6 +90,8 @@ class SpringSteps {
     void beginLinks(double T, double guess);
     double fastestDamping() const;
     int cutsFor(const SpringNetwork& network, double h, const State& state) const;
+    double squaredSpeed(const SpringNetwork& network, std::size_t place, const Vec3& momentum) const;
+    bool follow(const SpringNetwork& network, double h, int order, const State& state, int cuts);
     void noteVelocities();
 
     std::vector<int> m_place; // by body of the scene

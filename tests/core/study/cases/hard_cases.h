@@ -21,7 +21,6 @@ struct KnownFailure {
 };
 
 inline constexpr std::array knownFailures{
-    KnownFailure{"spinner_on_spring", StudyColumn::Accurate, "energy is off by 3.6e-6 at 1000 rad/s"},
     KnownFailure{"thin_bodies", StudyColumn::Default, "a stick of 1:100 sinks in by 1.6 times its thickness"},
     KnownFailure{"thin_bodies", StudyColumn::Accurate, "energy rises by 6.7e-5 between two frames"},
 };
