@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/failing_files.h"
+#include "tests/support/faults.h"
 #include "tests/support/whole_ide.h"
 
 #include "ui/base/file_output.h"
@@ -15,27 +16,13 @@
 #include <cerrno>
 #include <system_error>
 
-// Everything that writes a file × every call that can fail × every reason: the file before it stays whole,
-// nothing is left beside it, and the reason is said.
+// Everything that writes a file × every call that can fail: the file before it stays whole, nothing is left
+// beside it, and the reason is said.
 
 using namespace carom;
 using namespace carom::test;
 
 namespace {
-
-struct Fault {
-    const char* call;
-    const char* name;
-    int cause;
-};
-
-std::vector<Fault> faults() {
-    std::vector<Fault> all;
-    for (const char* call : {"open", "write", "fsync", "close", "rename"})
-        for (const auto& [name, cause] : {std::pair{"ENOSPC", ENOSPC}, {"EIO", EIO}, {"EACCES", EACCES}})
-            all.push_back({call, name, cause});
-    return all;
-}
 
 struct Writer {
     const char* name;
@@ -138,7 +125,7 @@ void WritersTest::aWriterThatFailsKeepsTheFileAndSaysWhy_data() {
     QTest::addColumn<int>("cause");
     int number = 0;
     for (const Writer& writer : writers()) {
-        for (const Fault& fault : faults())
+        for (const Fault& fault : faultsToTry(static_cast<std::size_t>(number)))
             QTest::addRow("%s: %s %s", writer.name, fault.call, fault.name)
                 << number << QByteArray(fault.call) << fault.cause;
         ++number;
