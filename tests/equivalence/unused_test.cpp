@@ -30,7 +30,7 @@ struct Profile {
 };
 
 /// By then every list has its size.
-constexpr int warmUp = 60, counted = 30;
+constexpr int warmUp = 60, counted = 12;
 
 /// What a callgrind file tells. A name stands where it comes first, `fn=(7) carom::step(World&)`, and a
 /// number afterwards; under `ob=`, the program or a library, and `fn=` come the costs, `line cost`, and
