@@ -98,7 +98,7 @@ class StudyAccuracyTest : public QObject {
     }
 
     void theEndOfTheBudgetIsNoInterruption() {
-        const Ended ended = carom({"study", "accuracy", source("scenes/dominoes.sdl"), "--budget=1.5"});
+        const Ended ended = carom({"study", "accuracy", source("scenes/dominoes.sdl"), "--budget=.5"});
         QCOMPARE(ended.exitCode, 0);
         QVERIFY2(ended.out.contains("left out"), qPrintable(ended.out));
         QVERIFY(!ended.out.contains("interrupted"));
