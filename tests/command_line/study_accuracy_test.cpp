@@ -3,7 +3,6 @@
 #include "tests/support/test_class.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <csignal>

@@ -76,12 +76,13 @@ class PlotTest : public QObject {
                                   QStringLiteral("time that one simulated second takes [ms]"), longestWait);
         QVERIFY(plot.showsLegend()); // beside
         plot.resize(700, 150);
-        QTRY_VERIFY2(plot.labelOfY().endsWith(QString::fromUtf8("… [ms]")), qPrintable(plot.labelOfY()));
+        QTRY_VERIFY2_WITH_TIMEOUT(plot.labelOfY().endsWith(QString::fromUtf8("… [ms]")),
+                                  qPrintable(plot.labelOfY()), longestWait);
         QVERIFY(plot.showsLegend());
         plot.resize(300, 150); // neither beside nor below is room for it
         QTRY_VERIFY_WITH_TIMEOUT(!plot.showsLegend(), longestWait);
         plot.resize(300, 400);
-        QTRY_VERIFY(plot.showsLegend()); // below
+        QTRY_VERIFY_WITH_TIMEOUT(plot.showsLegend(), longestWait); // below
         QTRY_COMPARE_WITH_TIMEOUT(plot.labelOfY(),
                                   QStringLiteral("time that one simulated second takes [ms]"), longestWait);
     }
