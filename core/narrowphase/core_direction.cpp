@@ -322,13 +322,4 @@ bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3&
     return true;
 }
 
-bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
-                  Manifold& manifold) {
-    const Vec3& origin = a.pose->position;
-    DirectionSource source;
-    if (!findByCores(solidOf(a, origin), solidOf(b, origin), origin, guess, margin, manifold, source))
-        return collide(a, b, margin, manifold);
-    return manifold.count > 0;
-}
-
 } // namespace carom

@@ -45,11 +45,9 @@ Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, c
 /// Whether both shapes are cylinders or cuboids.
 inline bool haveCores(const Shape& a, const Shape& b) { return isSolid(a) && isSolid(b); }
 
-/// As carom::collide, for shapes that have cores. `guess` is a unit vector from A to B, or any.
-bool collideCores(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin,
-                  Manifold& manifold);
-/// The same of solids seen from `origin`, which is best near them: the points are computed there. False, and
-/// nothing is found, where it takes the exact method.
+/// As carom::collide, for two solids seen from `origin`, which is best near them: the points are computed
+/// there. `guess` is a unit vector from A to B, or any. False, and nothing is found, where it takes the exact
+/// method.
 bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
                  Manifold& manifold, DirectionSource& source);
 

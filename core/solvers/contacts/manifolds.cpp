@@ -26,10 +26,12 @@ double sizeOf(const Bodies& bodies, BodyPair pair) {
     return std::min(a, b);
 }
 
-/// B seen from A.
+/// Of B, seen from A.
+Quat relativeOrientation(const State& state, BodyPair pair) {
+    return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
+}
 Pose relativePose(const State& state, BodyPair pair) {
-    const Pose &a = state.pose[pair.a], &b = state.pose[pair.b];
-    return {a.toBody(b.position), a.orientation.conjugate() * b.orientation};
+    return {state.pose[pair.a].toBody(state.pose[pair.b].position), relativeOrientation(state, pair)};
 }
 
 bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
@@ -224,11 +226,6 @@ void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3
     if (!(distance > 0)) return;
     normal = approach.between / distance;
     separation = normal.dot(input.state.pose[pair.b].position - input.state.pose[pair.a].position) - radii;
-}
-
-/// Of B, seen from A.
-Quat relativeOrientation(const State& state, BodyPair pair) {
-    return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
 }
 
 Solids solidsOf(const ManifoldInput& input, BodyPair pair) {

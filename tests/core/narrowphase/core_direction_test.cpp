@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/quick_contact.h"
 #include "tests/support/test_class.h"
 
 #include "core/narrowphase/core_direction.h"
@@ -45,7 +46,7 @@ struct Found {
 
 Found quickOf(const PlacedShape& a, const PlacedShape& b, const Vec3& guess, double margin) {
     Found found;
-    found.touches = collideCores(a, b, guess, margin, found.manifold);
+    found.touches = test::collideQuickly(a, b, guess, margin, found.manifold);
     return found;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tests/support/quick_contact.h"
 #include "tests/support/scenes.h"
 
 #include "core/math/rotation.h"
-#include "core/narrowphase/core_direction.h"
 #include "core/solvers/contacts/manifolds.h"
 
 namespace carom::test {
@@ -31,7 +31,7 @@ struct Two {
         Manifold result;
         const PlacedShape a{&bodies.shape[0], &state.pose[0]}, b{&bodies.shape[1], &state.pose[1]};
         if (haveCores(*a.shape, *b.shape))
-            collideCores(a, b, (b.pose->position - a.pose->position).normalized(), margin, result);
+            collideQuickly(a, b, (b.pose->position - a.pose->position).normalized(), margin, result);
         else
             collide(a, b, margin, result);
         return result;
