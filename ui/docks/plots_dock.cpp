@@ -97,6 +97,7 @@ void PlotsDock::showPipeline(std::shared_ptr<const Pipeline> pipeline) {
     m_reached = 0;
     m_bodies->showPipeline(m_pipeline);
     restart();
+    tellProgress();
 }
 
 void PlotsDock::reach(std::int64_t frame) {

@@ -139,6 +139,18 @@ class PlotsDockTest : public QObject {
         QVERIFY(lines[1].startsWith("0,0,0.35")); // of frames 0 to 7, and 7 · 3 / 60 = 0.35
     }
 
+    void anotherSceneIsNotBehind() {
+        // "filling in: frame 0 of 3582" of the scene before stayed beside the curves of one at frame 0.
+        Shown shown;
+        const auto ball = [] { return build("sphere ball { radius .1 mass 1 centre 0,0,0 }").pipeline; };
+        shown.dock.showPipeline(ball());
+        shown.add("ball", "position x");
+        shown.dock.reach(1'000'000);
+        QVERIFY(shown.named<QLabel>("plotProgress")->isVisible());
+        shown.dock.showPipeline(ball());
+        QVERIFY(!shown.named<QLabel>("plotProgress")->isVisible());
+    }
+
     void aClickInTheChartPicksTheFrameUnderIt() {
         Shown shown;
         shown.dock.reach(30);
