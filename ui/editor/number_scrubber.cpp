@@ -43,6 +43,7 @@ NumberScrubber::NumberScrubber(SceneEditor& editor) : QObject(&editor), m_editor
     m_pause.setSingleShot(true);
     m_pause.setInterval(wheelPause);
     connect(&m_pause, &QTimer::timeout, this, &NumberScrubber::letGo);
+    connect(&editor, &SceneEditor::aboutToBeReplaced, this, &NumberScrubber::letGo);
 }
 
 bool NumberScrubber::turnAtCaret(int steps) {

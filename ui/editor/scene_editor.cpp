@@ -270,6 +270,7 @@ QByteArray SceneEditor::bytes() const {
 }
 
 void SceneEditor::setBytes(const QByteArray& bytes) {
+    Q_EMIT aboutToBeReplaced();
     setReadOnly(false);
     send(SCI_SETUNDOCOLLECTION, 0);
     send(SCI_CLEARALL);

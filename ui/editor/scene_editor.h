@@ -82,6 +82,8 @@ class SceneEditor : public QsciScintilla, public TextBuffer {
     void caretMoved(std::uint32_t offset);
     void savedStateChanged(bool differs);
     void fileDropped(const QString& path);
+    /// Another text is about to take the place of this one, with its undo steps: one that is open ends now.
+    void aboutToBeReplaced();
     /// The menu of a right click, or of the menu key, is about to open at a place of the text: who has
     /// something to offer adds it.
     void menuOpens(QMenu& menu, std::uint32_t offset);

@@ -86,6 +86,7 @@ BodyDrag::BodyDrag(SceneEditor& editor, Viewport& viewport, Simulation& simulati
     connect(&viewport, &Viewport::dragBegan, this, &BodyDrag::begin);
     connect(&viewport, &Viewport::dragged, this, &BodyDrag::moveTo);
     connect(&viewport, &Viewport::dragEnded, this, &BodyDrag::end);
+    connect(&editor, &SceneEditor::aboutToBeReplaced, this, &BodyDrag::end);
 }
 
 /// The text must be the one on screen, and give the value in numbers.

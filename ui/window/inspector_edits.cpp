@@ -20,6 +20,7 @@ InspectorEdits::InspectorEdits(InspectorDock& inspector, SceneEditor& editor, Li
         end();
         m_isHeld = false;
     });
+    connect(&editor, &SceneEditor::aboutToBeReplaced, this, &InspectorEdits::end);
 }
 
 /// The text must be the one that is shown: else the places in it are of another one.

@@ -187,6 +187,17 @@ class LanguageTest : public QObject {
         QVERIFY(ide.editor.bytes().contains("substeps 5 ")); // a whole number stays one
     }
 
+    void anotherSceneEndsWhatTheWheelTurns() {
+        // The undo step was open for another 600 ms, and closing it ended the program: its text was gone.
+        Ide ide;
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 1);
+        ide.bench.document().startNew(twoBalls + "// another\n");
+        turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 2);
+        QVERIFY(ide.editor.bytes().contains("centre -0.8,1,0 vel"));
+        ide.editor.undo();
+        QCOMPARE(ide.editor.bytes(), twoBalls + "// another\n");
+    }
+
     void aShortcutBetweenTwoTurnsOfTheWheelEatsNoByte() {
         Ide ide;
         turnWheel(ide.editor, placeOfText(ide.editor, "centre -"), 11); // from -1: a letter more
