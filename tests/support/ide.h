@@ -30,6 +30,14 @@ class IdeApplication {
         QApplication::setOrganizationName(QStringLiteral("carom-test"));
         QApplication::setApplicationName(QStringLiteral("carom-test"));
     }
+    ~IdeApplication() {
+        if (atEnd) atEnd();
+    }
+    IdeApplication(const IdeApplication&) = delete;
+    IdeApplication& operator=(const IdeApplication&) = delete;
+
+    /// What has to be gone before the application is.
+    static inline std::function<void()> atEnd;
 
   private:
     QTemporaryDir m_home;

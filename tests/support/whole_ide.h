@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/ide.h"
+#include "tests/support/kept_window.h"
 
 #include "ui/docks/problems_dock.h"
 #include "ui/viewport/viewport.h"
@@ -17,26 +18,28 @@ inline const QByteArray twoBalls = "camera { position 0,1,6 target 0,1,0 fov 40 
                                    "sphere left { radius .5 mass 1 centre -1,1,0 vel 0,3,0 colour red }\n"
                                    "sphere right { radius .5 mass 1 centre 1,1,0 colour blue }\n";
 
-/// The whole IDE with the two balls in it, on the screen.
+/// The whole IDE with the two balls in it, on the screen: as new, but the window may have been used by a test
+/// before (kept_window.h). A window of its own gets who finds settings, which are read when it is made.
 struct Ide {
     QTemporaryDir folder;
     QString path = folder.filePath(QStringLiteral("balls.sdl"));
-    Workbench bench;
+    std::unique_ptr<Workbench> owned;
+    bool kept;
+    Workbench& bench = *owned;
     SceneEditor& editor = bench.window().editor();
     Viewport& viewport = bench.window().viewport();
     Simulation& simulation = bench.simulation();
     std::int64_t frame = -1;
+    std::unique_ptr<QObject> scope = std::make_unique<QObject>(); ///< of what the test connects to the window
 
-    explicit Ide(const QByteArray& text = twoBalls) {
-        QObject::connect(&simulation, &Simulation::snapshotArrived, &bench,
-                         [this](const std::shared_ptr<const Snapshot>& s) { frame = s->frame; });
-        bench.window().show();
-        writeFile(path, text);
-        if (bench.document().open(path)) qFatal("the test's scene cannot be opened");
-        bench.window().activateWindow();
-        if (!QTest::qWaitForWindowActive(&bench.window(), longestWait)) qFatal("the window is not active");
+    explicit Ide(const QByteArray& text = twoBalls) : Ide(text, QSettings().allKeys().isEmpty()) {}
+    ~Ide() {
+        scope.reset();
+        editor.markSaved();
+        if (kept && !QTest::currentTestFailed()) KeptWindow::giveBack(std::move(owned));
     }
-    ~Ide() { editor.markSaved(); }
+    Ide(const Ide&) = delete;
+    Ide& operator=(const Ide&) = delete;
 
     void trigger(ActionId id) { bench.window().actions()[id].trigger(); }
     int problems() { return bench.window().problems().findChild<QAbstractItemView*>()->model()->rowCount(); }
@@ -56,6 +59,23 @@ struct Ide {
                 if (viewport.hitAt(QPointF(x, y)).body == body) return {x, y};
         return {-1, -1};
     }
+
+  protected:
+    Ide(const QByteArray& text, bool mayBeKept)
+        : owned(mayBeKept ? KeptWindow::take() : KeptWindow::makeWindow()), kept(mayBeKept) {
+        QObject::connect(&simulation, &Simulation::snapshotArrived, scope.get(),
+                         [this](const std::shared_ptr<const Snapshot>& s) { frame = s->frame; });
+        writeFile(path, text);
+        if (bench.document().open(path)) qFatal("the test's scene cannot be opened");
+        bench.window().activateWindow();
+        if (!QTest::qWaitForWindowActive(&bench.window(), longestWait)) qFatal("the window is not active");
+        editor.viewport()->repaint(); // nobody uses a text that is not on the screen yet
+    }
+};
+
+/// One with a window of its own, for tests of how a window begins and ends.
+struct NewIde : Ide {
+    explicit NewIde(const QByteArray& text = twoBalls) : Ide(text, false) {}
 };
 
 inline void typeAtTheEnd(SceneEditor& editor, const char* text) {

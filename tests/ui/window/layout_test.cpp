@@ -126,13 +126,13 @@ class LayoutTest : public QObject {
         };
         QList<QMap<QString, QSize>> before, after;
         {
-            Ide ide;
+            NewIde ide;
             resized(ide, {1500, 940});
             before = look(ide);
             resized(ide, {1000, 700});
             look(ide);
         } // keeps them for the next session
-        Ide ide;
+        NewIde ide;
         resized(ide, {1500, 940});
         after = look(ide);
         QCOMPARE(after.size(), before.size());
@@ -241,7 +241,7 @@ class LayoutTest : public QObject {
         QFETCH(QString, language);
         QFETCH(QSize, size);
         installTranslation(*qApp, language);
-        Ide ide;
+        NewIde ide;
         MainWindow& window = ide.bench.window();
         window.resize(size);
         placeCaretBehind(ide.editor, "sphere left");

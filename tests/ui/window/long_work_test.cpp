@@ -47,7 +47,7 @@ struct LongIde : Ide {
     void openAnd(const std::function<void()>& act) {
         bool done = false;
         const QMetaObject::Connection connection =
-            QObject::connect(&builds, &LiveBuild::progressed, &bench, [&] {
+            QObject::connect(&builds, &LiveBuild::progressed, scope.get(), [&] {
                 if (!std::exchange(done, true)) act();
             });
         QVERIFY(!bench.document().open(largePath));
@@ -72,11 +72,12 @@ class LongWorkTest : public QObject {
         QVERIFY(!ide.strip.isVisible());
         QVERIFY(!ide.cancel.isEnabled());
         bool seen = false;
-        QObject::connect(&ide.builds, &LiveBuild::progressed, &ide.bench, [&] { // the first may round to 0
-            seen = seen || (ide.strip.isVisible() && ide.cancel.isEnabled() &&
-                            ide.strip.findChild<QProgressBar*>()->value() > 0 &&
-                            ide.strip.findChild<QLabel*>()->text().contains(QStringLiteral("left")));
-        });
+        QObject::connect(
+            &ide.builds, &LiveBuild::progressed, ide.scope.get(), [&] { // the first may round to 0
+                seen = seen || (ide.strip.isVisible() && ide.cancel.isEnabled() &&
+                                ide.strip.findChild<QProgressBar*>()->value() > 0 &&
+                                ide.strip.findChild<QLabel*>()->text().contains(QStringLiteral("left")));
+            });
         ide.openAnd([] {});
         QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait);
         QVERIFY(seen);

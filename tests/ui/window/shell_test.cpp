@@ -174,10 +174,10 @@ class ShellTest : public QObject {
 
     void theWorkspaceOfTheLastSessionIsTakenUp() {
         {
-            Ide ide;
+            NewIde ide;
             ide.trigger(ActionId::WorkspaceWatch);
         }
-        const Ide next;
+        const NewIde next;
         QVERIFY(next.bench.window().actions()[ActionId::WorkspaceWatch].isChecked());
         QVERIFY(!next.bench.window().problems().isVisible());
     }

@@ -82,7 +82,7 @@ class WindowSoakTest : public QObject {
 
     void aDayOfWorkHoldsNoMoreThanItsFirstMinutes() {
         const int rounds = roundsOf("CAROM_SOAK", 40);
-        Ide ide;
+        NewIde ide;
         QTRY_COMPARE_WITH_TIMEOUT(ide.frame, 0, longestWait);
         std::vector<qint64> held; // after each round that follows the first ones
         qint64 files = 0;

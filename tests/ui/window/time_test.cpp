@@ -135,16 +135,17 @@ class TimeTest : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(!ide.simulation.isRunning(), longestWait);
         QStringList notices;
         bool asked = false;
-        connect(&ide.bench.preview(), &LivePreview::noticeChanged, &ide.bench, [&](const QString& notice) {
-            notices.append(notice);
-            if (asked || !notice.startsWith(QStringLiteral("Simulating"))) return;
-            asked = true;
-            QTimer::singleShot(0, &ide.bench, [&] {
-                ide.simulation.setSpeed(1);
-                Q_EMIT ide.bench.window().accuracy().runWanted(
-                    build(ide.bench.document().text().toStdString()).pipeline);
-            });
-        });
+        connect(&ide.bench.preview(), &LivePreview::noticeChanged, ide.scope.get(),
+                [&](const QString& notice) {
+                    notices.append(notice);
+                    if (asked || !notice.startsWith(QStringLiteral("Simulating"))) return;
+                    asked = true;
+                    QTimer::singleShot(0, ide.scope.get(), [&] {
+                        ide.simulation.setSpeed(1);
+                        Q_EMIT ide.bench.window().accuracy().runWanted(
+                            build(ide.bench.document().text().toStdString()).pipeline);
+                    });
+                });
         typeAtTheEnd(ide.editor, "sphere { radius .2 mass 1 centre 0,2,0 }");
         QTRY_VERIFY_WITH_TIMEOUT(asked, longestWait);
         QTRY_VERIFY_WITH_TIMEOUT(ide.frame > 0 && ide.frame < 3000, longestWait); // a run from the start

@@ -86,12 +86,12 @@ class TranslationTest : public QObject {
     void noTextOfTheWindowStaysEnglish() {
         QSet<QString> english, german;
         {
-            const Ide ide;
+            const NewIde ide;
             english = textsOf(ide.bench.window());
         }
         installTranslation(*qApp, QStringLiteral("de"));
         {
-            const Ide ide;
+            const NewIde ide;
             german = textsOf(ide.bench.window());
         }
         QVERIFY(english.size() > 250); // what the test looks at is there
@@ -119,7 +119,7 @@ class TranslationTest : public QObject {
 
     void theEffectsAreNamedInGerman() {
         installTranslation(*qApp, QStringLiteral("de"));
-        const Ide ide;
+        const NewIde ide;
         const QString text = ide.bench.window().effects().findChild<QTextBrowser*>()->toPlainText();
         QVERIFY2(text.contains(QStringLiteral("Schwerkraft")), qPrintable(text));
         QVERIFY2(text.contains(QStringLiteral("nicht vorhanden")), qPrintable(text));

@@ -287,6 +287,7 @@ class WorkbenchTest : public QObject {
         QCOMPARE(readFile(ide.path), twoBalls + "// mine");
         QVERIFY(!ide.bench.window().isWindowModified());
 
+        ide.bench.window().show(); // one that is hidden is closed without a question
         typeAtTheEnd(ide.editor, "// theirs");
         answer(QMessageBox::Discard);
         QVERIFY(ide.bench.window().close());
