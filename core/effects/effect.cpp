@@ -8,13 +8,13 @@
 
 namespace carom {
 
-#define CAROM_EFFECT(row, words) extern const EffectRow row;
+#define CAROM_EFFECT(row, words, account) extern const EffectRow row;
 #include "core/scene/effects.def"
 #undef CAROM_EFFECT
 
 std::span<const EffectRow> effects() {
     static const std::array rows = {
-#define CAROM_EFFECT(row, words) row,
+#define CAROM_EFFECT(row, words, account) row,
 #include "core/scene/effects.def"
 #undef CAROM_EFFECT
     };

@@ -10,7 +10,7 @@
 namespace carom {
 
 // Each stands in the file of its effect, above this module; only the linker knows where.
-#define CAROM_EFFECT(row, words) EffectWords words();
+#define CAROM_EFFECT(row, words, account) EffectWords words();
 #include "core/scene/effects.def"
 #undef CAROM_EFFECT
 
@@ -18,7 +18,7 @@ EffectWords noWords() { return {}; }
 
 const std::vector<EffectWords>& effectWords() {
     static const std::vector<EffectWords> all = {
-#define CAROM_EFFECT(row, words) words(),
+#define CAROM_EFFECT(row, words, account) words(),
 #include "core/scene/effects.def"
 #undef CAROM_EFFECT
     };
