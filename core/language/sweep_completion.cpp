@@ -4,7 +4,7 @@
 #include "core/language/measure_words.h"
 #include "core/language/parameter_change.h"
 #include "core/language/sweep_proposals.h"
-#include "core/scene/schema.h"
+#include "core/scene/schema_rows.h"
 
 #include <algorithm>
 #include <array>
@@ -89,8 +89,10 @@ class SweepCompleter {
             add(CompletionKind::Label, scene.generated->bodies.name, "each generated body");
         if (!alsoDeclarations) return;
         add(CompletionKind::Word, "bodies", "each that has the parameter");
-        for (const char* name : {"simulation", "gravity", "air"})
-            add(CompletionKind::Declaration, name, "of the scene");
+        add(CompletionKind::Declaration, "simulation", "of the scene");
+        for (const EffectWords& words : effectWords())
+            for (const DeclarationRow& row : words.declarations)
+                if (row.once) add(CompletionKind::Declaration, row.name, "of the scene");
         if (scene.generated) add(CompletionKind::Declaration, "generate", "the generated bodies");
     }
 
