@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/bodies.h"
 
+#include "core/dynamics/free_rotation.h"
 #include "core/dynamics/numbering.h"
+
+#include <algorithm>
 
 namespace carom {
 namespace {
@@ -53,6 +56,13 @@ bool canRotate(const Scene& scene, const Body& body) {
     if (!body.mobile() || isWall(body.shape)) return false;
     if (body.angularVelocity != Vec3::Zero()) return true;
     return scene.bodies.size() > 1 && !hasCentralNormals(body.shape);
+}
+
+bool anyCanMeet(const Bodies& bodies) { return bodies.count() > 1 && !bodies.mobileBodies.empty(); }
+
+bool anyPrecesses(const Bodies& bodies) {
+    return std::ranges::any_of(bodies.rotating,
+                               [&](BodyIndex i) { return !hasEqualMoments(bodies.inertia[i]); });
 }
 
 } // namespace carom

@@ -62,6 +62,13 @@ Bodies bareBodiesOf(const Scene& scene);
 /// Bodies::rotating.
 bool canRotate(const Scene& scene, const Body& body);
 
+/// Whether any two bodies can meet: at least two bodies, one of them mobile.
+bool anyCanMeet(const Bodies& bodies);
+
+/// Whether the moments of inertia of a body that can turn differ, so that its angular velocity precesses
+/// where nothing acts on it.
+bool anyPrecesses(const Bodies& bodies);
+
 /// Mobile bodies for which `turns(body)` holds can rotate, too.
 template<class Predicate>
 void addRotating(Bodies& bodies, const Predicate& turns) {

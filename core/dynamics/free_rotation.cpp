@@ -201,6 +201,8 @@ Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state)
     return holds ? kept : angularMomentumFrom(inertia, orientation, spin);
 }
 
+bool hasEqualMoments(const Vec3& inertia) { return nearlyEqual(inertia.minCoeff(), inertia.maxCoeff()); }
+
 void keepAngularMomentum(const Bodies& bodies, BodyIndex body, const Vec3& angularMomentum, State& state) {
     const Vec3& inertia = bodies.inertia[body];
     if (isIsotropic(inertia)) return;

@@ -63,6 +63,10 @@ inline bool isIsotropic(const Vec3& inertia) {
     return inertia.x() == inertia.y() && inertia.y() == inertia.z();
 }
 
+/// Whether its moments differ by rounding alone, as those of a cylinder √3 times as high as its radius do:
+/// then its angular velocity does not precess.
+bool hasEqualMoments(const Vec3& inertia);
+
 /// Angular momentum of a mobile body [kg m²/s], world: the one kept, as long as the body only turned freely.
 Vec3 angularMomentumOf(const Bodies& bodies, BodyIndex body, const State& state);
 /// Gives a body an angular momentum; its angular velocity follows. Where the moments are equal the latter

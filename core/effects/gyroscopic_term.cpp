@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/free_rotation.h"
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
-
-#include <cmath>
 
 // Euler's equation for a free body, I ω' = −ω × I ω (L. Euler, 1758): where the three moments differ, a
 // constant angular momentum means a changing angular velocity. The reference kept ω constant between
@@ -12,25 +11,22 @@
 namespace carom {
 namespace {
 
-/// Moments whose relative difference is less are equal: a cylinder's with height √3 radius, in doubles.
-constexpr double equalMoments = 1e-14;
-
-bool isotropic(const Vec3& inertia) {
-    return inertia.maxCoeff() - inertia.minCoeff() <= equalMoments * inertia.maxCoeff();
-}
+/// A torque of less, relative to the largest there could be, is rounding: ten times that of the products
+/// below.
+constexpr double noTorque = 1e-14;
 
 // Spin about a principal axis stays there: ω × I ω = 0.
 bool spinsAboutPrincipalAxis(const Body& body) {
     const Vec3 spin = body.pose.directionToBody(body.angularVelocity);
     const Vec3 torque = spin.cross(inertiaOf(body.shape, 1).cwiseProduct(spin));
-    return torque.norm() <= equalMoments * inertiaOf(body.shape, 1).maxCoeff() * spin.squaredNorm();
+    return torque.norm() <= noTorque * inertiaOf(body.shape, 1).maxCoeff() * spin.squaredNorm();
 }
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "gyroscopic_term"};
     const Body* possible = nullptr; // could come to spin askew
     for (const Body& body : scene.bodies) {
-        if (!canRotate(scene, body) || isotropic(inertiaOf(body.shape, body.mass))) continue;
+        if (!canRotate(scene, body) || hasEqualMoments(inertiaOf(body.shape, body.mass))) continue;
         if (possible == nullptr) possible = &body;
         if (spinsAboutPrincipalAxis(body)) continue;
         decision.unmet.push_back(placeOf(scene, body.source, "angvel").value_or(SourceRange{}));

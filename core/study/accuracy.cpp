@@ -20,13 +20,13 @@ bool forcesVary(const Bodies& bodies) { return !bodies.springs.empty() || !bodie
 /// Whether integrators differ on this scene: something accelerates bodies, or turns them unevenly.
 bool integratorsMatter(const Pipeline& pipeline) {
     const Bodies& bodies = pipeline.bodies();
-    return bodies.gravity != Vec3::Zero() || forcesVary(bodies) || pipeline.simulates("gyroscopic_term");
+    return bodies.gravity != Vec3::Zero() || forcesVary(bodies) || anyPrecesses(bodies);
 }
 
 /// Schemes that are exact in free fall are one and the same where nothing bends the fall; one will do.
 bool duplicates(const IntegratorRow& integrator, const SolverRow& method, const Pipeline& pipeline) {
-    const bool bent = forcesVary(pipeline.bodies()) ||
-                      (method.abilities.gyroscopicTerm && pipeline.simulates("gyroscopic_term"));
+    const Bodies& bodies = pipeline.bodies();
+    const bool bent = forcesVary(bodies) || (method.abilities.gyroscopicTerm && anyPrecesses(bodies));
     if (bent || !integrator.motion.isExactInFreeFall) return false;
     const auto isExact = [](const IntegratorRow& row) { return row.motion.isExactInFreeFall; };
     const IntegratorRow* own = findIntegrator(method.integrator);
@@ -55,7 +55,7 @@ bool isWholePreset(const AccuracySetting& setting) {
 }
 
 void addFamilies(const SolverRow& method, const Pipeline& pipeline, AccuracyPlan& plan) {
-    const bool collides = pipeline.simulates("collision");
+    const bool collides = anyCanMeet(pipeline.bodies());
     for (const IntegratorRow& integrator : integrators()) {
         const bool standard = integrator.name == method.integrator;
         if (!standard && !integratorsMatter(pipeline)) continue;

@@ -15,18 +15,19 @@ namespace carom {
 namespace {
 
 /// Copies start so far apart, relative to the scene's size: exact ones above rounding, others above what the
-/// tolerance of their contacts leaves; and how many times as far they are when they count as parted.
+/// tolerance of their contacts leaves; and how many times as far they are when they count as diverged.
 constexpr double exactApart = 1e-12, runsApart = 1e-9, divergedBy = 1e3;
 /// Errors of a closed form and of exact events: rounding of a few thousand operations.
 constexpr double roundingOfReference = 1e-13;
-/// Looks a frame where nothing keeps them from the times between frames: errors are measured there too.
+/// Looks a frame where nothing keeps them from the times between frames: errors are measured there too. With
+/// half as many the largest error of a motion with a period of two frames may be missed.
 constexpr int looksBetween = 8;
 /// Substeps of the first converging run; a multiple of the looks.
 constexpr int firstSubsteps = 8;
 /// How much finer than the finest setting the last run is, and what is close enough to stop at.
 constexpr int finerThanFinest = 4;
 constexpr double convergedEnough = 1e-13;
-/// Runs that part no later and agree no better than those before, so often in a row, never will.
+/// Runs that diverge no later and agree no better than those before, so often in a row, never will.
 constexpr int mostStalls = 2;
 constexpr double furtherOn = 1.1, muchBetter = 0.7;
 /// Of the time for converging runs, the part that the first one may take: its copy takes as long, and a finer
@@ -174,7 +175,7 @@ void summariseHorizons(const Bodies& bodies, ReferenceSolution& reference) {
     reference.chaotic = reference.followed < reference.mobile;
 }
 
-/// How fast a nudged copy parts from the run, in the same setting, and where.
+/// How fast a nudged copy diverges from the run, in the same setting, and where.
 void measureChaos(const Trajectory& run, const Trajectory& copy, const Bodies& bodies,
                   ReferenceSolution& reference) {
     reference.horizons =
@@ -278,7 +279,7 @@ class Convergence {
     Convergence(Search& search, const Pipeline& pipeline)
         : m_search(search), m_bodies(pipeline.bodies()),
           m_integrator(!m_bodies.springs.empty() || m_bodies.count() == 1 ? "rk4" : "midpoint"),
-          m_looks(pipeline.simulates("collision") ? 1 : looksBetween) {}
+          m_looks(anyCanMeet(m_bodies) ? 1 : looksBetween) {}
 
     std::optional<ReferenceSolution> find() {
         if (!begin()) return std::nullopt;

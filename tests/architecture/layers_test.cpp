@@ -157,6 +157,18 @@ class LayersTest : public QObject {
         QCOMPARE(complaintAbout(file, {quoted, include}).isEmpty(), allowed);
     }
 
+    void effectsAreKnownByNameInNoMethodNoStudyAndNoFrontEnd() {
+        // What they need to know of a scene they ask the bodies, to which effects contribute. A name would
+        // also be what belongs to one effect alone: its account in the audit.
+        static const QRegularExpression named(R"((simulates|findEffect)\(\s*"|LedgerAccount::Drag)");
+        QStringList naming;
+        for (const QString& file : filesBelow({"core/integrators", "core/solvers", "core/expectations",
+                                               "core/study", "core/player", "ui", "app"},
+                                              {"*.h", "*.cpp"}))
+            if (named.match(read(file)).hasMatch()) naming << file;
+        QVERIFY2(naming.isEmpty(), qPrintable(naming.join('\n')));
+    }
+
     void everySourceOpensWithItsLicence() {
         QStringList bare;
         for (const QString& file : filesBelow({"core", "ui", "app", "tests"}, {"*.h", "*.cpp", "*.def"}))

@@ -58,6 +58,23 @@ class BodiesTest : public QObject {
         QVERIFY(bodiesOf(sceneOf({cylinder(1, 1, 1, Vec3::Zero())})).rotating.empty());
     }
 
+    void whatCanTurnWithUnequalMomentsPrecesses() {
+        const Body apart = sphere(1, 1, Vec3(9, 0, 0));
+        const auto precesses = [&](const Body& body) {
+            return anyPrecesses(bodiesOf(sceneOf({body, apart})));
+        };
+        QVERIFY(precesses(cuboid(Vec3(1, 1, 2), 1, Vec3::Zero())));
+        QVERIFY(!precesses(cuboid(Vec3(2, 2, 2), 1, Vec3::Zero())));
+        QVERIFY(precesses(cylinder(1, 1.7, 1, Vec3::Zero())));
+        QVERIFY(!precesses(cylinder(1, std::sqrt(3.0), 1, Vec3::Zero())));     // but for rounding
+        const Scene alone = sceneOf({cuboid(Vec3(1, 1, 2), 1, Vec3::Zero())}); // nothing can turn it
+        QVERIFY(!anyPrecesses(bodiesOf(alone)) && !anyCanMeet(bodiesOf(alone)));
+        QVERIFY(anyCanMeet(bodiesOf(sceneOf({apart, wall(Vec3::UnitY(), 0)}))));
+        Body fixed = apart;
+        fixed.fixed = true;
+        QVERIFY(!anyCanMeet(bodiesOf(sceneOf({fixed, wall(Vec3::UnitY(), 0)}))));
+    }
+
     void kineticEnergyCountsRotationAboutEachPrincipalAxis() {
         Body body = cylinder(0.5, 2, 3, Vec3(0, 7, 0));
         body.velocity = Vec3(1, 2, 2);
