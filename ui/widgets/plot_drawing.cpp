@@ -309,13 +309,44 @@ int widthOfNames(const QCustomPlot& plot, const ChartSpec& spec) {
     return longest + mark;
 }
 
-/// For the names in a column beside the axes.
+/// The sentence in lines that fit the width [px].
+QString broken(const QCustomPlot& plot, const QString& sentence, int width) {
+    constexpr double part = 0.9; // of the width
+    const QFontMetrics metrics(plot.font());
+    QString lines, line;
+    for (const QString& word : sentence.split(QLatin1Char(' '))) {
+        if (!line.isEmpty() && metrics.horizontalAdvance(line + QLatin1Char(' ') + word) > part * width) {
+            lines += line + QLatin1Char('\n');
+            line.clear();
+        }
+        line += (line.isEmpty() ? QString() : QStringLiteral(" ")) + word;
+    }
+    return lines + line;
+}
+
+/// Of the title and the note above the axes, where the names beside them have a width of `names` [px].
+int heightOfHeadings(const QCustomPlot& plot, const ChartSpec& spec, int names) {
+    constexpr int margins = 9; // [px] of each: what its text element and the layout leave free
+    const int line = QFontMetrics(plot.font()).lineSpacing();
+    int height = spec.title.isEmpty() ? 0 : line + margins;
+    if (!spec.note.isEmpty())
+        height +=
+            static_cast<int>(1 + broken(plot, spec.note, plot.width() - names).count(u'\n')) * line + margins;
+    return height;
+}
+
+/// For the names in a column beside the axes, a row each, below the headings.
 bool hasRoomBeside(const QCustomPlot& plot, const ChartSpec& spec) {
     constexpr double most = 0.45; // of the width
     const auto rows = static_cast<int>(
         std::ranges::count_if(spec.series, [](const ChartSeries& series) { return series.inLegend; }));
-    return widthOfNames(plot, spec) < most * plot.width() &&
-           rows * QFontMetrics(plot.legend->font()).lineSpacing() < plot.height();
+    const int row =
+        std::max(QFontMetrics(plot.legend->font()).lineSpacing(), plot.legend->iconSize().height());
+    const QMargins margins = plot.legend->margins();
+    const int names = widthOfNames(plot, spec);
+    return names < most * plot.width() &&
+           heightOfHeadings(plot, spec, names) + rows * row + margins.top() + margins.bottom() <=
+               plot.height();
 }
 
 /// The axes have their places when the plot is drawn: about so much of it is theirs [px].
@@ -391,21 +422,6 @@ bool isNear(const QCPAxis& axis, double value) {
     constexpr double extra = 0.25; // of its length
     const double share = shareOfAxis(axis, value);
     return share >= -extra && share <= 1 + extra;
-}
-
-/// The sentence in lines that fit the width [px].
-QString broken(const QCustomPlot& plot, const QString& sentence, int width) {
-    constexpr double part = 0.9; // of the width
-    const QFontMetrics metrics(plot.font());
-    QString lines, line;
-    for (const QString& word : sentence.split(QLatin1Char(' '))) {
-        if (!line.isEmpty() && metrics.horizontalAdvance(line + QLatin1Char(' ') + word) > part * width) {
-            lines += line + QLatin1Char('\n');
-            line.clear();
-        }
-        line += (line.isEmpty() ? QString() : QStringLiteral(" ")) + word;
-    }
-    return lines + line;
 }
 
 /// A text above everything that is there.

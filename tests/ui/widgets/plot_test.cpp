@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -202,6 +203,31 @@ class PlotTest : public QObject {
         QVERIFY(lowest() < axes);
         spec.series[1].name = QString(200, QLatin1Char('m')); // too long to stand beside
         QVERIFY(lowest() > axes);
+    }
+
+    // Rows of a legend are as high as their marks, 18 pixels, and stand below the headings: of nineteen names
+    // beside the axes the last was cut.
+    void namesThatStandBesideTheAxesAreAllThere() {
+        ChartSpec spec = example(SeriesStyle::Line);
+        spec.note = QStringLiteral("A sentence on what the chart says.");
+        spec.legendBeside = true;
+        constexpr std::size_t names = 19;
+        while (spec.series.size() < names) {
+            spec.series.push_back(spec.series[1]);
+            spec.series.back().name = QStringLiteral("series %1").arg(spec.series.size());
+        }
+        ChartSeries& last = spec.series.back();
+        last.colour = QColor(0x12, 0x34, 0x56);
+        last.x = last.y = {}; // it is in the legend alone
+        const QString path = m_folder.filePath(QStringLiteral("many.png"));
+        int fewest = std::numeric_limits<int>::max(), most = 0;
+        for (int height = 300; height <= 480; height += 12) {
+            QCOMPARE(writeChart(spec, path, {900, height}), QString());
+            const int pixels = pixelsOf(QImage(path), *last.colour);
+            fewest = std::min(fewest, pixels);
+            most = std::max(most, pixels);
+        }
+        QVERIFY2(fewest > 0.9 * most, qPrintable(QStringLiteral("%1 of %2").arg(fewest).arg(most)));
     }
 
     void stackedAreasAreAsLargeAsTheirFigures() {
