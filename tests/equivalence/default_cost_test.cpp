@@ -38,33 +38,41 @@ constexpr double fewSteps = 75, manySteps = 500;
 
 /// A scene, and what it takes to tell its settings apart.
 struct Row {
-    const char* scene;
-    int frames; ///< that errors are taken from
-    int finest; ///< substeps
+    const char* scene = "";
+    int frames = 30; ///< that errors are taken from
+    int finest = 16; ///< substeps
     double steps = manySteps;
 };
+/// Scenes whose settings differ later, or in which so many bodies touch that as many frames would take
+/// minutes.
 constexpr std::array rows = {
-    Row{"bouncing_ball", 30, 16},
     Row{"brownian", 2, 1}, // in more frames more balls meet, and more settings are worse
     Row{"card_house", 6, 4, fewSteps},
-    Row{"chain", 20, 16},
-    Row{"cradle", 30, 16}, // the first ball arrives after 0.4 s
+    Row{"chain", 20},
     Row{"dominoes", 12, 4, fewSteps},
     Row{"log_pile", 12, 4, fewSteps},
     Row{"mattress", 30, 4, fewSteps},
-    Row{"pendulums", 30, 16},
     Row{"pile", 6, 4, fewSteps},
     Row{"pool_break", 30, 8},
     Row{"pyramid", 20, 8, fewSteps},
-    Row{"slopes", 30, 16},
-    Row{"spinning_cylinder", 30, 16},
-    Row{"spring_pendulum", 30, 16},
     Row{"stone_wall", 12, 4, fewSteps},
     Row{"table", 36, 8}, // the spheres have landed
-    Row{"tour", 24, 16},
-    Row{"tower", 6, 16}, // it rests
-    Row{"tumbling_cuboid", 30, 16},
+    Row{"tour", 24},
+    Row{"tower", 6}, // it rests
 };
+
+Row rowOf(const QString& scene) {
+    const auto found =
+        std::ranges::find_if(rows, [&](const Row& row) { return scene == QLatin1StringView(row.scene); });
+    return found != rows.end() ? *found : Row{};
+}
+
+QStringList gallery() {
+    QStringList scenes = shippedScenes();
+    scenes.removeIf([](const QString& path) { return path.contains(QLatin1Char('/')); });
+    for (QString& scene : scenes) scene.chop(4);
+    return scenes;
+}
 
 QByteArray textOf(const QString& scene) {
     return readFile(source(("scenes/" + scene.toStdString() + ".sdl").c_str()));
@@ -161,14 +169,14 @@ class DefaultCostTest : public QObject {
 
   private Q_SLOTS:
     void initTestCase() {
-        for (const Row& row : rows) {
-            const QString scene = QString::fromUtf8(row.scene);
+        for (const QString& scene : gallery()) {
+            const Row row = rowOf(scene);
             const QByteArray text = textOf(scene);
             const Build built = build(text.toStdString());
             QVERIFY(built.pipeline);
             const std::vector<AccuracySetting> settings =
                 contenders(built.pipeline->scene(), row.frames, row.finest, row.steps);
-            QVERIFY2(!settings.empty(), row.scene);
+            QVERIFY2(!settings.empty(), qPrintable(scene));
             for (const AccuracySetting& setting : settings)
                 m_contenders[scene].push_back(
                     {QString::fromStdString(setting.name()), withSetting(text, setting)});
@@ -181,16 +189,13 @@ class DefaultCostTest : public QObject {
         QVERIFY2(m_instructions.size() == texts.size(), "valgrind is a package that the tests need");
     }
 
-    void everySceneOfTheGalleryIsHere() {
-        QStringList here, gallery = shippedScenes();
-        gallery.removeIf([](const QString& path) { return path.contains(QLatin1Char('/')); });
-        for (const Row& row : rows) here.push_back(QString::fromUtf8(row.scene) + QStringLiteral(".sdl"));
-        QCOMPARE(here, gallery);
+    void everyRowIsASceneOfTheGallery() {
+        for (const Row& row : rows) QVERIFY2(gallery().contains(QLatin1StringView(row.scene)), row.scene);
     }
 
     void theOwnSettingCostsAtMostThreeTimesTheCheapestThatIsNoWorse_data() {
         QTest::addColumn<QString>("scene");
-        for (const Row& row : rows) QTest::newRow(row.scene) << QString::fromUtf8(row.scene);
+        for (const QString& scene : gallery()) QTest::newRow(qPrintable(scene)) << scene;
     }
     void theOwnSettingCostsAtMostThreeTimesTheCheapestThatIsNoWorse() {
         QFETCH(QString, scene);

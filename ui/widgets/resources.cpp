@@ -12,6 +12,7 @@
 static void registerResources() {
     static const bool once = [] {
         Q_INIT_RESOURCE(carom);
+        Q_INIT_RESOURCE(carom_gallery);
         return true;
     }();
     static_cast<void>(once);

@@ -47,7 +47,7 @@ std::vector<GalleryScene> galleryScenes() {
     std::vector<GalleryScene> scenes;
     for (const QByteArray& line : resource(QStringLiteral("gallery/index")).split('\n')) {
         const QString name = QString::fromUtf8(line).section(u' ', 0, 0);
-        if (name.isEmpty() || name.startsWith(u'#')) continue;
+        if (name.isEmpty() || name.startsWith(u'#') || line.endsWith(" -")) continue;
         scenes.push_back(
             {name, QStringLiteral(":/gallery/%1.png").arg(name), QStringLiteral("scenes/%1.sdl").arg(name)});
     }
