@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <limits>
@@ -264,7 +265,7 @@ int studyMany(const Arguments& arguments) {
         if (arguments.has(option))
             throw UsageError("`--" + std::string(option) + "` is for one scene; there are " +
                              std::to_string(arguments.operands.size()));
-    std::size_t width = 0;
+    std::size_t width = std::string_view("scene").size();
     std::map<std::string, std::string> titles;
     for (const std::string& path : arguments.operands) {
         width = std::max(width, titleOf(path).size());
@@ -274,17 +275,20 @@ int studyMany(const Arguments& arguments) {
                              "`, and would write into one folder");
     }
     // What is wrong with the last scene is said before the first has taken a minute.
-    for (const std::string& path : partOf(shard, arguments.operands)) planned(arguments, path);
+    std::deque<PlannedStudy> waiting; // each is read once, and so are its warnings
+    for (const std::string& path : partOf(shard, arguments.operands))
+        waiting.push_back(planned(arguments, path));
     catchInterrupts();
     CsvTable table(comparisonColumns());
     printOut(comparisonHeading(width));
-    for (const std::string& path : partOf(shard, arguments.operands)) {
-        PlannedStudy one = planned(arguments, path);
+    for (; !waiting.empty(); waiting.pop_front()) {
+        PlannedStudy& one = waiting.front();
+        const std::string title = titleOf(one.path);
         openResults(arguments, one);
         const AccuracyStudy study = run(one, {});
-        printOut(comparisonLine(titleOf(path), width, study));
-        if (one.results) one.results->writeAll(study, titleOf(path));
-        addComparison(titleOf(path), study, table);
+        printOut(comparisonLine(title, width, study));
+        if (one.results) one.results->writeAll(study, title);
+        addComparison(title, study, table);
         if (const std::optional<std::string> folder = arguments.text("output"))
             writeFile(*folder, nameOfPart(comparisonFile, shard), CsvTable(table).take());
         if (!study.complete) return exitcode::interrupted;
@@ -351,9 +355,9 @@ CommandRow studyAccuracyCommand() {
             "twentieth of the budget, less of the scene is studied. Ctrl-C ends the study: what was measured "
             "is written, and the exit code is 130; at the end of the budget it is 0.\n\n"
             "Measures: `trajectory`, the greater of the largest distance, relative to the scene's size, and "
-            "the largest angle, of each body as long as it can be followed: until copies a hair apart have "
-            "parted, "
-            "or until the finest runs do not agree. `impacts`: how many are missed, and by how much each "
+            "the largest angle, of each body as long as it can be followed: until copies that start next to "
+            "each other have diverged, or until the finest runs do not agree. `impacts`: how many are "
+            "missed, and by how much each "
             "body's k-th one comes too early or late. `energy`: how far it is off, up or down, relative to "
             "the "
             "largest exchanged in the run. `overlap`: the deepest, relative to half the thinnest body. "

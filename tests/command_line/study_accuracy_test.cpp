@@ -141,7 +141,7 @@ class StudyAccuracyTest : public QObject {
         QCOMPARE(ended.exitCode, 0);
         const QStringList lines = linesOf(ended.out);
         QCOMPARE(lines.size(), 3);
-        QVERIFY(lines[0].startsWith("scene") && lines[0].contains("off the front"));
+        QVERIFY(lines[0].startsWith("scene  ") && lines[0].contains("off the front"));
         QVERIFY(lines[1].startsWith("ball") && lines[1].contains("exact events"));
         QVERIFY(lines[2].startsWith("second") && lines[2].contains("per simulated second"));
         const QStringList rows = linesOf(QString::fromUtf8(readFile(folder + "/scenes.csv")));
@@ -151,6 +151,17 @@ class StudyAccuracyTest : public QObject {
         const Ended refused = study({other, "--resume"});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY(refused.err.contains("`--resume` is for one scene; there are 2"));
+    }
+
+    void aSceneOfManyIsWarnedOfOnce() {
+        QByteArray smooth = bounce;
+        smooth.replace("vel", "friction 0.3 vel");
+        writeFile(m_scene, smooth);
+        const QString other = m_folder.filePath("rough.sdl");
+        writeFile(other, smooth + "// another\n");
+        const Ended ended = study({other, "--budget", "0.5"});
+        QCOMPARE(ended.exitCode, 0);
+        QVERIFY2(ended.err.count("`friction` has no effect") == 2, qPrintable(ended.err));
     }
 
     // The last of twenty scenes ended the command after nineteen minutes.
