@@ -6,7 +6,8 @@
 namespace carom {
 namespace {
 
-// Moves an insertion sort may make for each box before a sort from scratch is the cheaper way.
+// Moves an insertion sort may make for each box before a sort from scratch is the cheaper way; twice or half
+// of it costs time in frames in which much moves.
 constexpr std::size_t mostMovesPerBox = 16;
 
 double component(const Vec3& v, std::size_t axis) { return v[static_cast<Eigen::Index>(axis)]; }

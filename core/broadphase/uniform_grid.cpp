@@ -9,7 +9,8 @@
 namespace carom {
 namespace {
 
-// Slots of the table for each box: fewer make cells meet by chance, more cost time to clear.
+// Slots of the table for each box: fewer make cells meet by chance, more cost time to clear. Twice or half of
+// this and of the next three cost time alone; the pairs are the same.
 constexpr std::size_t slotsPerBox = 4;
 // A level of at most so many boxes is not worth a grid: they are compared with everything finer.
 constexpr std::uint32_t looseBoxes = 16;
@@ -20,10 +21,11 @@ constexpr std::size_t mostLevels = 16;
 // The level that stands for no grid at all.
 constexpr std::uint8_t loose = 0xff;
 constexpr std::uint32_t noSlot = 0xffff'ffff;
-// Cells are this much wider than the widest box, so that rounding of a cell's index cannot part neighbours
-// ...
+// Cells are this much wider than the widest box, so that rounding of a cell's index cannot separate
+// neighbours ...
 constexpr double slack = 1.002;
-// ... as long as indices stay below 2^40: far from the origin cells are widened to that.
+// ... as long as indices stay below 2^40: far from the origin cells are widened to that. At 2^51 the slack
+// would be less than the rounding of an index, and pairs would be lost.
 constexpr double mostCells = 1.0995e12;
 
 double halfWidth(const Aabb& box) { return (0.5 * box.upper - 0.5 * box.lower).maxCoeff(); }

@@ -14,7 +14,8 @@ namespace {
 /// Rounds of Newton's method at most. From the velocity that gravity alone would give it takes one round for
 /// every factor of two that this is off, and then five.
 constexpr int mostRounds = 100;
-/// The change of a velocity, relative to it, at which they end: the next one would be the square of it.
+/// The change of a velocity, relative to it, at which they end: the next one would be the square of it, below
+/// a double's rounding up to 1e-8.
 constexpr double roundsEnd = 1e-9;
 
 /// θ; below `small` by its series, where the closed form cancels: it loses a factor of 2/z, one more bit at

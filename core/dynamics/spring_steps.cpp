@@ -12,6 +12,8 @@
 namespace carom {
 namespace {
 
+/// Parts of a step (spring_steps.h). Their digits are a double's: with half of them the error of the step
+/// would come to an end at 1e-8.
 constexpr double b = 0.4144907717943757;
 constexpr std::array<double, 5> orderFour = {b, b, 1 - 4 * b, b, b}, fiveEqual = {0.2, 0.2, 0.2, 0.2, 0.2};
 constexpr std::array<double, 9> nineEqual = {1.0 / 9, 1.0 / 9, 1.0 / 9, 1.0 / 9, 1.0 / 9,
@@ -24,13 +26,16 @@ constexpr std::array<double, 9> orderSix = {
 /// is as far off as by equal parts, whose number is the same (2.8e-3 by five, 8.5e-4 by nine), so that
 /// neither work nor error jumps.
 constexpr double mostDamping = 1.6;
-/// Rounds of the iteration at most, and what each must gain: slower, Newton's method costs less.
+/// Rounds of the iteration at most, and what each must gain: slower, Newton's method costs less. Both methods
+/// end at the same solution, so twice or half of either costs time alone.
 constexpr int mostRounds = 60;
 constexpr double leastGain = 0.5;
 /// What a round is trusted to have gained at most: the first ones, from a guess, gain more than those to
-/// come.
+/// come. At half of it the iteration may end a round early and leave an error of more than rounding.
 constexpr double mostGain = 0.02;
-/// Of the fastest speed, the error of velocities at which the iteration ends, and what may be rounding.
+/// Of the fastest speed, the error of velocities at which the iteration ends, and what may be rounding. Ended
+/// at more, energies drift by the sum of these errors; ended at less, rounding keeps the iteration from its
+/// end.
 constexpr double roundsEnd = 1e-16, maybeRounding = 1e-14;
 /// Where the rounding of lengths makes more of the fastest speed, one part must do: its errors change sign
 /// from step to step, those of several parts add up.
@@ -41,7 +46,9 @@ constexpr double mostOfRounding = 16; // of all springs at a body
 /// is lost, not its bound.
 constexpr double mostTurn = 0.18;
 constexpr int mostCuts = 64;
-/// So many times as many are tried where the iteration does not lead to a solution for what turns.
+/// So many times as many are tried where the iteration does not lead to a solution for what turns. With fewer
+/// the motion is taken as far as the iteration came; with more a step that has no solution costs more in
+/// vain.
 constexpr int mostFiner = 8;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 

@@ -14,7 +14,8 @@ namespace carom {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// Moments nearer than this share of a frame are one.
+/// Times nearer than this share of a frame are one: above the rounding of a frame's number times its length,
+/// which reaches 1e-9 of it after four million frames.
 constexpr double sameMoment = 1e-9;
 
 /// How far towards its limit something is; 0 / 0 is nothing.

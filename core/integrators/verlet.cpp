@@ -24,7 +24,7 @@ namespace {
 /// Rounds of the iteration at most. Each gains the factor c h/(2m): ten digits at a step that resolves the
 /// damping.
 constexpr int mostRounds = 20;
-constexpr double roundsEnd = 1e-15; ///< of the fastest body, the change at which they end
+constexpr double roundsEnd = 1e-15; ///< of the fastest body's speed, the change at which they end: rounding
 
 void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     rotateInPieces(bodies, list, h, 2, state);

@@ -6,7 +6,8 @@
 namespace carom {
 namespace {
 
-/// W counts as singular below this reciprocal condition.
+/// W counts as singular below this reciprocal condition: impulses would keep fewer than six digits. Twice or
+/// half of it decides only whether those with a digit more or less are taken.
 constexpr double singular = 1e-10;
 
 } // namespace

@@ -12,6 +12,7 @@ namespace carom {
 namespace {
 
 /// Errors between these show an order: below rounding takes part, above the first term does not rule yet.
+/// A tenth of the one or twice the other lets errors in that follow no order, and no order is found.
 constexpr double leastError = 1e-12, mostError = 0.35;
 constexpr std::size_t leastSlopes = 2;
 /// Slopes so close to the median are of one order, and so many must be: where impacts fall between the steps,

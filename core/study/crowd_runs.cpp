@@ -12,9 +12,10 @@
 namespace carom {
 namespace {
 
-/// Fewer are no crowd: of n balls an average scatters by 1/√n.
+/// Fewer are no crowd: of n balls an average scatters by 1/√n, of 50 by 14 %.
 constexpr std::size_t leastBalls = 50;
-/// The part of a run in which copies must have nothing in common any more.
+/// The part of a run in which copies must have nothing in common any more; with less of it a crowd's averages
+/// are those of its start.
 constexpr double leastPart = 0.5;
 /// Speeds are told apart up to so many times the fastest at the start.
 constexpr double fasterThanStart = 3;

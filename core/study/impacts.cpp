@@ -9,7 +9,8 @@ namespace {
 
 /// Two impacts may be the same if their changes of velocity differ by at most this part of the larger one.
 constexpr double alikeWithin = 0.5;
-/// Impacts below this part of the strongest are not compared: rounding decides whether they happen.
+/// Impacts below this part of the strongest are not compared: rounding decides whether they happen. At half
+/// of it more of the last bounces before rest are, which methods count differently.
 constexpr double strongEnough = 0.01;
 
 /// The longest time up to `end` in which the body is not hit [s].

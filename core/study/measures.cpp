@@ -11,14 +11,16 @@
 namespace carom {
 namespace {
 
-/// What differs by less is the same: rounding of some thousand steps.
+/// What differs by less is the same: rounding of some thousand steps. At a thousandth of it settings that are
+/// alike are ordered by rounding.
 constexpr double rounding = 1e-12;
 /// Values no further apart than this part of the largest do not tell settings from each other.
 constexpr double same = 1e-2;
 /// By how much chance may differ, in parts of the largest difference that nine runs show: one more run goes
 /// beyond that in one case of nine, and a study has fifty of them.
 constexpr double chance = 2;
-/// Half of the bodies must be followed for this part of the time, or trajectories say little of the scene.
+/// Half of the bodies must be followed for this part of the time, or trajectories say little of the scene. At
+/// twice it scenes whose bodies meet late are measured by what is less telling.
 constexpr double leastFollowed = 0.1;
 
 double noResolution(const AccuracyStudy& /*study*/) { return 0; }

@@ -17,7 +17,8 @@ constexpr double slack = 1.1, shareOfSpacing = 0.5;
 // With fewer than three cells along an axis the same list would be walked twice.
 constexpr std::int32_t fewestAlongAxis = 3;
 
-// Sides up to a million to one; larger balls share the last level.
+// Sides up to a million to one; larger balls share the last level. With half of them scenes of sizes beyond a
+// thousand to one get slow: small balls share cells with many.
 constexpr std::size_t mostLevels = 20;
 
 // Of a side: far more than rounding can put a ball beyond its cell.

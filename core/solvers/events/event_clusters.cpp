@@ -22,9 +22,11 @@ namespace {
 /// Balls with a gap up to this part of the sum of their radii touch: far above the rounding of places near
 /// the scene, far below any gap that a scene means.
 constexpr double touching = 1e-12;
-/// Speeds within this part of the fastest have no order among them.
+/// Speeds within this part of the fastest have no order among them: rounding of a scene's symmetry stays
+/// below a thousandth of it, and speeds that differ by design above.
 constexpr double tie = 1e-9;
-/// A cluster of touching balls is followed so far: enough for racks.
+/// A cluster of touching balls is followed so far: enough for racks of 31 rows. What is beyond is hit one
+/// after the other, so at half of it larger racks may break unsymmetrically.
 constexpr std::size_t mostTouching = 512;
 
 } // namespace

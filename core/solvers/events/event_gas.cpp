@@ -16,10 +16,12 @@ namespace {
 constexpr double shortest = 1e-6;
 
 // If ten events a ball and a thousand more pass in less than this share of the typical time, the run has
-// collapsed. Real gases take about 1.
+// collapsed. Real gases take about 1, collapses come to nothing within some rounds: any limit far from both
+// serves.
 constexpr double stalled = 1e-9;
 
-/// Typical times in one call at most: radii that the fastest ball moves.
+/// Typical times in one call at most: radii that the fastest ball moves. Beyond, its place is rounded to
+/// more than a ten-thousandth of its radius, twice as far to twice as much.
 constexpr double farthest = 1e12;
 
 // Cells that one call may take balls through: so many, and so many more for each ball and each event at which
@@ -27,10 +29,13 @@ constexpr double farthest = 1e12;
 // gas passes five cells a collision, and one ball alone may move fifty thousand kilometres a second with a
 // radius of half a metre in frames of 1/60 s.
 constexpr std::uint64_t mostCells = 5'000'000, cellsPerEvent = 1000;
-/// What setting back the clock takes, which makes the cells anew, besides a cell for each ball.
+/// What setting back the clock takes, which makes the cells anew, besides a cell for each ball. At half of it
+/// a frame of one ball that is so fast takes up to twice as long before the run stops.
 constexpr std::uint64_t cellsPerTurn = 100;
 
-/// A ball that bounces within this part of its radius of a wall is put right on it: the rest is rounding.
+/// A ball that bounces within this part of its radius of a wall is put right on it: the rest is rounding,
+/// which is at most a few 1e-13 of it (clockBits). At a thousandth of this some of it would be left, and add
+/// up from bounce to bounce.
 constexpr double touching = 1e-9;
 
 } // namespace

@@ -18,9 +18,11 @@ namespace {
 /// radius is crossed to 1e-13 of it at worst), and is the same in every unit of time. A turn plans every ball
 /// anew, which costs about an event a ball; it goes through some ten times as many in between.
 constexpr int clockBits = 8;
-/// Times are rounded to this part of a turn, a few times over.
+/// Times are rounded to this part of a turn, a few times over: collisions that are no further apart have no
+/// order. At half of it rounding decides which of two simultaneous ones comes first.
 constexpr double tieRounding = 4e-15;
-/// Of the typical time; later slices are fitted to what happens.
+/// Of the typical time; later slices are fitted to what happens, so twice or half of it costs time in the
+/// first ones.
 constexpr double firstSlice = 0.4;
 
 } // namespace

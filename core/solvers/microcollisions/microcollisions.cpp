@@ -114,7 +114,8 @@ class Microcollisions final : public Solver {
     SolverReport m_report;
 };
 
-/// Contacts a batch holds at most: beyond, reading the clock is negligible anyway.
+/// Contacts a batch holds at most: beyond, reading the clock is negligible anyway. Twice or half of it
+/// changes no motion.
 constexpr std::size_t largestBatch = 256;
 
 Microcollisions::Microcollisions(const Bodies& bodies)
