@@ -46,8 +46,8 @@ struct LedgerEntry {
 
 struct Ledger {
     std::array<LedgerEntry, ledgerAccounts> entries{};
-    double lifted =
-        0; ///< potential energy [J] that position corrections gave; the frame records it to Parting
+    double lifted = 0; ///< potential energy [J] that position corrections gave; the frame records it as
+                       ///< PositionCorrection
 
     LedgerEntry& operator[](LedgerAccount account) { return entries[static_cast<std::size_t>(account)]; }
     const LedgerEntry& operator[](LedgerAccount account) const {

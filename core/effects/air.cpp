@@ -198,7 +198,7 @@ EffectWords airWords() {
                          .layer = Layer::Carom,
                          .ofMoving = true,
                          .title = "drag coefficient",
-                         .usual = 2}; // of blunt bodies
+                         .typical = 2}; // of blunt bodies
     return {.declarations = {air}, .ofBodies = {drag}};
 }
 

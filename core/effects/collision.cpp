@@ -2,7 +2,7 @@
 #include "core/effects/effect.h"
 #include "core/effects/scene_facts.h"
 
-// Bodies are rigid and do not pass through each other. How they part again is the method's business.
+// Bodies are rigid and do not pass through each other. How they are separated is up to the method.
 
 namespace carom {
 namespace {

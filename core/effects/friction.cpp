@@ -85,7 +85,7 @@ EffectWords frictionWords() {
         .help = "Coulomb coefficient of friction; a pair has the geometric mean of its two.",
         .layer = Layer::Carom,
         .title = "friction",
-        .usual = 1,
+        .typical = 1,
         .store = [](Declared& into,
                     const CheckedValue& value) { std::get<Body>(into).friction = value.number; },
         .read = [](const Body& body) { return body.friction; }};

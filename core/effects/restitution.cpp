@@ -65,7 +65,7 @@ EffectWords restitutionWords() {
         .help = "Coefficient of restitution; a pair has the smaller of its two.",
 
         .title = "elasticity",
-        .usual = 1,
+        .typical = 1,
         .store = [](Declared& into,
                     const CheckedValue& value) { std::get<Body>(into).elastic = value.number; },
         .read = [](const Body& body) { return body.elastic; }};

@@ -76,7 +76,7 @@ EffectWords rollingResistanceWords() {
         .help = "Rolling resistance, a lever arm; a pair has the larger of its two.",
         .layer = Layer::Carom,
         .title = "rolling resistance",
-        .usual = 0.01,
+        .typical = 0.01,
         .store = [](Declared& into,
                     const CheckedValue& value) { std::get<Body>(into).rolling = value.number; },
         .read = [](const Body& body) { return body.rolling; }};

@@ -78,10 +78,10 @@ class MeasureReader {
     void readOwners() {
         const auto of = std::ranges::find(m_words, "of");
         if (of == m_words.end()) return;
-        const auto parting = std::find(of, m_words.end(), "and");
-        m_measure.of = joined({of + 1, parting}, " ");
-        if (parting != m_words.end()) m_measure.to = joined({parting + 1, m_words.end()}, " ");
-        if (m_measure.of.empty() || (parting != m_words.end() && m_measure.to.empty()))
+        const auto separator = std::find(of, m_words.end(), "and");
+        m_measure.of = joined({of + 1, separator}, " ");
+        if (separator != m_words.end()) m_measure.to = joined({separator + 1, m_words.end()}, " ");
+        if (m_measure.of.empty() || (separator != m_words.end() && m_measure.to.empty()))
             m_objection = "behind `of` and `and` there must be a body";
         m_words.erase(of, m_words.end());
     }

@@ -93,7 +93,7 @@ std::string measureOf(const Scene& scene, const Expectation& expectation) {
 }
 
 /// What such a parameter changes.
-std::vector<std::string> usualMeasures(const Scene& scene, const ParameterPath& path) {
+std::vector<std::string> proposedMeasures(const Scene& scene, const ParameterPath& path) {
     const auto mobile = [&](std::string_view owner) {
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)
             if (scene.bodies[i].mobile() && sweepOwnerOf(scene, static_cast<BodyIndex>(i)) == owner)
@@ -160,8 +160,8 @@ std::vector<std::string> proposedMeasures(const Analysis& analysis, std::string_
         for (const QuotedText& measure : scene.sweep->measures) measures.push_back(measure.text);
     for (const Expectation& expectation : scene.expectations)
         measures.push_back(measureOf(scene, expectation));
-    for (std::string& usual : usualMeasures(scene, parameterPathIn(path).value_or(ParameterPath())))
-        measures.push_back(std::move(usual));
+    for (std::string& measure : proposedMeasures(scene, parameterPathIn(path).value_or(ParameterPath())))
+        measures.push_back(std::move(measure));
     std::vector<std::string> once;
     for (std::string& measure : measures)
         if (readMeasure(measure).measure && std::ranges::find(once, measure) == once.end())

@@ -134,7 +134,8 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     m_watch.begin(*m_world);
 }
 
-/// The guard needs the ledger: what bodies that overlapped gained by parting is no fault of the run.
+/// The guard needs the ledger: what correcting the positions of overlapping bodies gave is no fault of the
+/// run.
 void SimulationThread::beginSamples() {
     m_world->keepLedger(true);
     m_sampled = m_world->state().frame;
@@ -357,8 +358,8 @@ std::shared_ptr<const JudgedRun> SimulationThread::judged() {
     return m_judged;
 }
 
-/// The frames on the way are shown if `showing`. A wish that came meanwhile ends the search: the next command
-/// is the one that counts.
+/// The frames on the way are shown if `showing`. A command that came meanwhile ends the search: the next
+/// command is the one that counts.
 void SimulationThread::seek(std::int64_t frame, bool showing) {
     bool broken = false;
     const Clock::time_point began = Clock::now();

@@ -75,8 +75,8 @@ struct ParameterRow {
     Layer layer = Layer::Reference;
     bool ofMoving = false; ///< of a body: means something only for one that may move; walls lack it
     std::string_view title =
-        {};           ///< of a body's number: what a panel calls it, "drag coefficient"; "": not shown
-    double usual = 0; ///< how far it usually reaches, in its unit: the range of a slider
+        {};             ///< of a body's number: what a panel calls it, "drag coefficient"; "": not shown
+    double typical = 0; ///< its largest value in most scenes, in its unit: the range of a slider
     /// Null, for numbers and vectors of effects: by name into the EffectValues of what is declared.
     void (*store)(Declared& into, const CheckedValue& value) = nullptr;
     /// Of a body's number that has a title. Null: by name from its EffectValues.

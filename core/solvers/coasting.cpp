@@ -21,17 +21,17 @@ void moveBallistic(const SolverInput& input, std::span<const BodyIndex> bodies) 
 
 /// Power [W] and force [N] of one term on the bodies of a network.
 LedgerEntry rateOf(const ForceTerm& term, SpringNetwork& network, const State& state) {
-    SpringNetwork::Scratch& room = network.scratch;
-    room.samples.clear();
+    SpringNetwork::Scratch& scratch = network.scratch;
+    scratch.samples.clear();
     for (const BodyIndex i : network.moving)
         if (term.actsOn(i))
-            room.samples.push_back({i, state.pose[i], state.velocity[i], state.angularVelocity[i]});
-    room.values.assign(room.samples.size(), ForceValue{});
-    term.add(room.samples, room.values);
+            scratch.samples.push_back({i, state.pose[i], state.velocity[i], state.angularVelocity[i]});
+    scratch.values.assign(scratch.samples.size(), ForceValue{});
+    term.add(scratch.samples, scratch.values);
     LedgerEntry rate;
-    for (std::size_t k = 0; k < room.samples.size(); ++k) {
-        rate.energy += room.values[k].force.dot(room.samples[k].velocity);
-        rate.momentum += room.values[k].force;
+    for (std::size_t k = 0; k < scratch.samples.size(); ++k) {
+        rate.energy += scratch.values[k].force.dot(scratch.samples[k].velocity);
+        rate.momentum += scratch.values[k].force;
     }
     return rate;
 }

@@ -30,7 +30,7 @@ struct CrowdRun {
     std::function<bool()> hasTime = {}; ///< for another copy; null: always
 };
 
-/// The frame at which copies crowdNudge apart have parted altogether, if they part at `growth` [1/s].
+/// The frame at which copies crowdNudge apart have diverged altogether, if they do so at `growth` [1/s].
 std::int64_t framesToForget(double growth, double step);
 
 /// What the copy of number `copy` did; the scene itself is number 0. Nothing if told to stop, or if its

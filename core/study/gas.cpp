@@ -241,12 +241,12 @@ void Experiment::layHeights() {
     }
     const double scale = m_study.temperature / (m_study.mass * m_pipeline.gravity().norm());
     const double share = -std::expm1(-(m_lid - m_floor) / scale);
-    const auto borderAt = [&](std::size_t k) {
+    const auto edgeAt = [&](std::size_t k) {
         return -scale * std::log1p(-share * static_cast<double>(k) / heightBins);
     };
     for (std::size_t k = 0; k < heightBins; ++k)
-        m_study.heights.push_back({.from = borderAt(k),
-                                   .to = k + 1 < heightBins ? borderAt(k + 1) : m_lid - m_floor,
+        m_study.heights.push_back({.from = edgeAt(k),
+                                   .to = k + 1 < heightBins ? edgeAt(k + 1) : m_lid - m_floor,
                                    .balls = 0,
                                    .theory = static_cast<double>(m_study.balls) / heightBins,
                                    .temperature = {}});

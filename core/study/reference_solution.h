@@ -20,9 +20,10 @@
 //
 // A body is followed up to its horizon, which is the earlier of two times:
 //     chaos      a copy of the scene that starts a billionth of its size aside (exact events: a thousandth
-//                of that) has parted from it by a thousand times as much there; an error of 1e-6 at the start
-//                has become one of 1e-3 by then
-//     branching  the last two of the converging runs have parted by `agreement` there: contacts have led the
+//                of that) has diverged from it by a thousand times as much there; an error of 1e-6 at the
+//                start has become one of 1e-3 by then
+//     branching  the last two of the converging runs have diverged by `agreement` there: contacts have led
+//     the
 //                body one way in the one and another way in the other
 // What is left at the end (Outcome), and the course of the energy, are compared beyond all horizons; how far
 // they scatter among the runs of the reference solution says what is chance.

@@ -109,8 +109,8 @@ class ImpactsTest : public QObject {
                                      rough(sphere(0.5, mass, Vec3(1, 0, 0), Vec3(-1, 0, 0)), 0, e)}),
                             contacts("default"));
                 run(world, 60);
-                const double parting = world.state().velocity[1].x() - world.state().velocity[0].x();
-                worst = std::max(worst, std::abs(parting - 4 * e) / 4);
+                const double separation = world.state().velocity[1].x() - world.state().velocity[0].x();
+                worst = std::max(worst, std::abs(separation - 4 * e) / 4);
             }
         qInfo("within %.1e", worst);
         QVERIFY(worst < 1e-12);

@@ -272,8 +272,8 @@ class SpringsTest : public QObject {
             }
     }
 
-    // The ball is open to the fixed one, flies away from it and is brought back by the spring within one
-    // substep. A contact force that kept the gap from closing all along would work on it as it flies away:
+    // The ball is open to the fixed one, moves away from it and is brought back by the spring within one
+    // substep. A contact force that kept the gap from closing all along would work on it as it moves away:
     // with no gap, 0.3 m/s and e = 0, 55.9 J became 58.4.
     void aBallThatASpringBringsBackWithinASubstepGainsNothingWhereItLands() {
         for (const double gap : {1e-9, 1e-4, 1e-2})

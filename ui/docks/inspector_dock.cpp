@@ -489,7 +489,7 @@ void InspectorDock::addDeclared() {
         if (row.title.empty() || (row.ofMoving && bodies.mobile[m_body] == 0)) continue;
         const double value = numberOf(row, body);
         addSlidingField(group, translated(row.title), row.name.data(), value,
-                        {.most = value > row.usual ? 2 * value : row.usual}, textOf(row.unit));
+                        {.most = value > row.typical ? 2 * value : row.typical}, textOf(row.unit));
     }
 }
 

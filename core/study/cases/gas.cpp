@@ -64,7 +64,7 @@ double overlapping(const World& world) {
 }
 
 // Walls take up momentum, so that is measured where there are none: spheres that meet in a heap
-// and part again.
+// and separate again.
 void runGasConservation(Trial& trial) {
     World world = trial.world(gasScene());
     const std::int64_t frames =

@@ -97,7 +97,7 @@ class EnergyGuardTest : public QObject {
         QVERIFY(!riseOf(right, 600));
     }
 
-    void partingOfWhatOverlapsIsNoRise() {
+    void correctingAnOverlapIsNoRise() {
         Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)}, Vec3(0, -9.81, 0));
         for (int i = 0; i < 4; ++i)
             scene.bodies.push_back(test::cuboid(Vec3::Ones(), 1, Vec3(0, 0.1 + 0.2 * i, 0)));

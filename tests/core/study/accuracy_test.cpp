@@ -351,7 +351,7 @@ class AccuracyTest : public QObject {
         QVERIFY(q(recommendation(study).text()).contains(QStringLiteral("1.2 times cheaper")));
     }
 
-    // An error 3 % beyond what nine runs differed by was to be mended at twenty times the cost.
+    // An error 3 % beyond what nine runs differed by was to be reduced at twenty times the cost.
     void oneMoreRunMayDifferByTwiceWhatTheOthersDo() {
         AccuracyStudy study;
         study.reference.emplace();

@@ -29,7 +29,7 @@ class ReferencesTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
-    void aBouncingPointRestsAfterTheSumOfItsFlights() {
+    void aBouncingPointRestsAfterTheSumOfItsBounces() {
         const BouncingPoint point{1, 9.80665, 0.5};
         double time = point.firstContact(), speed = 0.5 * 9.80665 * time, path = 1;
         for (int k = 1; k < 60; ++k) {
