@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,11 @@
 // by its number.
 //
 //     analyse_fuzz [COUNT [SEED [FIRST]]]
+//
+// Or takes texts that libFuzzer found, each of which reaches something that no other does (corpus.txt): a
+// line a text, with what is not printable, and `%`, as %XX.
+//
+//     analyse_fuzz --corpus FILE
 
 namespace {
 
@@ -116,9 +122,33 @@ std::string textOfNumber(std::uint64_t seed, std::uint64_t number) {
     return text;
 }
 
+std::string textOfLine(const std::string& line) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool isCode = line[i] == '%' && i + 2 < line.size();
+        text += isCode ? static_cast<char>(std::stoi(line.substr(i + 1, 2), nullptr, 16)) : line[i];
+        if (isCode) i += 2;
+    }
+    return text;
+}
+
+int tryCorpus(const char* path) {
+    std::ifstream file(path);
+    std::size_t count = 0;
+    for (std::string line; std::getline(file, line); ++count) {
+        const std::string broken = carom::test::brokenProperty(textOfLine(line));
+        if (broken.empty()) continue;
+        std::printf("line %zu of %s: %s\n%s\n", count + 1, path, broken.c_str(), line.c_str());
+        return 1;
+    }
+    std::printf("%zu texts of %s: every property holds\n", count, path);
+    return count > 0 ? 0 : 1;
+}
+
 } // namespace
 
 int main(int argumentCount, char** arguments) {
+    if (argumentCount == 3 && std::string_view(arguments[1]) == "--corpus") return tryCorpus(arguments[2]);
     const auto argument = [&](int i, std::uint64_t otherwise) {
         return i < argumentCount ? std::strtoull(arguments[i], nullptr, 10) : otherwise;
     };

@@ -6,6 +6,7 @@
 #include "core/solvers/contacts/work_budget.h"
 #include "tests/fuzz/properties.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,6 +34,18 @@ std::string brokenState(const World& world, std::int64_t frame) {
 
 bool isQuiet(const FrameStatistics& frame) {
     return frame.contacts == 0 && frame.events == 0 && frame.work.impacts == 0;
+}
+
+/// Of the body that goes farthest, relative to its size, within the first frame.
+double sizesInAFrame(const Pipeline& pipeline) {
+    const Bodies& bodies = pipeline.bodies();
+    const double step = pipeline.settings().step;
+    double most = 0;
+    for (const BodyIndex i : bodies.mobileBodies) {
+        const double speed = pipeline.initialState().velocity[i].norm() + bodies.gravity.norm() * step;
+        most = std::max(most, speed * step / bodies.boundingRadius[i]);
+    }
+    return most;
 }
 
 std::string brokenRun(const std::shared_ptr<const Pipeline>& pipeline, const MotionLimits& limits) {
@@ -71,6 +84,7 @@ std::string brokenMotion(std::string_view text, const SolverRow& method, const M
     options.threads = 1;
     const Build made = build(std::string(text), options);
     if (made.analysis.scene.bodies.size() > limits.bodies) return {};
+    if (sizesInAFrame(*made.pipeline) > limits.sizesAFrame) return {};
     const std::string broken = brokenRun(made.pipeline, limits);
     return broken.empty() ? broken : std::string(method.name) + ": " + broken;
 }
