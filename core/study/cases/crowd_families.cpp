@@ -253,7 +253,7 @@ std::string bystander(int member, Random& random) {
 
 void runBystanders(Trial& trial) {
     double unlike = 0;
-    forMembers(trial, 20, 500, [&](int member, Random& random) {
+    forMembers(trial, 8, 500, [&](int member, Random& random) {
         const std::string near = nearBodies(random), far = near + bystander(member, random);
         World alone = trial.world(near), beside = trial.world(far);
         for (int frame = 0; frame < trial.shortOrLong(8, 60) && trial.step(alone) && trial.step(beside);
