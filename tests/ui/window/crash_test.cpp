@@ -30,7 +30,7 @@ constexpr int intoTheFrame = 300; // [ms] of processor time
 constexpr int mostTurns = 1000;   // until one is killed in time
 const QByteArray original = "// a scene\n";
 
-int kills() { return roundsOf("CAROM_KILLS", 3); }
+int kills() { return roundsOf("CAROM_KILLS", 2); }
 
 QByteArray xdotool(const QStringList& arguments) {
     QProcess process;
@@ -92,7 +92,7 @@ class Session {
         QElapsedTimer clock;
         clock.start();
         while (clock.elapsed() < longestWait && m_process.state() != QProcess::NotRunning) {
-            m_process.waitForFinished(20); // lets time pass, and sees an early end
+            m_process.waitForFinished(100); // looking takes a fifth of that; sees an early end, too
             if (holds()) return true;
         }
         return false;

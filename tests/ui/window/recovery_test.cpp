@@ -94,31 +94,31 @@ class RecoveryTest : public QObject {
     void ofProgramsThatLookAtTheSameTimeOneFindsTheText() {
         constexpr int programs = 5, rounds = 8;
         QTemporaryDir folder;
+        std::vector<std::unique_ptr<QProcess>> lookers;
+        for (int i = 0; i < programs; ++i) {
+            lookers.push_back(std::make_unique<QProcess>());
+            lookers.back()->start(QCoreApplication::applicationFilePath(),
+                                  {QStringLiteral("recovery_test"), QStringLiteral("looker"), folder.path()});
+        }
+        const auto answer = [](QProcess& looker) {
+            return looker.canReadLine() || looker.waitForReadyRead(longestWait) ? looker.readLine()
+                                                                                : QByteArray();
+        };
         for (int round = 0; round < rounds; ++round) {
             killedWith(folder.path(), {}, "sphere;");
-            std::vector<std::unique_ptr<QProcess>> lookers;
-            for (int i = 0; i < programs; ++i) {
-                lookers.push_back(std::make_unique<QProcess>());
-                lookers.back()->start(
-                    QCoreApplication::applicationFilePath(),
-                    {QStringLiteral("recovery_test"), QStringLiteral("looker"), folder.path()});
-            }
-            const auto answer = [](QProcess& looker) {
-                return looker.canReadLine() || looker.waitForReadyRead(longestWait) ? looker.readLine()
-                                                                                    : QByteArray();
-            };
             for (const auto& looker : lookers) QCOMPARE(answer(*looker), QByteArray("ready\n"));
             for (const auto& looker : lookers) looker->write("look\n");
             int found = 0;
             for (const auto& looker : lookers) found += answer(*looker).trimmed().toInt();
             QCOMPARE(found, 1);
-            for (const auto& looker : lookers)
-                looker->closeWriteChannel(); // until then it holds what it has found
-            for (const auto& looker : lookers) QVERIFY(looker->waitForFinished(longestWait));
+            for (const auto& looker : lookers) looker->write("let go\n"); // until then it holds what it found
+            for (const auto& looker : lookers) QCOMPARE(answer(*looker), QByteArray("let go\n"));
             std::vector<LostText> lost = Recovery::lostTexts(folder.path()).texts;
             QCOMPARE(lost.size(), std::size_t{1});
             Recovery::discard(lost[0]);
         }
+        for (const auto& looker : lookers) looker->closeWriteChannel();
+        for (const auto& looker : lookers) QVERIFY(looker->waitForFinished(longestWait));
     }
 
     void aSwapFileThatSaysWhatTheFileSaysIsNoLoss() {
@@ -269,7 +269,8 @@ int beVictim(const QString& folder, const QString& path, const QByteArray& text)
     return QApplication::exec();
 }
 
-/// A process that looks when it is told to, says how much it has found, and holds it until its input ends.
+/// A process that looks when it is told to, says how much it has found, and holds it until it is told to let
+/// go; so until its input ends.
 int beLooker(const QString& folder) {
     const auto say = [](const std::string& word) {
         std::puts(word.c_str());
@@ -277,10 +278,15 @@ int beLooker(const QString& folder) {
     };
     say("ready");
     std::string line;
-    std::getline(std::cin, line);
-    const LostTexts found = Recovery::lostTexts(folder);
-    say(std::to_string(found.texts.size()));
-    std::getline(std::cin, line);
+    while (std::getline(std::cin, line)) {
+        {
+            const LostTexts found = Recovery::lostTexts(folder);
+            say(std::to_string(found.texts.size()));
+            std::getline(std::cin, line);
+        }
+        say("let go");
+        say("ready");
+    }
     return 0;
 }
 
@@ -292,10 +298,10 @@ int recovery_test(int argc, char** argv);
 
 // The program's second instance is the one that is killed.
 int carom::test::recovery_test(int argc, char** argv) {
+    if (argc == 3 && QByteArray(argv[1]) == "looker") return beLooker(QString::fromLocal8Bit(argv[2]));
     IdeApplication application(argc, argv);
     if (argc == 5 && QByteArray(argv[1]) == "victim")
         return beVictim(QString::fromLocal8Bit(argv[2]), QString::fromLocal8Bit(argv[3]), argv[4]);
-    if (argc == 3 && QByteArray(argv[1]) == "looker") return beLooker(QString::fromLocal8Bit(argv[2]));
     RecoveryTest test;
     return QTest::qExec(&test, argc, argv);
 }
