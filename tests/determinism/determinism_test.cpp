@@ -61,7 +61,7 @@ void holdTogether(const Scene& scene, int frames, const char* method = "contacts
 /// Frames enough for every shipped scene to have its collisions, and few enough where a frame takes long.
 int framesFor(const Scene& scene) {
     const std::size_t bodies = scene.bodies.size();
-    return bodies > 20 ? 60 : 240;
+    return bodies > 10 ? 60 : 240;
 }
 
 void addScenes() {

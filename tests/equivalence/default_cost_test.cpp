@@ -47,11 +47,11 @@ struct Row {
 /// minutes.
 constexpr std::array rows = {
     Row{"brownian", 2, 1}, // in more frames more balls meet, and more settings are worse
-    Row{"card_house", 6, 4, fewSteps},
+    Row{"card_house", 3, 4, fewSteps},
     Row{"chain", 20},
     Row{"dominoes", 12, 4, fewSteps},
     Row{"log_pile", 12, 4, fewSteps},
-    Row{"mattress", 30, 4, fewSteps},
+    Row{"mattress", 16, 4, fewSteps},
     Row{"pile", 6, 4, fewSteps},
     Row{"pool_break", 30, 8},
     Row{"pyramid", 20, 8, fewSteps},

@@ -164,7 +164,7 @@ class SweepDockTest : public QObject {
                                << "random 8";
         QTest::newRow("seeds") << "simulation.substeps=1,2"
                                << "seeds 3";
-        QTest::newRow("maps") << "ball.vel.x=1:7:7\nball.vel.y=0:7:8\nball.vel.z=1,2"
+        QTest::newRow("maps") << "ball.vel.x=1:4:4\nball.vel.y=0:2:3\nball.vel.z=1,2"
                               << "";
     }
     void theFolderIsThatOfTheCommandLine() {

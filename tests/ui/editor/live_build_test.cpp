@@ -12,7 +12,7 @@ using namespace carom::test;
 namespace {
 
 /// So many balls that they are built beside the GUI's thread, in a time in which a timer runs out.
-QByteArray longText(int balls = 60000) {
+QByteArray longText(int balls = 20000) {
     QByteArray text;
     for (int i = 0; i < balls; ++i)
         text += "sphere { radius .4 mass 1 centre " + QByteArray::number(i % 300) + "," +

@@ -19,7 +19,7 @@ using namespace carom::test;
 
 namespace {
 
-constexpr int balls = 60000;
+constexpr int balls = 20000;
 
 QByteArray longText() {
     QByteArray text;
