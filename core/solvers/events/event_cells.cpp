@@ -53,8 +53,11 @@ void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin>
     constexpr std::size_t cellsPerBall = 32, cellsAtLeast = 4096;
     const double finest = finestRadius(origins);
     const double ballCount = static_cast<double>(std::max<std::size_t>(1, origins.size()));
-    const double volume = (region.size().array() + 2 * finest).prod();
-    double side = std::max(2 * slack * finest, shareOfSpacing * std::cbrt(volume / ballCount));
+    const Vec3 size = region.size().array() + 2 * finest;
+    // In a unit near it, a power of two, so that no volume overflows: 1e103 m cubed does.
+    const double unit = size.maxCoeff() > 0 ? std::ldexp(1.0, std::ilogb(size.maxCoeff())) : 1;
+    const double volume = (size / unit).prod();
+    double side = std::max(2 * slack * finest, shareOfSpacing * unit * std::cbrt(volume / ballCount));
     if (!(side > 0)) side = 1;
     // A cell more on either side: then no ball within the region is in an outermost cell.
     m_origin = region.lower - Vec3::Constant(1.5 * side);

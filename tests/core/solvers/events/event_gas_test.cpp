@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/events/event_gas.h"
 
+#include "tests/support/random_scene.h"
 #include "tests/support/scenes.h"
 #include "tests/support/test_class.h"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 // The gas with its queue, cells and levels against the obvious way: after every event every pair and every
@@ -251,6 +253,36 @@ class EventGasTest : public QObject {
         EventGas gas(bodies, initialStateOf(scene), Vec3::Zero());
         QVERIFY(!gas.advanceTo(1.5e7));
         QVERIFY(gas.counts().crossings > 6'000'000);
+    }
+
+    // A region of 1e104 m cubed has no volume in doubles: sides of cells were infinite, and places in them
+    // not a number.
+    void aGasOfAnySizeMovesTheSame() {
+        const auto moved = [](double unit) { // lengths and times in it, so that speeds are the same
+            Random random(5);
+            Scene scene = test::sceneOf({wall(Vec3::UnitY(), 0), wall(-Vec3::UnitY(), -unit)});
+            for (int i = 0; i < 12; ++i) {
+                const Vec3 place(0.25 * (i % 4), 0.2 + 0.3 * (i / 4), random.uniform(-0.05, 0.05));
+                scene.bodies.push_back(sphere(0.1 * unit, 1, unit * place, test::randomVector(random, 1)));
+            }
+            State state = initialStateOf(scene);
+            EventGas gas(bodiesOf(scene), state, Vec3::Zero());
+            const Loss loss = gas.advanceTo(4 * unit);
+            gas.write(state);
+            return std::tuple(static_cast<bool>(loss), state, gas.counts().collisions + gas.counts().bounces);
+        };
+        const auto [lost, state, events] = moved(1);
+        QVERIFY(!lost && events > 10);
+        for (const int exponent : {-345, 345}) {
+            const double unit = std::ldexp(1.0, exponent);
+            const auto [lostThere, stateThere, eventsThere] = moved(unit);
+            QVERIFY(!lostThere);
+            QCOMPARE(eventsThere, events);
+            for (std::size_t i = 0; i < state.pose.size(); ++i) {
+                QCOMPARE(Vec3(stateThere.pose[i].position / unit), state.pose[i].position);
+                QCOMPARE(stateThere.velocity[i], state.velocity[i]);
+            }
+        }
     }
 
     void theTalliesOfImpulsesAddUp() {
