@@ -64,6 +64,7 @@ class AccuracyDock : public Panel {
     void choose(int series, int point);
     void updateControls();
     QMenu* knobsMenu();
+    void offerEngines(QMenu& menu);
 
     SharedBuild m_build, m_studied, m_keptBuild;
     QString m_name, m_studiedName, m_keptName;
