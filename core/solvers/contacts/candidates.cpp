@@ -46,8 +46,8 @@ bool Candidates::look(const Bodies& bodies, const State& state, std::span<const 
     if (!covered) return false;
     m_upward.clear();
     m_downward.clear();
-    reserveFor(neighbours.pairs().size(), m_upward);
-    reserveFor(neighbours.pairs().size(), m_downward);
+    reserveFor(neighbours.ends(), m_upward);
+    reserveFor(neighbours.ends(), m_downward);
     for (const BodyIndex i : members) {
         if (placed[i] != 0) continue;
         for (const BodyIndex k : neighbours.around(i)) {

@@ -15,11 +15,11 @@ namespace {
 constexpr double roominess = 2;
 /// And at least this many times what was asked for beyond it before the list was made.
 constexpr double lentAgain = 1.5;
-/// For so many bodies all others are looked at one after the other, a few thousand instructions for each of
-/// them; a search for all costs as many for every body of the scene.
+/// Up to so many bodies are compared with all others, a few instructions for each of these; a search for all
+/// costs some thousands for every body of the scene.
 constexpr std::size_t fewOutrun = 128;
-/// A body has so many pairs in the mean, nearly always: room for them is there from the start.
-constexpr std::size_t usualAround = 32;
+/// A body has so many others around it, nearly always: room for them is there from the start.
+constexpr std::size_t usualAround = 16;
 
 } // namespace
 
@@ -43,12 +43,16 @@ bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, dou
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
-    : m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0), m_pull(bodies.count(), 0.0),
-      m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
-      m_origin(bodies.count()), m_isOutrun(bodies.count(), 0), m_first(bodies.count() + 1, 0) {
-    for (const BodyIndex i : bodies.bounded) m_mobile.push_back(bodies.mobile[i]);
+    : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
+      m_pull(bodies.count(), 0.0), m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0),
+      m_asked(bodies.count(), 0.0), m_origin(bodies.count()), m_isOutrun(bodies.count(), 0),
+      m_around(bodies.count()) {
+    for (const BodyIndex i : bodies.bounded) {
+        m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
+        m_mobile.push_back(bodies.mobile[i]);
+    }
+    for (const BodyIndex i : bodies.mobileBodies) m_around[i].reserve(usualAround);
     m_outrun.reserve(2 * bodies.count());
-    m_found.reserve(usualAround * fewOutrun);
     m_columns.resize(bodies.bounded.size());
     m_hits.resize(bodies.bounded.size() + wideLanes);
 }
@@ -56,17 +60,27 @@ Neighbours::Neighbours(const Bodies& bodies)
 void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration, Broadphase& broadphase) {
     if (follow(bodies, state, list, gravity, duration)) return;
-    if (areFewOutrun()) return searchForOutrun(bodies, state);
+    noteTypical(bodies, list);
+    // Neighbours lend each other their reach: who was asked for more than he needs will be again.
+    const auto renew = [this](BodyIndex i) {
+        m_skin[i] = lentAgain * m_asked[i];
+        m_asked[i] = 0;
+    };
+    if (areFewOutrun()) {
+        for (const BodyIndex i : m_outrun) renew(i);
+        return searchForOutrun(bodies, state);
+    }
+    for (const BodyIndex i : bodies.mobileBodies) renew(i);
+    searchAll(bodies, state, broadphase);
+}
+
+void Neighbours::noteTypical(const Bodies& bodies, std::span<const BodyIndex> list) {
     double sum = 0;
     for (const BodyIndex i : list) {
         const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
         sum += needed * needed;
     }
     m_typical = std::sqrt(sum / static_cast<double>(list.size()));
-    // Neighbours lend each other their reach: who was asked for more than he needs will be again.
-    for (std::size_t i = 0; i < m_skin.size(); ++i) m_skin[i] = lentAgain * m_asked[i];
-    std::fill(m_asked.begin(), m_asked.end(), 0.0);
-    searchAll(bodies, state, broadphase);
 }
 
 double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
@@ -158,66 +172,86 @@ void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex b
     m_origin[body] = state.pose[body];
 }
 
-// The list as it was, without the pairs of those that have outrun it, and these as they are found now.
+// The lists as they were, but for the pairs of those that have outrun them; these are found as they are now.
 void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_outrun) {
-        renewSkin(bodies, state, i);
+        if (m_isOutrun[i] != 0) continue;
         m_isOutrun[i] = 1;
+        renewSkin(bodies, state, i);
+        m_columns.set(m_number[i], boxWithSkin(bodies, state, i));
     }
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
-        m_columns.set(k, boxWithSkin(bodies, state, bodies.bounded[k]));
-    m_found.clear();
+    for (const BodyIndex i : m_outrun) {
+        for (const BodyIndex k : m_around[i]) {
+            if (bodies.mobile[k] == 0 || m_isOutrun[k] != 0) continue;
+            std::vector<BodyIndex>& others = m_around[k];
+            others.erase(std::lower_bound(others.begin(), others.end(), i));
+            --m_ends;
+        }
+        m_ends -= m_around[i].size();
+        m_around[i].clear();
+    }
     for (const BodyIndex i : m_outrun)
         if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, state, i);
-    std::sort(m_found.begin(), m_found.end());
-    std::erase_if(m_pairs,
-                  [this](BodyPair pair) { return m_isOutrun[pair.a] != 0 || m_isOutrun[pair.b] != 0; });
-    reserveFor(m_pairs.size() + m_found.size(), m_merged);
-    m_merged.resize(m_pairs.size() + m_found.size());
-    std::merge(m_pairs.begin(), m_pairs.end(), m_found.begin(), m_found.end(), m_merged.begin());
-    std::swap(m_pairs, m_merged);
-    for (const BodyIndex i : m_outrun) m_isOutrun[i] = 0;
+    for (const BodyIndex i : m_outrun) {
+        if (std::exchange(m_isOutrun[i], std::uint8_t{0}) == 0) continue;
+        std::sort(m_around[i].begin(), m_around[i].end());
+    }
     m_outrun.clear();
-    listAround(bodies.count());
 }
 
 // Each pair once, of two that have outrun the list when the first of them is looked at.
 void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
     const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
-    const std::size_t count =
-        overlapping(m_columns, boxWithSkin(bodies, state, body), {&all, 1}, m_hits.data());
-    reserveFor(m_found.size() + count + bodies.walls.size(), m_found);
+    const std::size_t count = overlapping(m_columns, m_columns.box(m_number[body]), {&all, 1}, m_hits.data());
     for (std::size_t k = 0; k < count; ++k) {
         const BodyIndex other = bodies.bounded[m_hits[k]];
         const BodyPair pair{std::min(body, other), std::max(body, other)};
-        if (other != body && m_isOutrun[other] != 2 && doSkinsTouch(bodies, state, pair))
-            m_found.push_back(pair);
+        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, state, pair)) continue;
+        m_around[body].push_back(other);
+        ++m_ends;
+        if (bodies.mobile[other] == 0) continue;
+        ++m_ends;
+        std::vector<BodyIndex>& others = m_around[other];
+        others.insert(m_isOutrun[other] == 1 ? others.end()
+                                             : std::lower_bound(others.begin(), others.end(), body),
+                      body);
     }
     for (const BodyIndex w : bodies.walls) {
-        const BodyPair pair{std::min(w, body), std::max(w, body)};
-        if (boundingGap(bodies, state, pair) <= m_skin[body]) m_found.push_back(pair);
+        if (!(boundingGap(bodies, state, {std::min(w, body), std::max(w, body)}) <= m_skin[body])) continue;
+        m_around[body].push_back(w);
+        ++m_ends;
     }
 }
 
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     m_outrun.clear();
-    for (const BodyIndex i : bodies.mobileBodies) renewSkin(bodies, state, i);
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k)
+    for (const BodyIndex i : bodies.mobileBodies) {
+        renewSkin(bodies, state, i);
+        m_around[i].clear();
+    }
+    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
         m_boxes[k] = boxWithSkin(bodies, state, bodies.bounded[k]);
+        m_columns.set(k, m_boxes[k]);
+    }
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
     findWallPairs(bodies, state);
-    m_pairs.clear();
-    const std::span<const BodyPair> pairs = broadphase.pairs();
+    m_ends = 0;
     auto wall = m_wallPairs.begin();
-    for (const BodyPair pair : pairs) {
+    for (const BodyPair pair : broadphase.pairs()) { // they ascend, so do the others of each body
         if (!doSkinsTouch(bodies, state, pair)) continue;
-        while (wall != m_wallPairs.end() && *wall < pair) m_pairs.push_back(*wall++);
-        m_pairs.push_back(pair);
+        while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++);
+        addPair(bodies, pair);
     }
-    m_pairs.insert(m_pairs.end(), wall, m_wallPairs.end());
-    reserveFor(m_pairs.size() + m_found.capacity(), m_merged);
-    listAround(bodies.count());
+    while (wall != m_wallPairs.end()) addPair(bodies, *wall++);
+}
+
+void Neighbours::addPair(const Bodies& bodies, BodyPair pair) {
+    for (const auto& [i, k] : {pair, BodyPair{pair.b, pair.a}}) {
+        if (bodies.mobile[i] == 0) continue;
+        m_around[i].push_back(k);
+        ++m_ends;
+    }
 }
 
 double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
@@ -242,20 +276,6 @@ void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
     }
     std::sort(m_wallPairs.begin(), m_wallPairs.end());
     reserveFor(2 * m_wallPairs.size(), m_wallPairs);
-}
-
-// Counting sort of both ends; pairs ascend, so the others of a body do.
-void Neighbours::listAround(std::size_t count) {
-    m_first.assign(count + 1, 0);
-    for (const BodyPair pair : m_pairs) {
-        ++m_first[pair.a + 1];
-        ++m_first[pair.b + 1];
-    }
-    for (std::size_t i = 0; i < count; ++i) m_first[i + 1] += m_first[i];
-    m_next.assign(m_first.begin(), m_first.end() - 1);
-    m_others.resize(2 * m_pairs.size());
-    for (const BodyPair pair : m_pairs) m_others[m_next[pair.b]++] = pair.a;
-    for (const BodyPair pair : m_pairs) m_others[m_next[pair.a]++] = pair.b;
 }
 
 } // namespace carom

@@ -21,7 +21,7 @@
 //      |  \____/  moved |
 //       \______________/                more, for what may be hit on the way, is asked for by covers()
 //
-// Where only a few have used it up, all others are compared with these, and the rest of the list stays.
+// Where only some have used it up, all others are compared with these, and the rest of the lists stays.
 //
 // Whoever uses the list tests its pairs for what they are now: what happens depends neither on the skins nor
 // on when they were renewed, only the time it takes does.
@@ -99,12 +99,10 @@ class Neighbours {
         return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
 
-    /// All pairs, walls among them, a < b, ascending.
-    std::span<const BodyPair> pairs() const { return m_pairs; }
-    /// The others in pairs with `body`, ascending.
-    std::span<const BodyIndex> around(BodyIndex body) const {
-        return std::span(m_others).subspan(m_first[body], m_first[body + 1] - m_first[body]);
-    }
+    /// The others in pairs with `body`, walls among them, ascending; of what cannot move none.
+    std::span<const BodyIndex> around(BodyIndex body) const { return m_around[body]; }
+    /// How many others there are around all bodies together: at least as many as pairs.
+    std::size_t ends() const { return m_ends; }
 
     /// A body may come this many times as far as it would without impacts: an impact may speed it up on the
     /// way.
@@ -117,34 +115,34 @@ class Neighbours {
     Aabb boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const;
     bool doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
+    void noteTypical(const Bodies& bodies, std::span<const BodyIndex> list);
     bool areFewOutrun() const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
     void findAround(const Bodies& bodies, const State& state, BodyIndex body);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies, const State& state);
-    void listAround(std::size_t count);
+    void addPair(const Bodies& bodies, BodyPair pair);
 
-    std::vector<std::uint8_t> m_mobile; // of bodies.bounded
-    std::vector<Aabb> m_boxes;          // of bodies.bounded
-    std::vector<double> m_path;         // by body: how far it comes if nothing hits it [m]
-    std::vector<double> m_pull;         // by body: how much further springs and force terms take it [m]
-    std::vector<double> m_moved;        // by body: at most so far from where the list found it [m]
-    std::vector<double> m_skin;         // by body [m]
-    std::vector<double> m_asked; // by body: the most room covers() was asked for since the last update [m]
+    std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
+    std::vector<std::uint32_t> m_number; // by body: its place in bodies.bounded
+    std::vector<Aabb> m_boxes;           // of bodies.bounded
+    std::vector<double> m_path;          // by body: how far it comes if nothing hits it [m]
+    std::vector<double> m_pull;          // by body: how much further springs and force terms take it [m]
+    std::vector<double> m_moved;         // by body: at most so far from where the list found it [m]
+    std::vector<double> m_skin;          // by body [m]
+    std::vector<double> m_asked; // by body: the most room covers() was asked for since its skin was made [m]
     std::vector<Pose> m_origin;  // by body: where the list found it
     double m_duration = 1;       // noted last [s]
     double m_typical = 0;        // root mean square of what bodies need [m]
     std::uint64_t m_searches = 0;
-    std::vector<BodyIndex> m_outrun;         // since the last search; some may be named twice
-    std::vector<std::uint8_t> m_isOutrun;    // by body, of m_outrun
-    BoxColumns m_columns;                    // of bodies.bounded, each with its skin
-    std::vector<std::uint32_t> m_hits;       // of m_columns
-    std::vector<BodyPair> m_found, m_merged; // of m_outrun
-    std::vector<BodyPair> m_wallPairs, m_pairs;
-    std::vector<std::uint32_t> m_first; // by body, into m_others, one more at the end
-    std::vector<std::uint32_t> m_next;
-    std::vector<BodyIndex> m_others;
+    std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
+    std::vector<std::uint8_t> m_isOutrun; // by body, of m_outrun: 1, or 2 once it has been found anew
+    BoxColumns m_columns;                 // of bodies.bounded, each with its skin, where the list found it
+    std::vector<std::uint32_t> m_hits;    // of m_columns
+    std::vector<BodyPair> m_wallPairs;
+    std::vector<std::vector<BodyIndex>> m_around; // by body
+    std::size_t m_ends = 0;                       // of m_around together
 };
 
 } // namespace carom

@@ -65,8 +65,11 @@ bool isComplete(const Crowd& crowd, const Neighbours& neighbours) {
             for (const BodyIndex i : {a, b})
                 if (bodies.mobile[i] != 0) margin += neighbours.reach(i) / Neighbours::reachFactor;
             if (!areWithin(bodies, crowd.state, {a, b}, margin)) continue;
-            const std::span<const BodyPair> pairs = neighbours.pairs();
-            if (!std::binary_search(pairs.begin(), pairs.end(), BodyPair{a, b})) return false;
+            for (const auto& [i, k] : {BodyPair{a, b}, BodyPair{b, a}}) {
+                const std::span<const BodyIndex> around = neighbours.around(i);
+                if (bodies.mobile[i] != 0 && !std::binary_search(around.begin(), around.end(), k))
+                    return false;
+            }
         }
     return true;
 }
@@ -80,11 +83,12 @@ bool isInOrder(const Crowd& crowd, const Neighbours& neighbours) {
         if (!ascends(neighbours.around(i))) return false;
         for (const BodyIndex k : neighbours.around(i)) {
             const std::span<const BodyIndex> back = neighbours.around(k);
-            if (!std::binary_search(back.begin(), back.end(), i)) return false;
+            const bool isMobile = crowd.bodies.mobile[k] != 0;
+            if (isMobile && !std::binary_search(back.begin(), back.end(), i)) return false;
         }
         ends += neighbours.around(i).size();
     }
-    return ascends(neighbours.pairs()) && ends == 2 * neighbours.pairs().size();
+    return ends == neighbours.ends();
 }
 
 } // namespace
