@@ -206,20 +206,20 @@ CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody*
 }
 
 /// One pair of a group, with its rows.
-void copyLane(const BallGroup& from, BallGroup& to, std::size_t lane) {
-    to.a[lane] = from.a[lane];
-    to.b[lane] = from.b[lane];
+void copyLane(const BallGroup& from, std::size_t lane, BallGroup& to, std::size_t toLane) {
+    to.a[toLane] = from.a[lane];
+    to.b[toLane] = from.b[lane];
     for (std::size_t k = 0; k < 3; ++k) {
-        to.normal[k][lane] = from.normal[k][lane];
-        to.tangent[k][lane] = from.tangent[k][lane];
+        to.normal[k][toLane] = from.normal[k][lane];
+        to.tangent[k][toLane] = from.tangent[k][lane];
     }
     for (Wide BallGroup::*value :
          {&BallGroup::radiusA, &BallGroup::radiusB, &BallGroup::friction, &BallGroup::restitution,
           &BallGroup::push, &BallGroup::hard, &BallGroup::gap})
-        (to.*value)[lane] = (from.*value)[lane];
+        (to.*value)[toLane] = (from.*value)[lane];
     for (Wide BallRow::*value : {&BallRow::massNormal, &BallRow::massTangent, &BallRow::normal,
                                  &BallRow::along1, &BallRow::along2, &BallRow::approach, &BallRow::carried})
-        (to.row.*value)[lane] = (from.row.*value)[lane];
+        (to.row.*value)[toLane] = (from.row.*value)[lane];
 }
 
 } // namespace
@@ -384,6 +384,44 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     fixed.source[lane] = source;
 }
 
+void BallRows::copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane) {
+    for (std::size_t k = 0; k < 3; ++k) to.place[k][toLane] = from.place[k][lane];
+    for (Wide Fixed::*value : {&Fixed::wall, &Fixed::massNormal, &Fixed::massTangent})
+        (to.*value)[toLane] = (from.*value)[lane];
+    to.source[toLane] = from.source[lane];
+}
+
+void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile) {
+    std::swap<std::vector<BallGroup>>(m_groups, m_before);
+    std::swap<std::vector<Fixed>>(m_fixed, m_fixedBefore);
+    m_groups.clear();
+    m_fixed.clear();
+    m_groups.reserve(m_before.size());
+    m_fixed.reserve(m_before.size());
+    m_packer.restart();
+    for (std::uint32_t i = 0; i < m_fixedBefore.size(); ++i)
+        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+            const std::uint32_t source = m_fixedBefore[i].source[lane];
+            if (source == noPair) continue;
+            if (m_laneOf.size() <= source) m_laneOf.resize(source + 1);
+            m_laneOf[source] = wideLanes * i + lane;
+        }
+    for (const std::uint32_t source : sources) {
+        const std::uint32_t from = m_laneOf[source] / wideLanes, lane = m_laneOf[source] % wideLanes;
+        const BallGroup& group = m_before[from];
+        const LanePacker::Place place = m_packer.place(group.a[lane], group.b[lane], immobile);
+        if (place.isNew) {
+            m_groups.push_back(emptyGroup(immobile));
+            m_fixed.emplace_back();
+        }
+        BallGroup& to = m_groups[place.group];
+        copyLane(group, lane, to, place.lane);
+        copyFixed(m_fixedBefore[from], lane, m_fixed[place.group], place.lane);
+        to.bounces = to.bounces || to.restitution[place.lane] > 0;
+    }
+    countGroups();
+}
+
 void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
                     std::uint32_t immobile) {
     m_packer.restart();
@@ -397,7 +435,7 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
             if (fixed.source[lane] == noPair) continue;
             fixed.source[lane] = sources[fixed.source[lane]];
             if (fixed.source[lane] == noPair) {
-                copyLane(empty, group, lane);
+                copyLane(empty, lane, group, lane);
                 for (Wide& place : fixed.place) place[lane] = 0;
                 fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = 0;
                 continue;

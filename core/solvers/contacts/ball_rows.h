@@ -82,6 +82,8 @@ class BallRows {
     /// new numbers of source and bodies. Others may take the lanes of those that go.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
+    /// The same pairs, in the order in which `sources` names them, as if they had been added so.
+    void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile);
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
     std::size_t activeGroups() const { return m_active; }
@@ -120,6 +122,13 @@ class BallRows {
                     for (Wide BallRow::*impulse : {&BallRow::normal, &BallRow::along1, &BallRow::along2})
                         (group.row.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
     }
+    /// visit(source) for every pair.
+    template<class Visit>
+    void forEachSource(const Visit& visit) const {
+        for (const Fixed& fixed : m_fixed)
+            for (const std::uint32_t source : fixed.source)
+                if (source != noPair) visit(source);
+    }
     /// visit(source, normal, impulse on B [N s]) for every pair.
     template<class Visit>
     void forEach(const Visit& visit) const {
@@ -152,8 +161,13 @@ class BallRows {
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
     void countGroups();
 
+    static void copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane);
+
     std::vector<BallGroup> m_groups;
-    std::vector<Fixed> m_fixed; // by group
+    std::vector<Fixed> m_fixed;               // by group
+    Scratch<std::vector<BallGroup>> m_before; // of a new order
+    Scratch<std::vector<Fixed>> m_fixedBefore;
+    Scratch<std::vector<std::uint32_t>> m_laneOf; // by source
     LanePacker m_packer;
     std::size_t m_active = 0, m_watched = 0; // groups
     double m_deepest = 0;

@@ -17,25 +17,9 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 constexpr int tooFew = 4;
 
 /// Of so many bodies of an island one at most is renewed: where more are, it leaves.
-constexpr std::size_t fewRenewed = 16;
+constexpr std::size_t fewRenewed = 4;
 /// And only where one body in so many is here: the neighbours may have to search for all.
 constexpr std::size_t partHere = 4;
-
-/// That is nearer than this part of the smaller one's size.
-constexpr double nearPart = 2 * slackPart;
-
-/// Bodies that move by more than this part of their size in the mean are busy.
-constexpr double busyPath = 0.1;
-/// But where a body has so few pairs in the mean, there are few to be found in advance, and where it has so
-/// many, most of those it can meet in a frame are near already.
-constexpr double sparsePairs = 0.5, densePairs = 2;
-
-/// Whether a pair is so near that it touches, or soon does; of pairs that are solved as balls.
-bool isNear(const SteppedInput& input, BodyPair pair) {
-    const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
-    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has none
-    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
-}
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
 /// contacts, up to those of an island with few points; what turns comes down with another part of it, and is
@@ -84,18 +68,6 @@ Division divisionOf(std::uint8_t number, int passes) {
 }
 
 } // namespace
-
-bool BasePath::isBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> island,
-                      std::size_t pairs, double time) {
-    const double perBody = static_cast<double>(pairs) / static_cast<double>(island.size());
-    if (perBody < sparsePairs || perBody >= densePairs) return false;
-    double paths = 0, sizes = 0;
-    for (const BodyIndex i : island) {
-        paths += Neighbours::surfaceSpeed(bodies, state, i) * time;
-        sizes += bodies.boundingRadius[i];
-    }
-    return paths > busyPath * sizes;
-}
 
 Division BasePath::divisionFor(const ContactCount& count, int passes) {
     return divisionOf(divisionNumber(count), passes);
@@ -212,8 +184,8 @@ bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
     return covered;
 }
 
-// Pairs of the renewed that are not here yet. Islands of different blocks that one of them would join are
-// marked.
+// Pairs of the renewed that are not here yet; those that can no longer meet go. Islands of different blocks
+// that one of them would join are marked.
 void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
     for (const auto& [body, reach] : m_renewed) {
         m_reach[body] = reach;
@@ -222,8 +194,16 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
     m_present.clear();
     for (SteppedMotion& block : m_blocks) {
         if (block.isEmpty()) continue;
+        const auto isRenewed = [this](const Entry& entry) {
+            return m_renewal[entry.pair.a] != 0 || m_renewal[entry.pair.b] != 0;
+        };
+        const auto cannotMeet = [&](const Entry& entry) {
+            return isRenewed(entry) &&
+                   !areWithin(input.bodies, input.state, entry.pair, marginOf(input, entry.pair));
+        };
+        block.drop(cannotMeet, manifolds);
         block.forEachEntry([&](Entry& entry) {
-            if (m_renewal[entry.pair.a] == 0 && m_renewal[entry.pair.b] == 0) return;
+            if (!isRenewed(entry)) return;
             entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
             m_present.push_back(entry.pair);
         });
@@ -244,7 +224,8 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
                 mark(k);
                 continue;
             }
-            m_entering.push_back({pair, Manifolds::none, margin});
+            m_entering.push_back(
+                {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
         }
     std::sort(m_entering.begin(), m_entering.end());
     for (const Entry& entry : m_entering) {
@@ -252,6 +233,7 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
         SteppedMotion& block = blockWith(hereOf(entry.pair));
         if (has(a) && has(b)) block.joinIslands(block.islandOf(a), block.islandOf(b));
         block.addPair(input, entry, manifolds);
+        block.reorder(block.islandOf(has(a) ? a : b));
     }
 }
 
@@ -313,7 +295,7 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             const double margin = marginOf(input, pair);
             if (!areWithin(input.bodies, input.state, pair, margin)) continue;
-            (i < k ? m_upward : m_downward).push_back({pair, Manifolds::none, margin});
+            (i < k ? m_upward : m_downward).push_back({.pair = pair, .margin = margin});
         }
     mergeAscending(m_upward, m_downward, m_entering);
     auto old = known.begin();
@@ -338,10 +320,9 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                      Manifolds& manifolds) {
     findPairs(input, list, neighbours, known);
     m_pairs.clear();
-    m_isNear.clear();
-    for (const Entry& entry : m_entering) {
+    for (Entry& entry : m_entering) {
         m_pairs.push_back(entry.pair);
-        m_isNear.push_back(isNear(input, entry.pair));
+        entry.isNear = SteppedMotion::isNear(input, entry.pair);
     }
     m_islands.find(input.bodies, list, m_pairs, links);
     m_isEmpty = m_isEmpty && list.empty();
@@ -361,7 +342,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
     for (const bool near : {true, false})
         for (std::size_t i = 0; i < m_islands.count(); ++i)
             for (const std::uint32_t index : m_islands[i].pairs)
-                if (m_isNear[index] == near)
+                if (m_entering[index].isNear == near)
                     loadMember(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index],
                                manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
@@ -395,8 +376,10 @@ void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint
         if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         return;
     }
-    if (here != noBody) block.joinIslands(block.islandOf(here), block.islandOf(member));
     block.addPair(input, entry, manifolds);
+    if (here == noBody) return;
+    block.joinIslands(block.islandOf(here), block.islandOf(member));
+    block.reorder(block.islandOf(here));
 }
 
 SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds) {

@@ -21,10 +21,11 @@
 //     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
 //              body that turns comes down with another part of it, and a chain of bodies passes an impact
 //              on by a few of them a pass. So there is a block of bodies for every division of the substep.
-//     renewal  where a few bodies of an island outrun their reach, pairs are found for these anew
-//     leaving  islands go one by one, and enter as others do: those of which more bodies than that outrun
-//              their reach, whose time here is over, that have grown out of their block's division, or that
-//              meet another block. Bodies at rest stay for many frames.
+//     renewal  where some bodies of an island outrun their reach, pairs are found for these anew, those that
+//              can no longer meet go, and all of the island are put in order again
+//     leaving  islands go one by one, and enter as others do: those of which more than a quarter outrun their
+//              reach, whose time here is over, that have grown out of their block's division, or that meet
+//              another block. Bodies at rest stay for many frames.
 
 namespace carom {
 
@@ -106,10 +107,6 @@ class BasePath {
     /// All leave, and nothing is carried on.
     void clear();
 
-    /// Whether bodies of an island with so many pairs of bodies that can move go so far in `time` [s] that
-    /// pairs had better be found each substep: a matter of cost alone.
-    static bool isBusy(const Bodies& bodies, const State& state, std::span<const BodyIndex> island,
-                       std::size_t pairs, double time);
     /// How an island with such contacts divides a substep.
     static Division divisionFor(const ContactCount& count, int passes);
     /// How one that is not here divides it: as when it was here last, or by its contacts. With
@@ -189,8 +186,7 @@ class BasePath {
     Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted
     Scratch<SteppedMotion::NewNumbers> m_newNumbers;
-    Scratch<std::vector<BodyPair>> m_pairs;      // of m_entering
-    Scratch<std::vector<std::uint8_t>> m_isNear; // of m_entering
+    Scratch<std::vector<BodyPair>> m_pairs; // of m_entering
     Scratch<Islands> m_islands;
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies

@@ -350,16 +350,7 @@ void Contacts::enterBase(const SolverInput& input) {
     for (const std::uint32_t island : m_refinement.stepped()) {
         m_found.makeManifolds(here(input), m_islands[island].pairs, m_work);
         const std::span<const BodyIndex> bodies = m_islands[island].bodies;
-        const auto areMobile = [&](std::uint32_t index) {
-            const ContactPair& pair = m_found.set().pairs[index];
-            return input.bodies.mobile[pair.a] != 0 && input.bodies.mobile[pair.b] != 0;
-        };
-        const auto pairs =
-            std::count_if(m_islands[island].pairs.begin(), m_islands[island].pairs.end(), areMobile);
-        const bool isBrief =
-            m_joins[island] == 0 &&
-            (m_refinement.isTriedSoon(island) ||
-             BasePath::isBusy(input.bodies, input.state, bodies, static_cast<std::size_t>(pairs), time));
+        const bool isBrief = m_joins[island] == 0 && m_refinement.isTriedSoon(island);
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         list.insert(list.end(), bodies.begin(), bodies.end());
         for (const BodyIndex body : bodies) m_backOff[body] = m_refinement.backOffOf(island);

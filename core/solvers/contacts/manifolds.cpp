@@ -19,17 +19,12 @@ namespace {
 
 /// A point within this part of the size of an old one has its force.
 constexpr double sameWithin = 0.05;
-double sizeOf(const Bodies& bodies, BodyPair pair) {
-    const double a = bodies.boundingRadius[pair.a], b = bodies.boundingRadius[pair.b];
-    if (isWall(bodies.shape[pair.a])) return b;
-    if (isWall(bodies.shape[pair.b])) return a;
-    return std::min(a, b);
-}
-
 /// Of B, seen from A.
 Quat relativeOrientation(const State& state, BodyPair pair) {
     return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
 }
+
+/// B seen from A.
 Pose relativePose(const State& state, BodyPair pair) {
     return {state.pose[pair.a].toBody(state.pose[pair.b].position), relativeOrientation(state, pair)};
 }
@@ -148,7 +143,7 @@ void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Point> 
         const Pose& pose = input.state.pose[pair.b];
         across = {pose.directionToBody(across.first), pose.directionToBody(across.second)};
     }
-    shareOut(old, normal, across, sizeOf(input.bodies, pair), fresh);
+    shareOut(old, normal, across, smallerSize(input.bodies, pair), fresh);
 }
 
 // Opposite points are solved one after the other: a stack rocks less than where neighbours are
@@ -243,7 +238,7 @@ void collideNow(const ManifoldInput& input, BodyPair pair, double margin, Manifo
 void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
               std::span<Point> fresh) {
     if (old.empty()) return;
-    if (!inherit(old, sameWithin * sizeOf(input.bodies, pair), fresh))
+    if (!inherit(old, sameWithin * smallerSize(input.bodies, pair), fresh))
         shareOut(input, pair, old, normal, fresh);
 }
 
@@ -349,10 +344,17 @@ bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
 
 } // namespace
 
+double smallerSize(const Bodies& bodies, BodyPair pair) {
+    const double a = bodies.boundingRadius[pair.a], b = bodies.boundingRadius[pair.b];
+    if (isWall(bodies.shape[pair.a])) return b;
+    if (isWall(bodies.shape[pair.b])) return a;
+    return std::min(a, b);
+}
+
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     const State& state = input.state;
     const Forces& forces = input.bodies.forces;
-    const double slack = slackPart * sizeOf(input.bodies, pair) +
+    const double slack = slackPart * smallerSize(input.bodies, pair) +
                          input.gravity.norm() * input.duration * input.duration +
                          forces.reach(pair.a, input.duration) + forces.reach(pair.b, input.duration);
     if (gap <= slack) return true;
@@ -388,7 +390,7 @@ bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold&
         }
     }
     const Quat now = relativeOrientation(input.state, pair);
-    if (manifold.count > 0 && holds(solids, manifold, now, sizeOf(input.bodies, pair))) return false;
+    if (manifold.count > 0 && holds(solids, manifold, now, smallerSize(input.bodies, pair))) return false;
     manifold.orientation = now;
     findPoints(input, margin, solids, manifold);
     return true;
@@ -403,7 +405,8 @@ bool updateManifold(const ManifoldInput& input, double margin, PersistentManifol
         return updateSolids(input, margin, manifold);
     const bool isRound = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
     const Pose now = isRound ? Pose() : relativePose(input.state, pair);
-    if (!isRound && manifold.count > 0 && isKept(manifold, now, sizeOf(input.bodies, pair))) return false;
+    if (!isRound && manifold.count > 0 && isKept(manifold, now, smallerSize(input.bodies, pair)))
+        return false;
     manifold.position = now.position;
     manifold.orientation = now.orientation;
     findPoints(input, margin, manifold);

@@ -93,6 +93,8 @@ struct ManifoldInput {
     double duration = 0; ///< of the substep [s]
 };
 
+/// The size of the smaller body of a pair, of the only one beside a wall [m].
+double smallerSize(const Bodies& bodies, BodyPair pair);
 /// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
 /// Exact for spheres; otherwise true if in doubt.
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);

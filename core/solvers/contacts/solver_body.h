@@ -27,7 +27,7 @@ struct alignas(32) Displacement {
     std::array<double, 3> shift{}; ///< [m]
     double unused0 = 0;
     std::array<double, 3> turn{}; ///< rotation vector [rad]
-    double unused1 = 0;
+    double angle = 0;             ///< of all that it has turned through [rad]
 };
 
 inline Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }

@@ -7,6 +7,7 @@
 #include "core/dynamics/free_rotation.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/neighbours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,9 @@ constexpr int mostRounds = 4;
 /// How often impacts of balls go through all that is active in a step. In a break of fifteen balls, of
 /// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
 constexpr int mostStrikes = 4;
+
+/// A pair is near that is nearer than this part of the smaller one's size.
+constexpr double nearPart = 2 * slackPart;
 
 /// Passes go through the contacts backwards: bodies are numbered from the ground up
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
@@ -60,7 +64,10 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_links.clear();
     m_entries.clear();
     m_isFlipped.clear();
+    m_open.clear();
     m_general.clear();
+    m_isAscending = true;
+    m_isUnordered = false;
     m_balls.clear();
     m_forced.clear();
 }
@@ -95,6 +102,7 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
     from.joined = one;
     into.bodies += from.bodies;
     into.leaves = into.leaves || from.leaves;
+    into.isUnordered = into.isUnordered || from.isUnordered;
     ++m_joined;
     m_isSettled = false;
 }
@@ -117,7 +125,9 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
         addBall(input, index, laws, manifolds);
         return;
     }
+    m_isAscending = m_isAscending && (m_general.empty() || m_entries[m_general.back()] < entry);
     m_general.push_back(index);
+    m_open.emplace_back();
     if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
 }
 
@@ -150,8 +160,47 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     m_balls.add(pair, entry, immobile, m_bodies);
 }
 
+// Passes solve for pairs as bodies are numbered, from the top to the ground, whenever each of them came: a
+// heap whose lowest contacts are solved first does not come to rest.
+void SteppedMotion::order(const SteppedInput& input) {
+    if (!std::exchange(m_isAscending, true)) orderGeneral();
+    if (std::exchange(m_isUnordered, false)) orderBalls(input);
+}
+
+void SteppedMotion::orderGeneral() {
+    std::sort(m_general.begin(), m_general.end(),
+              [this](std::uint32_t one, std::uint32_t other) { return m_entries[one] < m_entries[other]; });
+    m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
+}
+
+// Islands that are in order stay in it.
+void SteppedMotion::orderBalls(const SteppedInput& input) {
+    m_near.clear();
+    m_far.clear();
+    m_balls.forEachSource([&](std::uint32_t index) {
+        Entry& entry = m_entries[index];
+        if (entry.isGone) return;
+        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered) entry.isNear = isNear(input, entry.pair);
+        (entry.isNear ? m_near : m_far).push_back({entry.pair, index});
+    });
+    for (Group& group : m_groups) group.isUnordered = false;
+    m_order.clear();
+    for (std::vector<Numbered>* list : {&m_near, &m_far}) {
+        m_sort.sort(*list, input.bodies.count());
+        for (const Numbered& numbered : *list) m_order.push_back(numbered.index);
+    }
+    m_balls.reorder(m_order, immobile);
+}
+
+bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
+    const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
+    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has none
+    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
+}
+
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
+    order(input);
     SteppedReport report;
     Invariants before;
     if (input.ledger != nullptr) before = invariantsOf(input.bodies, m_list, input.state, input.gravity);
@@ -176,6 +225,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
 // Where the contacts are now.
 void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
+    noteTravel(input, duration);
     std::fill(m_moved.begin(), m_moved.end(), Displacement{});
     std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
     m_balls.refresh(m_bodies, m_places, duration, input.gravity);
@@ -185,12 +235,24 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     m_watched.clear();
     reserveFor(m_general.size(), m_watched);
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
-    for (const std::uint32_t entry : m_general) {
-        PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    const double fall = input.gravity.norm() * duration * duration;
+    for (std::uint32_t number = 0; number < m_general.size(); ++number) {
+        const std::uint32_t entry = m_general[number];
         const double margin = m_entries[entry].margin;
-        if (!std::exchange(m_entries[entry].isFresh, false))
-            report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
-        if (manifold.open && manifold.gap <= margin) watch(here, entry, manifolds);
+        OpenPair& open = m_open[number];
+        const bool isFresh = std::exchange(m_entries[entry].isFresh, false);
+        if (!isFresh && staysOpen(open, fall)) {
+            if (open.watched.gap <= margin) m_watched.push_back(open.watched);
+            report.contacts += open.hasPoints ? 1 : 0;
+            continue;
+        }
+        PersistentManifold& manifold = manifolds[m_entries[entry].place];
+        if (!isFresh) report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
+        open.watched.gap = 0;
+        if (manifold.open) {
+            open = openPairOf(here, number, manifolds);
+            if (manifold.gap <= margin) m_watched.push_back(open.watched);
+        }
         if (manifold.count == 0) continue;
         ++report.contacts;
         if (manifold.open) continue;
@@ -219,18 +281,44 @@ void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const
                entry, m_bodies);
 }
 
-void SteppedMotion::watch(const ManifoldInput& here, std::uint32_t entry, const Manifolds& manifolds) {
+void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
+    m_travel.assign(m_bodies.size(), {});
+    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+        const BodyIndex body = m_list[i - 1];
+        const SolverBody& from = m_bodies[i];
+        const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
+        m_travel[i] = {vectorOf(m_moved[i].shift).norm() + radius * m_moved[i].angle,
+                       duration * (vectorOf(from.velocity).norm() + radius * vectorOf(from.spin).norm()) +
+                           input.bodies.forces.reach(body, duration)};
+    }
+}
+
+bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
+    double& gap = pair.watched.gap;
+    if (!(gap > 0)) return false;
+    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
+    gap -= a.came + b.came;
+    return gap > pair.slack + fall + a.comes + b.comes;
+}
+
+SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,
+                                                  const Manifolds& manifolds) const {
+    const std::uint32_t entry = m_general[number];
     const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    const auto [a, b] = manifold.pair;
     const auto turning = [&](BodyIndex i) {
         return here.bodies.mobile[i] != 0 && !isSphere(here.bodies, i) ? here.bodies.boundingRadius[i] : 0;
     };
-    m_watched.push_back({.entry = entry,
-                         .a = m_local[manifold.pair.a],
-                         .b = m_local[manifold.pair.b],
-                         .normal = normalOf(here, manifold),
-                         .gap = manifold.gap,
-                         .radiusA = turning(manifold.pair.a),
-                         .radiusB = turning(manifold.pair.b)});
+    return {.watched = {.entry = entry,
+                        .open = number,
+                        .a = m_local[a],
+                        .b = m_local[b],
+                        .normal = normalOf(here, manifold),
+                        .gap = manifold.gap,
+                        .radiusA = turning(a),
+                        .radiusB = turning(b)},
+            .slack = slackPart * smallerSize(here.bodies, manifold.pair),
+            .hasPoints = manifold.count > 0};
 }
 
 // How far each body that was struck comes until the end of the step, from where it was at the look.
@@ -280,6 +368,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
                                                    vectorOf(a.shift) - vectorOf(a.turn).cross(point.armA));
         }
         addRow(input, pair.entry, contact);
+        m_open[pair.open].watched.gap = 0;
         pair.entry = ContactRows::noPair;
         anyRow = true;
     }
@@ -442,6 +531,7 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         const Vec3 spin = vectorOf(from.spin);
         if (spin == Vec3::Zero()) continue;
         add(moved.turn, duration * spin);
+        moved.angle += duration * spin.norm();
         if (!turnsLater(from)) m_turns.push_back(i);
     }
     m_turning.turn(m_turns, duration, m_bodies);
@@ -492,7 +582,7 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 
 std::size_t SteppedMotion::bytes() const {
     return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_free, m_struck, m_links,
-                     m_entries, m_isFlipped, m_general, m_balls, m_groups) +
+                     m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups) +
            m_turning.bytes();
 }
 

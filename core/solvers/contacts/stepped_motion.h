@@ -9,6 +9,7 @@
 #include "core/solvers/contacts/contact_rows.h"
 #include "core/solvers/contacts/energy_limit.h"
 #include "core/solvers/contacts/manifolds.h"
+#include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/turning_bodies.h"
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 // The base path of `contacts`: moves any bodies with any contacts through the substeps of a frame at a cost
@@ -73,6 +75,8 @@ class SteppedMotion {
         std::uint32_t place = Manifolds::none;
         double margin = 0;    ///< [m]
         bool isFresh = false; ///< the manifold is of the present poses
+        bool isNear = false;  ///< they touch, or soon do: solved before others, which are idle together
+        bool isGone = false;  ///< no longer a pair of the block
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
 
@@ -100,6 +104,22 @@ class SteppedMotion {
     /// A pair of bodies that are here, or of one that is and one that cannot move. Its manifold is as it was
     /// last; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
+    /// Pairs of an island came after others had been solved for: all of them are put in order anew.
+    void reorder(std::uint32_t island) { m_groups[island].isUnordered = m_isUnordered = true; }
+    /// Pairs go of which `is(entry)` holds: they are too far apart to meet.
+    template<class Is>
+    void drop(const Is& is, Manifolds& manifolds) {
+        for (Entry& entry : m_entries) {
+            if (entry.isGone || !is(entry)) continue;
+            entry.isGone = true;
+            if (entry.place != Manifolds::none) manifolds.remove(std::exchange(entry.place, Manifolds::none));
+            reorder(rootOf(m_island[numberOf(entry.pair)]));
+        }
+        if (std::erase_if(m_general, [this](std::uint32_t entry) { return m_entries[entry].isGone; }) > 0)
+            m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
+    }
+    /// Whether the bodies of a pair are so near that they touch, or soon do.
+    static bool isNear(const SteppedInput& input, BodyPair pair);
 
     /// One substep, or `part` of it.
     SteppedReport advance(const SteppedInput& input, Manifolds& manifolds, double part = 1);
@@ -144,7 +164,8 @@ class SteppedMotion {
     /// visit(entry) for every pair.
     template<class Visit>
     void forEachEntry(const Visit& visit) {
-        std::for_each(m_entries.begin(), m_entries.end(), visit);
+        for (Entry& entry : m_entries)
+            if (!entry.isGone) visit(entry);
     }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
@@ -167,10 +188,27 @@ class SteppedMotion {
     static constexpr std::uint32_t immobile = 0; ///< number of the body that cannot move
     struct Watched {
         std::uint32_t entry = 0;
+        std::uint32_t open = 0;     ///< number of the pair in m_open
         std::uint32_t a = 0, b = 0; ///< bodies of the solve
         Vec3 normal = Vec3::Zero();
         double gap = 0;                  ///< along the normal, when the rows were made [m]
         double radiusA = 0, radiusB = 0; ///< of what turns with the bodies [m]
+    };
+    /// A pair that could not meet at its last look. While the two have not come so far since that
+    /// they might, it is not looked at: its gap is less by all that they have come.
+    struct OpenPair {
+        Watched watched;  ///< its gap is 0 where the pair must be looked at [m]
+        double slack = 0; ///< within it they may touch however slow they are [m]
+        bool hasPoints = false;
+    };
+    /// How far the surface of a body has come since the last look, and how far it may until the next [m].
+    struct Travel {
+        double came = 0, comes = 0;
+    };
+    /// An entry.
+    struct Numbered {
+        BodyPair pair;
+        std::uint32_t index = 0;
     };
     /// How far a body comes within a step, from where it was at the look.
     struct Coming {
@@ -182,6 +220,7 @@ class SteppedMotion {
         std::uint32_t joined = 0; ///< the island it is part of, its own number if it is one
         std::size_t bodies = 0;
         bool leaves = false;
+        bool isUnordered = false;
     };
     std::uint32_t rootOf(std::uint32_t island) const {
         while (m_groups[island].joined != island) island = m_groups[island].joined;
@@ -192,6 +231,9 @@ class SteppedMotion {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
     void settle();
+    void order(const SteppedInput& input);
+    void orderGeneral();
+    void orderBalls(const SteppedInput& input);
     void keepUnmarked(const Bodies& bodies, NewNumbers& numbers);
     void addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
                  const Manifolds& manifolds);
@@ -201,7 +243,9 @@ class SteppedMotion {
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
-    void watch(const ManifoldInput& here, std::uint32_t entry, const Manifolds& manifolds);
+    void noteTravel(const SteppedInput& input, double duration);
+    bool staysOpen(OpenPair& pair, double fall) const;
+    OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds) const;
     void foreseeStruck(double duration);
     bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
@@ -247,10 +291,17 @@ class SteppedMotion {
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
+    bool m_isAscending = true;             // they are
+    bool m_isUnordered = false;            // balls of some island
+    std::vector<OpenPair> m_open;          // by number in m_general
     BallRows m_balls;
     // Of a look or a step.
     Scratch<ContactRows> m_rows;
     Scratch<std::vector<Watched>> m_watched;
+    Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
+    Scratch<PairSort<Numbered>> m_sort;
+    Scratch<std::vector<std::uint32_t>> m_order;
+    Scratch<std::vector<Travel>> m_travel;       // by number
     Scratch<std::vector<Coming>> m_coming;       // by number
     Scratch<std::vector<std::uint32_t>> m_turns; // numbers of those that turn in the step
     Scratch<EnergyLimit> m_energy;

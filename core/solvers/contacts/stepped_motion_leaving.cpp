@@ -76,7 +76,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     numbers.entries.assign(m_entries.size(), gone);
     for (std::uint32_t i = 0; i < m_entries.size(); ++i) {
         const BodyPair pair = m_entries[i].pair;
-        if (!stays(isHere(pair.a) ? pair.a : pair.b)) continue;
+        if (m_entries[i].isGone || !stays(isHere(pair.a) ? pair.a : pair.b)) continue;
         m_entries[kept] = m_entries[i];
         m_isFlipped[kept] = m_isFlipped[i];
         numbers.entries[i] = kept++;
@@ -85,6 +85,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_isFlipped.resize(kept);
     std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
     for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
+    m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
     std::erase_if(m_links, [&](std::uint32_t link) {
         const SpringForce& spring = bodies.springs[link];
         return !stays(isHere(spring.from) ? spring.from : spring.to);

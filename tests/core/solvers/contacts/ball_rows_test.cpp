@@ -489,6 +489,33 @@ class BallRowsTest : public QObject {
         }
     }
 
+    // Pairs that are put in another order, some of them left out, are solved as if they had come in it.
+    void anotherOrderIsThatInWhichPairsMightHaveCome() {
+        Random random(test::seed, 9);
+        for (int trial = 0; trial < 100; ++trial) {
+            BallScene reordered = randomBalls(random, 2 + random.below(60)), added = reordered;
+            std::vector<std::uint32_t> order;
+            for (std::uint32_t i = 0; i < reordered.pairs.size(); ++i)
+                if (random.below(5) != 0) order.push_back(i);
+            for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+            BallRows rows, others;
+            reordered.fill(rows);
+            rows.reorder(order, reordered.immobile());
+            for (const std::uint32_t i : order) others.add(added.pairs[i], i, added.immobile(), added.bodies);
+            QCOMPARE(rows.groups(), others.groups());
+            QCOMPARE(seenIn(rows, added.pairs.size()).sources, seenIn(others, added.pairs.size()).sources);
+            const StepSettings settings = randomSettings(random, added.duration);
+            for (int n = 0; n < 3; ++n) {
+                reordered.refresh(rows);
+                added.refresh(others);
+                step(rows, reordered, settings, 2);
+                step(others, added, settings, 2);
+                for (std::size_t i = 0; i < added.bodies.size(); ++i)
+                    QVERIFY(sameBits(reordered.bodies[i], added.bodies[i]));
+            }
+        }
+    }
+
     void groupsDependOnTheOrderOfPairsAlone() {
         Random random(test::seed, 6);
         for (int trial = 0; trial < 100; ++trial) {

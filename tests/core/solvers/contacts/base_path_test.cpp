@@ -496,20 +496,6 @@ class BasePathTest : public QObject {
         QVERIFY(joined > 400);
     }
 
-    void busyIsAMatterOfPathsAndSizes() {
-        Entered entered(test::sceneOf({ball(0.1, {0, 0, 0}, {1, 0, 0}), ball(0.3, {1, 0, 0}, Vec3::Zero())}));
-        // The mean path is a tenth of the mean size at v t = .04 m.
-        const auto isBusy = [&](std::size_t pairs, double time) {
-            return BasePath::isBusy(entered.bodies, entered.state, entered.bodies.mobileBodies, pairs, time);
-        };
-        QVERIFY(!isBusy(1, 0.039));
-        QVERIFY(isBusy(1, 0.041));
-        QVERIFY(!isBusy(0, 0.041)); // there are few to be found in advance
-        const std::size_t dense = 2 * entered.bodies.mobileBodies.size();
-        QVERIFY(isBusy(dense - 1, 0.041));
-        QVERIFY(!isBusy(dense, 0.041)); // most of whom they can meet in the frame are near already
-    }
-
     void smallIslandsLookMoreOften() {
         int looks = 1000, steps = 1000;
         for (const std::size_t points : {1U, 16U, 32U, 64U, 192U, 193U, 1000U}) {
