@@ -529,14 +529,21 @@ PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pai
 }
 
 std::uint32_t Manifolds::add(const PersistentManifold& manifold) {
-    if (m_free.empty()) {
-        m_manifolds.push_back(manifold);
-        return static_cast<std::uint32_t>(m_manifolds.size() - 1);
+    if (!m_free.empty()) {
+        const std::uint32_t place = m_free.back();
+        m_free.pop_back();
+        (*this)[place] = manifold;
+        return place;
     }
-    const std::uint32_t place = m_free.back();
-    m_free.pop_back();
-    m_manifolds[place] = manifold;
-    return place;
+    if (m_pages.empty() || m_pages.back().size() == onPage) m_pages.emplace_back().reserve(onPage);
+    m_pages.back().push_back(manifold);
+    return static_cast<std::uint32_t>(places() - 1);
+}
+
+std::size_t Manifolds::bytes() const {
+    std::size_t sum = heldBytes(m_entries, m_free, m_pages);
+    for (const std::vector<PersistentManifold>& page : m_pages) sum += heldBytes(page);
+    return sum;
 }
 
 } // namespace carom

@@ -129,8 +129,10 @@ class Manifolds {
         bool operator<(const Entry& other) const { return pair < other.pair; }
     };
     std::span<const Entry> entries() const { return m_entries; }
-    PersistentManifold& operator[](std::uint32_t place) { return m_manifolds[place]; }
-    const PersistentManifold& operator[](std::uint32_t place) const { return m_manifolds[place]; }
+    PersistentManifold& operator[](std::uint32_t place) { return m_pages[place / onPage][place % onPage]; }
+    const PersistentManifold& operator[](std::uint32_t place) const {
+        return m_pages[place / onPage][place % onPage];
+    }
 
     std::uint32_t add(const PersistentManifold& manifold);
     /// One without points yet.
@@ -143,12 +145,16 @@ class Manifolds {
     /// The manifolds that live from now on, ascending.
     void exchange(std::vector<Entry>& entries) { std::swap(m_entries, entries); }
     /// Also those that are free.
-    std::size_t places() const { return m_manifolds.size(); }
-    std::size_t bytes() const { return heldBytes(m_entries, m_manifolds, m_free); }
+    std::size_t places() const {
+        return m_pages.empty() ? 0 : onPage * (m_pages.size() - 1) + m_pages.back().size();
+    }
+    std::size_t bytes() const;
 
   private:
+    static constexpr std::size_t onPage = 8 * 1024 / sizeof(PersistentManifold); // a size allocators have
+
     std::vector<Entry> m_entries;
-    std::vector<PersistentManifold> m_manifolds;
+    std::vector<std::vector<PersistentManifold>> m_pages; // full but for the last: so growing copies few
     std::vector<std::uint32_t> m_free;
 };
 
