@@ -115,8 +115,16 @@ class SteppedMotion {
             if (entry.place != Manifolds::none) manifolds.remove(std::exchange(entry.place, Manifolds::none));
             reorder(rootOf(m_island[numberOf(entry.pair)]));
         }
-        if (std::erase_if(m_general, [this](std::uint32_t entry) { return m_entries[entry].isGone; }) > 0)
-            m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
+        std::uint32_t kept = 0;
+        for (std::uint32_t number = 0; number < m_general.size(); ++number) {
+            if (m_entries[m_general[number]].isGone) continue;
+            m_general[kept] = m_general[number];
+            m_open[kept] = m_open[number];
+            m_open[kept].watched.open = kept;
+            ++kept;
+        }
+        m_general.resize(kept);
+        m_open.resize(kept);
     }
     /// Whether the bodies of a pair are so near that they touch, or soon do.
     static bool isNear(const SteppedInput& input, BodyPair pair);
