@@ -25,7 +25,7 @@ std::vector<std::string_view> csvSplit(std::string_view text, char separator);
 /// What a field says: without the quotes around it.
 std::string csvValue(std::string_view field);
 
-/// A table in the making. A cell is text, or a number; NaN leaves it empty.
+/// Builds a table. A cell is text or a number; NaN leaves it empty.
 class CsvTable {
   public:
     CsvTable() = default;

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-// A message about a text, as plain data: what reports it never prints, what shows it never decides.
+// A message about a text, as plain data. The code that reports it does not print; the code that prints it
+// does not decide.
 
 namespace carom {
 

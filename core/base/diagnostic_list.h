@@ -9,12 +9,14 @@
 
 namespace carom {
 
-/// Collects the diagnostics of one stage. Listed are the first `capacity`, counted are all, so that a text
-/// that is nothing but mistakes costs neither memory nor the time to word them:
+/// Collects the diagnostics of one stage. All are counted, but only the first `capacity` are kept, so that a
+/// text full of mistakes costs neither memory nor the time to word the messages:
 ///
 ///     if (Diagnostic* diagnostic = list.report(code, range)) diagnostic->message = ...;
 class DiagnosticList {
   public:
+    /// At half of it a large text with a systematic mistake shows its end too late; at twice, the list of
+    /// problems takes noticeably longer to fill.
     static constexpr std::size_t capacity = 1000;
 
     /// The new entry, to be worded before the next call; null where it is counted only.

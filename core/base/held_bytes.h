@@ -5,22 +5,23 @@
 #include <cstddef>
 #include <vector>
 
-// The memory behind what is kept for long, as the allocator gives it: what vectors have room for, not what is
-// in them, and something for each piece.
+// The memory that long-lived values hold on the heap: the capacity of vectors, not their size, plus the
+// allocator's overhead for each block.
 
 namespace carom {
 
-/// What an allocator needs beside each piece, with what it rounds up [bytes].
+/// What an allocator needs for each block beside its contents, with rounding up [bytes]: an estimate, good to
+/// a factor of two. It matters only where many small blocks are held.
 inline constexpr std::size_t pieceOverhead = 16;
 
-/// Anything that counts itself.
+/// Of a type that counts its own memory.
 template<class Part>
 requires requires(const Part& part) {
     { part.bytes() } -> std::convertible_to<std::size_t>;
 }
 std::size_t heldBytes(const Part& part) { return part.bytes(); }
 
-/// Of elements that hold nothing elsewhere.
+/// Of a vector whose elements hold no memory of their own.
 template<class Element>
 std::size_t heldBytes(const std::vector<Element>& list) {
     return list.capacity() == 0 ? 0 : list.capacity() * sizeof(Element) + pieceOverhead;

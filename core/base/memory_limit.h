@@ -5,9 +5,8 @@
 #include <optional>
 #include <string_view>
 
-// Linux promises more memory than there is, and ends a program that takes it at its word without a sentence.
-// With a limit the request that asks for too much fails instead (std::bad_alloc), and what was computed can
-// be kept.
+// Linux grants more memory than there is, and kills a program that then uses it. With a limit the request
+// that asks for too much fails instead (std::bad_alloc): the program can report it and keep what it computed.
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Sees that a vector holds `count` elements without taking memory, and when it must take some, takes it for
-/// twice as many: what grows a little from step to step then takes none.
+/// Ensures capacity for `count` elements; where that needs memory, for twice as many, so that a vector that
+/// grows a little from step to step rarely allocates.
 template<class Element>
 void reserveFor(std::size_t count, std::vector<Element>& in) {
     if (in.capacity() < count) in.reserve(2 * count);

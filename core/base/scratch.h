@@ -3,8 +3,8 @@
 
 namespace carom {
 
-/// A member that is filled anew whenever it is used, and kept only for the memory it has got: copies of the
-/// whole leave it out, so that a checkpoint does not carry it.
+/// A member that is filled anew whenever it is used, and kept only so that its memory is reused. Copies of
+/// the object that holds it leave it empty, so that a checkpoint does not contain it.
 template<class Value>
 class Scratch : public Value {
   public:

@@ -27,7 +27,7 @@ inline Sentence verbatim(std::string text) {
     return text.empty() ? Sentence() : Sentence{"%1", {std::move(text)}};
 }
 
-/// Sentences one behind the other.
+/// Sentences in sequence.
 class Reason {
   public:
     struct Part {

@@ -14,10 +14,10 @@
 
 #include <cmath>
 
-// Four doubles that are computed with together. Loops over rows of a solver are written with them outright:
-// the compiler does not find them by itself. Everything here is inlined into its caller, so the version for
-// wide registers has wide code throughout. No operation mixes lanes but transpose, so a lane's bits do not
-// depend on what is beside it.
+// Four doubles in one vector (SIMD). Loops over rows of a solver use this type explicitly, because the
+// compiler does not vectorise them by itself. Everything here is inlined into its caller, so the version for
+// wide registers has wide code throughout. No operation mixes lanes except transpose, so a lane's bits do not
+// depend on the other lanes.
 
 namespace carom {
 

@@ -6,7 +6,8 @@
 
 // A binary tree of boxes: every node's box holds the boxes below it, so two subtrees whose boxes are apart
 // have no pair between them. G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
-// using AABB Trees", 1997: the tree outlives the frame and is refitted from the leaves up as its boxes move.
+// using AABB Trees", 1997: the tree is kept from frame to frame and refitted from the leaves up as its boxes
+// move.
 //
 //        [ . . . . . . . ]         Three kinds of frame, from the cheapest:
 //      [ . . . ]   [ . . . . ]     - no box left its fattened box: the pairs of fattened boxes are known, and
@@ -14,8 +15,9 @@
 //                                  - a few did: they alone are looked up in the refitted tree;
 //                                  - many did: the refitted tree is compared with itself.
 //
-// A tree whose boxes have wandered is looser than a new one. What that has cost is added up, and when it
-// exceeds what a new tree costs, there is one: never worse than twice the best moment to rebuild.
+// The more its boxes have moved since it was built, the more nodes a comparison visits. The excess is added
+// up, and when it exceeds the cost of a new tree, the tree is rebuilt: the total is at most twice that of
+// rebuilding at the best times.
 
 namespace carom {
 
@@ -29,7 +31,7 @@ class BoundingTree final : public Broadphase {
     struct Node {
         Aabb box;
         std::uint32_t right = 0;  ///< child; 0 for a leaf
-        std::uint32_t first = 0;  ///< of m_items: what lies below is contiguous
+        std::uint32_t first = 0;  ///< of m_items: those below the node are contiguous
         std::uint32_t count = 0;  ///< of m_items
         std::uint32_t mobile = 0; ///< 1 if anything below can move
     };

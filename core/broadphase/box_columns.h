@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Boxes turned on their side: one array a coordinate, so that one box is compared with many at once.
+/// Boxes as a structure of arrays, one a coordinate, so that one box is compared with many at once.
 struct BoxColumns {
     std::array<std::vector<double>, 3> lower, upper; ///< [m], by axis, then by entry; wideLanes more
 

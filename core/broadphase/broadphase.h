@@ -13,8 +13,8 @@
 #include <vector>
 
 // The broad-phase finds all pairs of boxes that overlap. Every algorithm reports the same pairs in the same
-// ascending order, so whatever follows computes the same bits whichever ran. Walls have no box and never come
-// here; a pair of two immobile boxes is never reported.
+// ascending order, so the results do not depend on the algorithm, to the bit. Walls have no box and do not
+// take part; a pair of two immobile boxes is never reported.
 
 namespace carom {
 
@@ -31,7 +31,7 @@ struct BroadphaseCounters {
 };
 
 /// The boxes of one frame: entry i belongs to body `bodies[i]`, ascending. The set of bodies and which of
-/// them are mobile never changes in one object's life; only the boxes do.
+/// them are mobile are constant for one object; only the boxes change.
 struct BroadphaseInput {
     std::span<const Aabb> boxes;
     std::span<const BodyIndex> bodies;

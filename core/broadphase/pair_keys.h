@@ -17,8 +17,8 @@ constexpr PairKey pairKey(std::uint32_t i, std::uint32_t j) {
 constexpr std::uint32_t firstOf(PairKey key) { return static_cast<std::uint32_t>(key >> 32); }
 constexpr std::uint32_t secondOf(PairKey key) { return static_cast<std::uint32_t>(key); }
 
-/// Brings pairs found in any order into the order all algorithms share, in O(boxes + pairs): they are dealt
-/// into one bin a first entry, and the bins, which are short, are sorted.
+/// Sorts pairs into the order that all algorithms share, in O(boxes + pairs): a bucket sort with one bucket
+/// for each first entry, and an insertion sort of the buckets, which are short.
 class PairOrder {
   public:
     /// Sorts `keys` and leaves out repetitions and pairs of two immobile boxes.

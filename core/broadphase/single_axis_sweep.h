@@ -6,9 +6,9 @@
 
 namespace carom {
 
-/// Sorts the boxes along the axis their centres scatter most on and compares each with those that begin
-/// before it ends: C. Ericson, "Real-Time Collision Detection", 2005, section 7.5.2. Nothing is remembered
-/// but the order, so it neither profits from rest nor suffers from motion.
+/// Sorts the boxes along the axis on which their centres have the largest variance and compares each with
+/// those that begin before it ends: C. Ericson, "Real-Time Collision Detection", 2005, section 7.5.2. Only
+/// the order is kept from frame to frame, so the cost hardly depends on how much moves.
 class SingleAxisSweep final : public Broadphase {
   public:
     void update(const BroadphaseInput& input) override;

@@ -3,8 +3,8 @@
 
 namespace carom {
 
-/// What a method of motion simulates beyond gravity, rotation and restitution; the effects decide by it
-/// whether they are simulated or only called for.
+/// What a method of motion simulates beyond gravity, rotation and restitution. Effects decide by it whether
+/// they are simulated, or are reported as not simulated yet.
 struct Abilities {
     bool friction = false;
     bool rollingResistance = false;
@@ -12,7 +12,7 @@ struct Abilities {
     bool bentPaths = false;      ///< paths between contacts need not be parabolas
     bool locatesImpacts = false; ///< within the step, so that nothing tunnels however fast it is
     bool ownPairs = false;       ///< finds the pairs that can meet by itself, without a broad-phase
-    bool resting = false;        ///< what rests is left alone until something may touch it
+    bool resting = false;        ///< bodies at rest sleep until something may touch them
     bool gyroscopicTerm = false; ///< free bodies keep their angular momentum
 };
 

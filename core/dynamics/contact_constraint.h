@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-// Contacts as the motion sees them: pairs of bodies that touch or come near, each with its points, and at
-// every point the frame (normal, two tangents) in which velocities and forces are written.
+// Contacts as input of the contact solver: pairs of bodies that touch or are near, each with its points, and
+// at every point the frame (normal, two tangents) in which velocities and forces are written.
 //
 //          B        n  normal, from A to B
 //        __|__      t1, t2 tangents
@@ -33,13 +33,13 @@ struct ContactConstraint {
     Eigen::Vector2d rollingTorque = Eigen::Vector2d::Zero(); ///< on B about t1, t2 [N m]
 };
 
-/// Two bodies within reach of each other, a < b, with the laws between them.
+/// Two bodies near each other, a < b, with the coefficients of their contact law.
 struct ContactPair {
     BodyIndex a = noBody, b = noBody;
     double restitution = 0;
     double friction = 0;
     double rolling = 0;    ///< [m]
-    double size = 0;       ///< of the smaller body [m]: what lengths of this contact are measured by
+    double size = 0;       ///< of the smaller body [m]: lengths of this contact are relative to it
     double margin = 0;     ///< points up to this separation are kept [m]
     double resolution = 0; ///< gaps cannot be told apart below this, by the rounding of coordinates [m]
     std::uint32_t first = 0, count = 0; ///< into ContactSet::points
@@ -62,7 +62,7 @@ struct ContactSet {
         pairs.clear();
         points.clear();
     }
-    /// Makes room for so many pairs and points, and some more.
+    /// Reserves memory for at least so many pairs and points.
     void reserve(std::size_t pairCount, std::size_t pointCount);
     std::size_t bytes() const { return heldBytes(pairs, points); }
     /// Appends a pair of another set with its points.

@@ -8,22 +8,22 @@
 #include <span>
 #include <vector>
 
-// Contacts persist: the force of a point is the best guess for the force of the same point a step later. A
-// point is found again by its place on body B (on A if B is a wall), within 5 % of the smaller body; not by
-// the features the narrow phase names, which change to and fro where edges line up. Tangential forces are
-// carried over in the world, since tangents turn with the normal.
+// Warm starting: the force at a point is the initial guess for the force at the same point a step later.
+// Points are matched by their position on body B (on A if B is a wall), within 5 % of the size of the smaller
+// body; not by the features of the narrow phase, which alternate where edges are aligned. Tangential forces
+// are kept in world coordinates, since tangents turn with the normal.
 
 namespace carom {
 
-/// The laws of two bodies: restitution is the smaller of the two, friction the geometric mean, rolling the
-/// larger.
+/// The coefficients of the contact law of two bodies: the smaller restitution, the geometric mean of
+/// friction, the larger rolling resistance.
 ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin);
 
 /// Finds the contact of `pair` at the bodies' present poses and appends it, with the forces of `memory` where
 /// it has the same points. Appends nothing where the bodies are further apart than pair.margin.
 void collideInto(const Bodies& bodies, const State& state, ContactPair pair,
                  std::span<const ContactConstraint> memory, ContactSet& set);
-/// The same at poses of one's own.
+/// The same at given poses.
 void collideAt(const Bodies& bodies, const Pose& poseA, const Pose& poseB, ContactPair pair,
                std::span<const ContactConstraint> memory, ContactSet& set);
 

@@ -38,7 +38,7 @@ struct ForceValue {
     double slope = 0; ///< −∂F/∂v along the direction in which it is largest [N s/m], not negative
 };
 
-/// How a force can speed a body up at most, whatever its motion is.
+/// A bound of how much a force can accelerate a body, whatever its motion is.
 struct SpeedGain {
     double acceleration = 0; ///< [m/s²]
     double speed = 0;        ///< that it never adds more than [m/s]
@@ -58,8 +58,8 @@ class ForceTerm {
     virtual std::string_view parameter() const = 0;
     /// Adds the force in each of `samples` to `values`.
     virtual void add(std::span<const ForceSample> samples, std::span<ForceValue> values) const = 0;
-    /// Adds to `rates` the fastest rate [1/s] at which the force makes differences of velocity vanish, on any
-    /// way that begins with a sample and on which other forces accelerate bodies by no more than
+    /// Adds to `rates` the fastest rate [1/s] at which the force makes differences of velocity decay, on any
+    /// path that begins with a sample and on which other forces accelerate bodies by no more than
     /// `acceleration` [m/s²].
     virtual void addRates(std::span<const ForceSample> samples, double acceleration,
                           std::span<double> rates) const = 0;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-// Steps of bodies under force terms, implicit, so that they hold at any step:
+// Implicit steps of bodies under force terms, stable at any step size:
 //
 //     m (v₁ − v₀) = h (m g + F(w)) + p      w = (1 − θ) v₀ + θ v₁      x₁ = x₀ + h (v₀ + v₁)/2
 //     θ = 1/(1 − e⁻ᶻ) − 1/z                 z = λ h
@@ -26,7 +26,7 @@
 //
 //     m̃ (v₁ − v̂) = p      m̃ = m + θ h s      v̂ = v₀ + h (m g + F + s (w − v₀))/m̃
 //
-// so to whoever solves for p it is a body of another mass and another free velocity. The slope is taken for
+// so for the solver of p it is a body of another mass and another free velocity. The slope is taken for
 // all directions alike; along the force, where it counts, Newton's method converges quadratically.
 
 namespace carom {
@@ -45,7 +45,7 @@ class ForcedSteps {
         Vec3 at = Vec3::Zero();     ///< w [m/s]
         Vec3 force = Vec3::Zero();  ///< F [N] there
         double slope = 0;           ///< s [N s/m]
-        Vec3 after = Vec3::Zero();  ///< v₁ [m/s], as it came out
+        Vec3 after = Vec3::Zero();  ///< v₁ [m/s], the result
         Vec3 given = Vec3::Zero();  ///< what the terms gave, to be recorded [N s]
         bool isSolved = false;      ///< without p
     };
@@ -65,13 +65,13 @@ class ForcedSteps {
     void add(std::size_t owner, const Bodies& bodies, const State& state, BodyIndex body, double duration);
     /// Solves the steps of all bodies as if nothing but gravity and the terms acted.
     void solve(const Forces& forces, const Vec3& gravity, double duration);
-    /// The terms where the velocities `after` lead. False, and nothing has changed, if that is for every body
-    /// where they were taken last, within `tolerance` [m/s].
+    /// Evaluates the terms at the velocities `after`. False, and nothing has changed, if those are for every
+    /// body the velocities of the last evaluation, within `tolerance` [m/s].
     bool follow(const Forces& forces, double tolerance);
 
     double massOf(const Step& step) const { return step.mass + step.weight * m_duration * step.slope; } ///< m̃
     Vec3 freeVelocityOf(const Step& step) const; ///< v̂
-    /// What the terms gave to a body that came out with velocity `after` [N s].
+    /// The impulse of the terms on a body whose step ended with velocity `after` [N s].
     Vec3 impulseOf(const Step& step) const;
     /// Records what the terms gave, on the way from `before` to `after`, to their accounts; returns the sum.
     LedgerEntry record(const Forces& forces, Ledger& ledger);

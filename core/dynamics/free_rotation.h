@@ -32,21 +32,22 @@ namespace carom {
 
 /// Turns a body free of torque through h seconds (h may be negative). `inertia` is principal [kg m²], body
 /// axes, all > 0; `angularMomentum` [kg m²/s] in the world. Exact to rounding for two equal moments;
-/// otherwise the error of one call is below about 1e-13 rad, because the call is cut into parts of at most
-/// 1/20 rad.
+/// otherwise the error of one call is below about 1e-13 rad, because the call is divided into parts of at
+/// most 1/20 rad.
 void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
 
-/// Into how many parts it cuts the call where the three moments differ. Not how fast the body turns counts,
-/// which a rotation about L takes along, but how fast its axes wander about L: a plank of 100:1 tumbles as a
-/// stick does.
+/// Into how many parts it divides the call where the three moments differ. What counts is not how fast the
+/// body turns, which the rotation about L covers, but how fast its axes precess about L: a plank of 100:1
+/// precesses about as slowly as a stick.
 double partsOfFreeRotation(const Vec3& inertia, const Vec3& angularMomentum, double h,
                            const Quat& orientation);
 
-/// The same by one cheap composition, uncut: the pieces one after the other (order 1, "Lie–Trotter") or
+/// The same by one composition, undivided: the pieces one after the other (order 1, "Lie–Trotter") or
 /// symmetrically (order 2, "Strang", the same backwards in time). Exact for two equal moments.
 void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, int order, Quat& orientation);
 
-/// The same to order 2, cut into parts as rotateFreely cuts: each is off by some angle³/24, at most 5e-6 rad.
+/// The same to order 2, divided into parts as by rotateFreely: each is off by some angle³/24, at most 5e-6
+/// rad.
 void rotateInParts(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
 
 /// rotateInPieces for the bodies of `list`; their angular velocities follow from their angular momenta.

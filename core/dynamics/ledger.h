@@ -10,8 +10,8 @@
 #include <span>
 #include <string_view>
 
-// Who gives and takes energy and momentum. Each part of the motion records what it did, from the impulses it
-// applied and the velocities on both sides of them, never from the energy of the state:
+// The audit of energy and momentum. Each part of the motion records its work and impulse, computed from the
+// impulses it applied and the velocities before and after them, never from the energy of the state:
 //
 //     impulse p at a point that moves with u before and u' after      work  p · (u + u')/2
 //
@@ -24,7 +24,7 @@ struct Bodies;
 struct Invariants;
 struct State;
 
-/// What is recorded apart (scene/ledger_accounts.def).
+/// What is recorded separately (scene/ledger_accounts.def).
 enum class LedgerAccount : std::uint8_t {
 #define CAROM_LEDGER_ACCOUNT(account, word) account,
 #include "core/scene/ledger_accounts.def"

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-// Two things that a text decides and nature does not: which number a body has, and where the origin is. A
-// method whose sums and sweeps run in an order takes a canonical one, so that the order of declarations
-// changes no bit; and a scene that lies far from the origin is computed from an origin of its own, so that
-// its coordinates have the digits that its bodies need.
+// Two properties of a text that have no physical meaning: the numbers of bodies, and the origin. A method
+// whose sums and sweeps depend on an order uses a canonical one, so that the order of declarations does not
+// change a bit; and a scene far from the origin is computed in coordinates about an origin of its own, so
+// that they have the digits that its bodies need.
 
 namespace carom {
 
@@ -18,9 +18,9 @@ namespace carom {
 /// everything, place included, are left in the order of the text.
 std::vector<BodyIndex> canonicalOrder(const Scene& scene);
 
-/// Where coordinates had better begin [m]: zero, unless everything, springs and the near parts of walls
+/// The origin that coordinates should have [m]: zero, unless everything, springs and the near parts of walls
 /// included, lies within a region that is further away than `farAway` times its size. Then its middle,
-/// rounded to a power of two of that size, so that taking it off costs no digit.
+/// rounded to a power of two of that size, so that subtracting it is exact.
 Vec3 originNear(const Scene& scene);
 /// A distance of 64 sizes takes 6 of the 53 bits of a coordinate. At twice that 7 would be lost; at half,
 /// scenes whose text begins at an origin somewhat beside them would be moved for one bit.

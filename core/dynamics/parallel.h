@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Threads for loops over bodies that do not know each other. Every element is computed by itself, so the
-/// bits do not depend on the number of threads or on who took which part.
+/// Threads for loops over independent bodies. Every element is computed by itself, so the bits do not depend
+/// on the number of threads or on the division into parts.
 class Workers {
   public:
     /// `threads` includes the caller; 1 never starts another, and no more start than there are processors.
@@ -43,7 +43,7 @@ class Workers {
     }
 
   private:
-    /// A function of two numbers that lives with the caller.
+    /// A reference to a function of two numbers; the caller owns it.
     struct Call {
         const void* context = nullptr;
         void (*call)(const void* context, std::size_t, std::size_t) = nullptr;
@@ -51,12 +51,13 @@ class Workers {
     void shareRanges(std::size_t count, Call work);
     void shareElements(std::size_t count, Call work);
 
-    /// Bodies a part holds at least. Advancing one takes about 5 ns and waking a thread some microseconds:
-    /// much smaller parts would cost more than they save.
+    /// Bodies of a part at least. Advancing one takes about 5 ns and waking a thread some microseconds: at
+    /// half, small parts cost nearly what they save; at twice, scenes of some thousand bodies use fewer
+    /// threads.
     static constexpr std::size_t grain = 2048;
 
-    struct Arena; // oneTBB stays out of this header: nearly every file includes it, and would parse a second
-                  // longer
+    struct Arena; // oneTBB is not included here: nearly every file includes this header and would take a
+                  // second longer to compile
     int m_threads;
     std::unique_ptr<Arena> m_arena;
 };

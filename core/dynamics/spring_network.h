@@ -17,8 +17,8 @@
 //     x' = v      v' = F/m      q' = ½ ω q      L' = τ      ω = R I⁻¹ Rᵀ L
 //
 // with the forces and torques of gravity, the springs (spring_force.h) and the terms (force_term.h). L in
-// place of ω is the unknown, so that a body without torque keeps it to the bit. What an integrator is, is how
-// it goes through these.
+// place of ω is the unknown, so that a body without torque keeps it to the bit. Integrators differ in how
+// they solve these equations.
 
 namespace carom {
 
@@ -36,7 +36,7 @@ struct SpringNetwork {
     std::span<const std::uint32_t> springs; ///< into Bodies::springs, ascending
     Vec3 gravity = Vec3::Zero();            ///< [m/s²]
 
-    /// Room for integrators, kept from substep to substep; by place in `moving`.
+    /// Scratch memory of integrators, kept from substep to substep; by place in `moving`.
     struct Scratch {
         std::vector<BodyMotion> start, rate, sum;
         std::vector<Vec3> force, torque; ///< by BodyIndex
@@ -54,7 +54,8 @@ void ratesOf(const SpringNetwork& network, const State& state, std::vector<BodyM
 /// state := start + h rate, orientations normalised.
 void applyRates(const SpringNetwork& network, const std::vector<BodyMotion>& start,
                 const std::vector<BodyMotion>& rate, double h, State& state);
-/// Changes velocities and angular velocities by the forces and torques of `rate` times h; nothing moves.
+/// Changes velocities and angular velocities by the forces and torques of `rate` times h; positions and
+/// orientations stay (the kick of a leapfrog scheme).
 void kick(const SpringNetwork& network, const std::vector<BodyMotion>& rate, double h, State& state);
 /// Whether forces may depend on velocities: a spring of the network is damped, or a term acts.
 bool isDamped(const SpringNetwork& network);

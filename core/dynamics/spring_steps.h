@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-// Bodies on springs that touch nothing, through a step h to order four or six. The rule of order two is that
+// A step h of bodies on springs that touch nothing, to order four or six. The rule of order two is that
 // of R. LaBudde, D. Greenspan, "Energy and momentum conserving methods of arbitrary order for the numerical
-// integration of equations of motion", Numerische Mathematik 25, 1975: over a part T a spring pulls along the
-// middle of the way of its ends, by what its mean length and the change of its length say,
+// integration of equations of motion", Numerische Mathematik 25, 1975: over a part T the impulse of a spring
+// has the direction of its mean vector and follows from its mean length and the change of its length,
 //
 //     p = −T (k (l̄ − L) + c (l₁ − l₀)/T) x̄/l̄      x̄ = (x₀ + x₁)/2,  l̄ = (l₀ + l₁)/2,  l = |x|
 //
@@ -21,37 +21,38 @@
 // (M. Suzuki, "Fractal decomposition of exponential operators with applications to many-body theories and
 // Monte Carlo simulations", Physics Letters A 146, 1990). The phase of an oscillation is off by Σ bᵢ⁵
 // (ωh)⁴/80 = 9.3e-4 (ωh)⁴ of it; no sequence of five has a smaller sum. Bodies stay within the time of the
-// step: the parts end at .41, .83, .17, .59 and 1. Nine parts lead to order six (W. Kahan, R.-C. Li,
-// "Composition constants for raising the orders of unconventional schemes for ordinary differential
+// step: the parts end at 0.41, 0.83, 0.17, 0.59 and 1 of it. Nine parts lead to order six (W. Kahan, R.-C.
+// Li, "Composition constants for raising the orders of unconventional schemes for ordinary differential
 // equations", Mathematics of Computation 66, 1997).
 //
 // A part that runs backwards adds the energy that a damper takes, and needs the damping resolved: it would
-// have no solution where the rate λ at which velocities vanish is 2/(h |1 − 4b|). Beyond λ h = 1.6 as many
-// equal parts are taken, of order two: there both leave the same error in what vanishes so fast.
+// have no solution where the rate λ at which velocities decay is 2/(h |1 − 4b|). Beyond λ h = 1.6 as many
+// equal parts are taken, of order two: there both have the same error in what decays so fast.
 //
-// Where a body that is tied off its centre turns, or swings about its own tie, far within a step, the step is
-// cut into shorter ones: over a turn of an arm, its middle would be nearer the centre than the arm is long.
+// Where a body with a spring attached off its centre turns far within a step, or oscillates about the
+// attachment, the step is divided: over a large turn the mean of a lever arm is shorter than the arm.
 //
-// The equations are solved by iteration. An impulse p changes the length that it follows from: along a spring
-// between masses m and m' by a share κ = (T² k/4 + T c/2)(1/m + 1/m') of it, against it. So of what a round
-// finds p to be off, p takes 1/(1 + κ) along the spring: for one spring that is Newton's method but for its
-// turning, and among many a round gains the factor κ/(1 + κ) at least, at whatever stiffness.
+// The equations are solved by iteration. An impulse p changes the length from which it is computed: along a
+// spring between masses m and m' this reduces p by κ = (T² k/4 + T c/2)(1/m + 1/m') times itself. So each
+// iteration applies 1/(1 + κ) of the residual along the spring: for one spring that is Newton's method except
+// for rotation, and for several the error decreases by the factor κ/(1 + κ) at least, at any stiffness.
 
 namespace carom {
 
 class SpringSteps {
   public:
-    /// Finds how the bodies of the network move. False where the iteration does not lead to a solution: a
-    /// spring is too stiff for the step.
+    /// Computes the step of the network. False where the iteration does not converge: a spring is too stiff
+    /// for the step.
     bool find(const SpringNetwork& network, double h, int order, const State& state);
-    /// Moves and turns them so.
+    /// Applies it to the state.
     void apply(const SpringNetwork& network, double h, State& state) const;
 
     /// Where the body at this place in `moving` ends [m].
     const Vec3& placeAfter(std::size_t place) const { return m_moving[place].x1; }
-    /// Of the last step, found or not: springs that were looked at.
+    /// Evaluations of springs in the last step, whether it converged or not.
     std::size_t looks() const { return m_looks; }
-    /// Velocities are known so often in the last step: where it begins, and at the end of every part.
+    /// The number of times in the last step at which velocities are known: its start, and the end of every
+    /// part.
     std::size_t times() const { return m_times; }
     /// Of a body then, by its place in `moving` [m/s].
     const Vec3& velocity(std::size_t place, std::size_t time) const {
@@ -61,8 +62,8 @@ class SpringSteps {
   private:
     struct Moving {
         double inverseMass = 0;
-        double damping = 0; ///< rate at which its dampers stop it, all together [1/s]
-        bool turns = false; ///< a spring is tied to it off its centre
+        double damping = 0; ///< rate at which all its dampers together slow it [1/s]
+        bool turns = false; ///< a spring is attached off its centre
         Vec3 x0, v0, x1, v1, L0, L1;
         Quat q0, q1;
         Vec3 impulse, torque; ///< [N s], [N m s], of this round

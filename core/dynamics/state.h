@@ -19,9 +19,10 @@ struct State {
     std::vector<Pose> pose;
     std::vector<Vec3> velocity;        ///< [m/s]
     std::vector<Vec3> angularVelocity; ///< [rad/s], world
-    std::vector<Vec3> positionRest;    ///< what `pose.position` rounded off [m]: the body is at their sum
-    /// [kg m²/s], world, that the angular velocity was computed from; of bodies that turned freely, and of no
-    /// meaning to others. Read by angularMomentumOf (free_rotation.h) only, which knows what it is worth.
+    std::vector<Vec3> positionRest;    ///< rounding error of `pose.position` [m]: the body is at their sum
+    /// [kg m²/s], world, from which the angular velocity was computed; valid for bodies that turned freely,
+    /// and undefined for others. Read it by angularMomentumOf (free_rotation.h) only, which checks that it is
+    /// valid.
     std::vector<Vec3> angularMomentum;
 
     std::int64_t frame = 0;
@@ -33,13 +34,13 @@ struct State {
     }
 };
 
-/// Gives body k of one state what body i of another has.
+/// Copies body i of one state to body k of another.
 void copyBody(const State& from, BodyIndex i, State& to, BodyIndex k);
 
 /// The state a scene begins in. What cannot move has no velocity, whatever the scene says.
 State initialStateOf(const Scene& scene);
 
-/// Which number ceased to be one. No body is named while the state is finite.
+/// A quantity that is no longer finite. No body is named while the state is finite.
 struct Loss {
     BodyIndex body = noBody;
     std::string_view quantity; ///< "position", "velocity", "orientation", "angular velocity"

@@ -20,9 +20,9 @@ struct Observed {
     double least = 0, most = 0;
 };
 
-/// What one may want to hold: the figure at the moment, its least and greatest, that it does not drift; those
-/// that say something, none where there is no number. What is asked for holds in the run it comes from:
-/// numbers are rounded outwards, and a value may be off by a millionth of it.
+/// Proposals: the value at the moment, its minimum and maximum, that it does not drift; only those that are
+/// informative, none where there is no number. Each holds in the run it comes from: bounds are rounded
+/// outwards, and a value may be off by a millionth of it.
 std::vector<Expectation> proposalsFor(const Observed& observed);
 
 } // namespace carom

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// Expectations and how they fare, in words.
+// Expectations and their judgements as text.
 
 namespace carom {
 
@@ -13,8 +13,8 @@ namespace carom {
 std::string titleOf(const Scene& scene, const Expectation& expectation);
 /// What is asked: "y of `ball` at 0.6386 s is 2 within 1e-9".
 std::string wishOf(const Scene& scene, const Expectation& expectation);
-/// How it fares: "1.9999 at 0.6386 s, off by 2e-10 of 1e-09; 0.7 digits to spare". Not a sentence; it needs
-/// no line of its own.
+/// The judgement: "1.9999 at 0.6386 s, off by 2e-10 of 1e-09; 0.7 digits to spare". A phrase, not a
+/// sentence.
 std::string describe(const Scene& scene, const Judgement& judgement);
 /// "3 digits to spare", "exact", "at the limit"; empty where it fails or a number of digits says nothing.
 std::string spareOf(const Judgement& judgement);

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-// Watches a run frame by frame and judges what its scene expects of it. It reads what plots read and changes
-// nothing. A moment between two frames is read from the state in between: places on the cubic through the
-// places and velocities of both frames, which is exact where nothing but gravity acts, everything else on the
-// straight line.
+// Judges the expectations of a scene during a run, frame by frame. It reads the quantities that plots show
+// and changes nothing. Values at a time between two frames are interpolated: positions by the cubic through
+// the positions and velocities of both frames, which is exact where only gravity acts, everything else
+// linearly.
 
 namespace carom {
 
@@ -24,12 +24,12 @@ enum class Criterion : std::uint8_t { Value, Least, Most, Drift, Rest };
 std::string_view nameOf(Criterion criterion); ///< as in the text: "value", "min", "max", "drift", "rest"
 
 enum class ExpectationState : std::uint8_t {
-    Waiting, ///< its time has not come
+    Waiting, ///< its time is still ahead
     Holds,   ///< so far
     Fails,   ///< has failed; what follows cannot correct it
 };
 
-/// How one expectation fares.
+/// The judgement of one expectation.
 struct Judgement {
     const Expectation* expectation = nullptr; ///< of the pipeline's scene
     ExpectationState state = ExpectationState::Waiting;

@@ -25,7 +25,7 @@ struct SceneCheck {
 };
 
 /// How many frames it takes to judge a scene: those of its duration; without one, up to the last moment that
-/// an expectation names, and ten seconds where one asks for all that follows. `mostOpen` [s] cuts that down:
+/// an expectation names, and ten seconds where one asks for all that follows. `mostOpen` [s] limits that:
 /// what is asked of the whole run is then judged for so long.
 std::int64_t framesToJudge(const Pipeline& pipeline, const ExpectationWatch& watch,
                            std::optional<double> mostOpen = {});

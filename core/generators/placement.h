@@ -29,7 +29,7 @@ class Placement {
     Placement(const PlacementBox& box, double largestRadius, std::size_t count);
 
     /// Draws a place for a sphere wholly inside `region` (part of the box), a tenth of a millimetre clear of
-    /// all placed so far and rounded to such. The caller leaves room: at most a quarter of the volume.
+    /// all placed so far and rounded to such. The caller must ask for at most a quarter of the volume.
     Vec3 place(double radius, const PlacementBox& region, Random& random);
 
   private:

@@ -19,7 +19,7 @@
 namespace carom {
 
 inline constexpr double poolBallRadius = 0.0286; ///< [m]
-inline constexpr double cueBallRadius = 0.027;   ///< [m] slightly smaller, as in the pub
+inline constexpr double cueBallRadius = 0.027;   ///< [m] slightly smaller, as on coin-operated tables
 inline constexpr double poolBallMass = 0.17;     ///< [kg]
 inline constexpr double poolBallElastic = 0.95;
 

@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-// The façade of the language: text in, everything anybody asks of it out. Pure: the same text gives the same
-// value; any bytes at all are taken, and it always returns.
+// The façade of the language: it takes a text and returns its tokens, tree, diagnostics and scene. A pure
+// function: the same text gives the same value. It accepts any bytes and always returns.
 
 namespace carom {
 
-/// A text of more bytes than this is not read.
+/// A text of more bytes is rejected. Its tokens and tree take several times its size; at twice, twice that.
 inline constexpr std::size_t largestText = std::size_t{64} << 20U;
 
 struct Analysis {

@@ -15,7 +15,7 @@
 
 namespace carom {
 
-/// Who carries which label, and the messages about it.
+/// Which body has which label, and the messages about labels.
 class BodyLabels {
   public:
     BodyLabels(std::string_view text, DiagnosticList& diagnostics)

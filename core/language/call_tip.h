@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// What the list one is writing in takes, for a box beside the text.
+/// The parameters of the declaration at a place, for a box beside the text.
 struct CallTip {
     SourceRange type;      ///< in the text: the word the box belongs to
     std::string signature; ///< "sphere [label] { radius mass centre [vel] ... }"

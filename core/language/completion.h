@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-// What one could write at a place, and what stands there. Both work on texts that are being typed and so are
-// mostly wrong.
+// Completion and hover help. Both work on texts that are being typed and so usually have errors.
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Whether the parameters of an expectation, each right by itself, say something together; else it is
-/// reported. `scene` has all bodies and the `simulation` declaration.
+/// Whether the parameters of an expectation, each valid by itself, are consistent; otherwise it is reported.
+/// `scene` has all bodies and the `simulation` declaration.
 bool checkExpectation(const ValueCheckInput& input, const DeclarationSyntax& syntax, const Scene& scene,
                       const Expectation& expectation);
 

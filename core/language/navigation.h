@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// Finding one's way in an analysed text: what is at a place, where a label is defined and used.
+// Navigation in an analysed text: what is at a place, where a label is defined and used.
 
 namespace carom {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-// Turning a number in the text up and down, as with a wheel. The step is one of the last decimal written, so
-// how finely a value turns is up to who wrote it: 2 turns by 1, 2.00 by 0.01, 5e-3 by 1e-3.
+// Stepping a number in the text up and down, as with a wheel. The step is one unit of the last decimal
+// written, so the way the value is written decides how fine it is: 2 steps by 1, 2.00 by 0.01, 5e-3 by 1e-3.
 
 namespace carom {
 
@@ -32,11 +32,12 @@ NumberAt boundsOf(Constraint constraint);
 /// The number whose digits or sign hold the place (ends included), with the bounds its parameter sets.
 std::optional<NumberAt> numberAt(const Analysis& analysis, std::uint32_t offset);
 
-/// The literal turned by so many steps of its last decimal, with as many decimals and the same exponent;
+/// The literal changed by so many steps of its last decimal, with as many decimals and the same exponent;
 /// nothing where it has more than 17 digits or the steps would take it there.
 std::optional<std::string> stepped(std::string_view literal, std::int64_t steps);
 
-/// The same, stopping at the last value that `bounds` allow; a literal that breaks them already turns freely.
+/// The same, stopping at the last value that `bounds` allow; a literal that violates them already is not
+/// bounded.
 std::optional<std::string> steppedWithin(const NumberAt& bounds, std::string_view literal,
                                          std::int64_t steps);
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <optional>
 
-// The list of parameters a place stands in, read back from the tokens before it: the tree of a text that is
-// being typed says little, because the brace that closes the list is not there yet.
+// The list of parameters around a place, found from the tokens before it: the tree of a text that is being
+// typed does not have it, because the closing brace is still missing.
 
 namespace carom {
 

@@ -22,7 +22,7 @@
 
 namespace carom {
 
-/// A path taken apart; no name in it has been looked for yet.
+/// A parsed path; its names have not been looked up yet.
 struct ParameterPath {
     std::string owner;     ///< "cue", "body 7", "simulation"
     std::string parameter; ///< "vel"

@@ -11,6 +11,7 @@
 
 namespace carom {
 
+/// Declarations of a text that are read. Their bodies take some gigabytes; at twice as many, twice that.
 inline constexpr std::size_t largestDeclarationCount = 10'000'000;
 
 /// Builds the tree of a text from its tokens (as lex() made them: the last is EndOfText). Without recursion,

@@ -10,7 +10,7 @@ namespace carom {
 
 struct DeclarationRow;
 
-/// A declaration to fill in.
+/// A declaration with fields to fill in.
 struct Snippet {
     std::string text;                ///< right as it stands, so that the scene shows it at once
     std::vector<SourceRange> fields; ///< the values in it, in the order one visits them

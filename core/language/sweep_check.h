@@ -6,8 +6,8 @@
 
 namespace carom {
 
-/// Whether the texts of the scene's `sweep` declaration say something that this scene has; what they do not
-/// is reported. `analysis` has text, tree and scene.
+/// Whether the texts of the scene's `sweep` declaration name parameters and quantities that this scene has;
+/// what it does not have is reported. `analysis` has text, tree and scene.
 bool checkSweep(const Analysis& analysis, DiagnosticList& diagnostics);
 
 } // namespace carom

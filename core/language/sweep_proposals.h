@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// What one may want to sweep and measure, for who has pointed at a number and said no more.
+// Proposals of what to vary and what to measure, made from a number in the text.
 
 namespace carom {
 
@@ -25,8 +25,8 @@ std::string sweepOwnerOf(const Scene& scene, BodyIndex body);
 /// its own; none leaves what its parameter allows. Only the path and "=" where it leads to no number.
 std::string proposedVary(const Analysis& analysis, std::string_view path);
 
-/// Measures for who varies a path, the most likely first: what the scene's `sweep` measures, what it expects,
-/// and what such a parameter changes. Never empty.
+/// Measures for a sweep over a path, the most likely first: what the scene's `sweep` measures, what it
+/// expects, and what such a parameter changes. Never empty.
 std::vector<std::string> proposedMeasures(const Analysis& analysis, std::string_view path);
 
 } // namespace carom

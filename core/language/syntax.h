@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-// The tree of a text, flat: declarations own a slice of the parameters. It keeps what was written, right or
-// wrong; what it means is the validator's business.
+// The syntax tree of a text, flat: each declaration has a slice of the parameters. It keeps what was written,
+// valid or not; the validator decides what it means.
 
 namespace carom {
 

@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// Builds the scene a tree means, by the rules of the schema. A declaration with a mistake in it is reported
-/// and left out; all others are built. Two passes: bodies first, then what names bodies.
+/// Builds the scene that a syntax tree describes, by the rules of the schema. A declaration with a mistake in
+/// it is reported and left out; all others are built. Two passes: bodies first, then what names bodies.
 Scene validate(std::string_view text, const SyntaxTree& tree, DiagnosticList& diagnostics,
                const WorkStage& stage = {});
 

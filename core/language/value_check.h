@@ -18,7 +18,7 @@ struct ValueCheckInput {
 };
 
 /// The value of `parameter`, if it is of the kind its row asks for and keeps its constraint; else it is
-/// reported. A Label comes back as the word that was written: who carries it is asked elsewhere.
+/// reported. A Label is returned as the word that was written; the body that has it is looked up elsewhere.
 std::optional<CheckedValue> checkValue(const ValueCheckInput& input, const ParameterRow& row,
                                        const ParameterSyntax& parameter);
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// Pieces that the messages and fix-its of the language share.
+// Phrases that the messages and fix-its of the language share.
 
 namespace carom {
 

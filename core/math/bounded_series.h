@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-// Figures of a run that goes on for hours, in memory that does not grow: of each stretch of consecutive
-// figures only the least and the greatest are kept, and where they stand. The stretches are as long as a
-// power of two; when there are too many, each two neighbours become one.
+// A long time series in bounded memory: of each interval of consecutive values only the minimum and the
+// maximum and their positions are kept. An interval's length is a power of two; when there are too many
+// intervals, neighbours are merged in pairs.
 //
 //     figure      3 1 4 1 5 9 2 6 5 3 5          stretches of 4: [1..4] [2..9] [3..5]
 //

@@ -3,9 +3,9 @@
 
 #include "core/math/types.h"
 
-// Sums and products with what they round off, for places that must be known better than a coordinate can say:
-// a gap of a nanometre at a metre's height has seven digits left of sixteen. A place is then x + r, a
-// coordinate and its rest, and changes go into both.
+// Sums and products with their rounding errors, for positions that must be known more precisely than one
+// double allows: a gap of a nanometre at a height of a metre has seven of sixteen digits left. A position is
+// then x + r, a coordinate and its remainder, and changes are added to both.
 //
 //     a + b = s + e     D. Knuth, "The art of computer programming" 2, 1969, 4.2.2, theorem B
 //     a · b = p + e     T. Dekker, "A floating-point technique for extending the available precision",
@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// A number, or a vector by its coordinates, and what it rounds off.
+/// A number, or a vector by its coordinates, and its rounding error.
 template<class Value>
 struct WithRest {
     Value value, rest;

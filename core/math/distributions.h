@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-// How likely it is that chance alone makes figures differ as much as they do.
+// Tests of hypotheses: the probability that chance alone makes values differ as much as they do.
 
 namespace carom {
 

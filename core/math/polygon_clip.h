@@ -10,7 +10,7 @@ namespace carom {
 
 using Vec2 = Eigen::Vector2d;
 
-/// A corner of a convex polygon that is being cut, with names that survive the cutting.
+/// A corner of a convex polygon that is clipped, with identifiers that clipping keeps.
 struct ClipCorner {
     Vec2 point = Vec2::Zero();
     std::uint32_t name = 0; ///< of the corner: which corner it was, or which two sides cross there

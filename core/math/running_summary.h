@@ -25,8 +25,8 @@ class RunningSummary {
 
     std::uint64_t m_count = 0;
     double m_total = 0, m_maximum = 0;
-    std::vector<double> m_values;      ///< until there are too many
-    std::vector<std::uint64_t> m_bins; ///< then how many lie in each, which are 2 % wide
+    std::vector<double> m_values;      ///< all of them, while they are few
+    std::vector<std::uint64_t> m_bins; ///< otherwise a histogram whose bins are 2 % wide
 };
 
 } // namespace carom

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// What people ask of a series of measurements. All zero for an empty series.
+/// Summary statistics of a series of measurements. All zero for an empty series.
 struct Summary {
     double mean = 0, median = 0, p95 = 0, p99 = 0, maximum = 0, total = 0;
 };
@@ -23,11 +23,11 @@ struct Interval {
     bool overlaps(const Interval& other) const { return low <= other.high && other.low <= high; }
 };
 
-/// Of the median of a series measured one after the other, such as frame times. Neighbours are alike, so that
-/// a stretch of them says hardly more than one: the series is cut into forty stretches of equal length, or
-/// fewer of at least three, and the order of the stretches' medians gives the interval without any assumption
-/// on how they are distributed (W. J. Conover, "Practical Nonparametric Statistics", 1999, section 3.2).
-/// Nothing for a series of fewer than six stretches, which cannot say it at 95 %.
+/// The confidence interval of the median of a time series, such as frame times. Neighbouring values are
+/// correlated, so the series is divided into forty batches of equal length, or fewer of at least three
+/// values, and the order statistics of the batch medians give the interval without an assumption on their
+/// distribution (W. J. Conover, "Practical Nonparametric Statistics", 1999, section 3.2). Nothing for a
+/// series of fewer than six batches, which do not determine an interval at 95 %.
 std::optional<Interval> medianInterval(std::span<const double> values);
 
 /// Least-squares polynomial y = c0 + c1 x + ... of the given degree; coefficients lowest first.

@@ -6,15 +6,17 @@
 #include <cmath>
 #include <limits>
 
-// Distance and depth are one question. Along a unit direction n the gap between the shadows of A and B is
+// Distance and penetration depth by one definition. Along a unit direction n the gap between the projections
+// of A and B is
 //
 //     s(n) = (centreB − centreA)·n − extentA(n) − extentB(n)
 //
 // and the signed distance is its largest value: the distance if that is positive, minus the depth if it is
 // negative (E. G. Gilbert, S. M. Hong 1989 for the first, S. Cameron, R. K. Culley 1986 for the second).
-// Every n gives a lower bound, so a candidate direction can never make an answer wrong, only a missing one
-// can. The shapes' features (face, edge, rim) cut the sphere of directions into pieces on which the largest
-// value has a closed form or is a root of one equation; the pair kernels enumerate those pieces.
+// Every n gives a lower bound, so an additional candidate direction never makes a result wrong; only a
+// missing one does. The shapes' features (face, edge, rim) divide the sphere of directions into regions in
+// which the largest value has a closed form or is a root of one equation; the pair kernels enumerate those
+// regions.
 
 namespace carom {
 
@@ -31,7 +33,7 @@ inline double extentAlong(const Cylinder& cylinder, const Vec3& axis, const Vec3
 }
 
 /// Keeps the best direction seen. Separations within a tie (relative to the shapes' size) of the best do not
-/// displace it, so what is considered first, faces, wins against edges where both say the same.
+/// replace it, so faces, which are considered first, are preferred to edges where both are equal.
 template<class Pair>
 class AxisSearch {
   public:
@@ -52,8 +54,9 @@ class AxisSearch {
     bool apartBy(double margin) const { return m_best.separation > margin; }
 
   private:
-    /// Relative: separations no further apart are equal, and the first direction stays. It is some tens of
-    /// roundings; below that rounding would choose, and mirrored poses could get different directions.
+    /// Relative to the size: separations no further apart are equal, and the first direction is kept. Some
+    /// tens of rounding errors; at a tenth, rounding would choose, and mirrored poses could get different
+    /// directions; at ten times as much, nothing changes.
     static constexpr double tie = 1e-14;
 
     const Pair& m_pair;

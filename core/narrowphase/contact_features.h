@@ -6,10 +6,10 @@
 
 #include <array>
 
-// From the direction of a contact to its points. Both shapes show a flat or straight feature in the direction
-// of the contact: a cuboid one of its faces, a cylinder a cap or a line of its side. Seen along the normal
-// the two cover each other in a region; its corners are the contact's points, and their separations are
-// measured along the normal between the two features:
+// From the normal of a contact to its points. Each shape has a flat or straight feature towards the other: a
+// cuboid one of its faces, a cylinder a cap or a line of its side. Projected along the normal the two overlap
+// in a region; its corners are the contact's points, and their separations are measured along the normal
+// between the two features:
 //
 //               n ^     ____________
 //                 |    |     B      |          feature of B: its lower face
@@ -18,13 +18,13 @@
 //                      ____________
 //                     |     A      |           feature of A: its upper face
 //
-// No feature is the reference of the other, so nothing flickers when two are equally good, and the least
-// separation in the region is the distance along the normal itself. Where the region misses the nearest
-// points by rounding (a corner on an edge, two rims) they are added.
+// Neither feature is the reference face, so the points do not change abruptly where two features are equally
+// good, and the least separation in the region is the distance along the normal itself. Where rounding
+// excludes the nearest points from the region (a corner on an edge, two rims) they are added.
 
 namespace carom {
 
-/// What a shape shows in a direction.
+/// The feature of a shape towards a direction.
 struct ContactFeature {
     enum class Kind { Line, Face, Disc };
     Kind kind = Kind::Line;

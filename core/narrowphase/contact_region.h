@@ -8,12 +8,12 @@
 
 namespace carom {
 
-/// The corners of the region in which two features cover each other, seen along a normal.
+/// The corners of the region in which two features overlap, projected along a normal.
 class ContactRegion {
   public:
     static constexpr std::size_t capacity = 20;
 
-    /// `slack` [m]: features that miss each other by no more still touch.
+    /// `slack` [m]: features apart by no more, across the normal, still touch.
     ContactRegion(const ContactFeature& a, const ContactFeature& b, const Vec3& normal, double slack);
 
     using Points = FixedList<ContactPoint, capacity>;

@@ -5,25 +5,25 @@
 
 #include <cstdint>
 
-// A quick way to the contact of two cylinders or cuboids that overlap by little. The gap along any direction
-// is a lower bound of the signed distance (axis_search.h), so the direction of the contact is that of the
-// largest. First those are tried that are exact where features meet squarely: across a face, across two
-// edges, across the side of a cylinder to the rim of another. One is proven where two points of the shapes
-// lie straight across from each other along it; that ends the search, as it does for nine in ten contacts of
-// a heap of cylinders.
+// A fast method for the contact of two cylinders or cuboids that overlap by little. The gap along any
+// direction is a lower bound of the signed distance (axis_search.h), so the contact normal is the direction
+// of the largest gap. First the directions are tried that are exact for flat contacts: perpendicular to a
+// face, to two edges, or to the side of a cylinder and the rim of another. A direction is proven where two
+// points of the shapes are opposite each other along it; that ends the search for nine in ten contacts of a
+// heap of cylinders.
 //
-// Otherwise the direction is that in which the cores are nearest: the shapes less a rim of a twentieth of
-// their smallest dimension. Cores of bodies that rest on each other are apart, so GJK finds it (G. van den
-// Bergen, "Collision Detection in Interactive 3D Environments", 2003, chapter 4.3).
+// Otherwise the normal is the direction in which the cores are nearest: the shapes reduced by a margin of a
+// twentieth of their smallest dimension. Cores of bodies that rest on each other are apart, so GJK finds it
+// (G. van den Bergen, "Collision Detection in Interactive 3D Environments", 2003, chapter 4.3).
 //
 // Limits: where a rim meets an edge or another rim the direction is that of the cores. The gap along it is
-// too small by (√3 − 1) (rA + rB) at most, with the rims rA and rB, which is .037 of the smallest half
+// too small by (√3 − 1) (mA + mB) at most, with the margins mA and mB, which is 0.037 of the smallest half
 // dimensions of both together; among random near pairs by less than 6e-4 of the size for nine in ten. Cores
 // that overlap are left to the exact method.
 
 namespace carom {
 
-/// What a direction of contact is across.
+/// The features to which a contact normal is perpendicular.
 struct DirectionSource {
     enum class Kind : std::uint8_t {
         Other, ///< whatever the cores say

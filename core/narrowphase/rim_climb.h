@@ -12,11 +12,11 @@ struct RimPair {
     Vec3 offset;             ///< from A's centre to B's [m]
 };
 
-/// From unit `start` uphill to a local maximum, over unit n, of the gap between the shadows of two discs,
+/// From unit `start` to a local maximum, over unit n, of the gap between the projections of two discs,
 ///
 ///     F(n) = offset·n − rA |n × a| − rB |n × b|
 ///
-/// by Newton's method on the sphere, safeguarded: it never steps down. Gradient: the vector W between the
+/// by Newton's method on the sphere, safeguarded: F never decreases. Gradient: the vector W between the
 /// rims' points furthest towards each other, made tangent. Hessian in the tangent plane:
 ///
 ///     −(rA / |n × a|) tA tAᵀ − (rB / |n × b|) tB tBᵀ − F 1,     tA, tB tangents of the rims at those points

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The one piece of one-dimensional algebra behind every cylinder pair: a straight line (the side of another
+// The one-dimensional problem common to all pairs with a cylinder: a straight line (the side of another
 // cylinder, the edge of a cuboid) against the circular rim of a cap.
 
 namespace carom {

@@ -10,18 +10,18 @@
 #include <vector>
 
 // Two convex shapes that are apart stay apart along nearly the same direction from frame to frame. The
-// direction found in one frame is tried first in the next, for the price of two shadows, and the full test of
-// cylinders and cuboids is spared where it still separates (D. Baraff, "Curved surfaces and coherence for
+// direction found in one frame is tried first in the next, at the cost of two projections, and the full test
+// of cylinders and cuboids is spared where it still separates (D. Baraff, "Curved surfaces and coherence for
 // non-penetrating rigid body simulation", SIGGRAPH 1990). It changes no answer: an axis that separates is
 // proof.
 
 namespace carom {
 
-/// How far a bounded shape's shadow along `axis` reaches from its centre, times the axis's length [m].
+/// Half the width of a bounded shape's projection on `axis`, times the axis's length [m].
 double extentOf(const PlacedShape& placed, const Vec3& axis);
 
-/// The gap of the shadows of two bounded shapes along unit `axis` [m]: how far they are apart at least, if
-/// the axis points from A to B.
+/// The gap between the projections of two bounded shapes on unit `axis` [m]: how far they are apart at least,
+/// if the axis points from A to B.
 double gapAlong(const Vec3& axis, const PlacedShape& a, const PlacedShape& b);
 
 inline bool separatedAlong(const Vec3& axis, const PlacedShape& a, const PlacedShape& b, double margin) {
@@ -41,7 +41,7 @@ class SeparatingAxes {
 
     void beginFrame();
     /// As carom::collide; keeps and uses axes for pairs of cylinders and cuboids, whose test costs more than
-    /// the shadows.
+    /// the projections.
     bool collide(BodyPair pair, const PlacedShape& a, const PlacedShape& b, double margin,
                  Manifold& manifold);
     const Counters& counters() const { return m_counters; }

@@ -58,8 +58,8 @@ inline bool isSolid(const Shape& shape) {
 /// Of a cylinder or cuboid, seen from `origin` [m].
 Solid solidOf(const PlacedShape& placed, const Vec3& origin);
 
-/// The gap of the shadows of both along unit `axis` [m]: how far they are apart at least, if the axis points
-/// from A to B.
+/// The gap between the projections of both on unit `axis` [m]: how far they are apart at least, if the axis
+/// points from A to B.
 inline double gapAlong(const Vec3& axis, const Solid& a, const Solid& b) {
     return axis.dot(b.centre - a.centre) - a.extent(axis) - b.extent(axis);
 }

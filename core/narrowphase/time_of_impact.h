@@ -5,8 +5,9 @@
 
 #include <optional>
 
-// When will two moving shapes meet? Nothing that meets is missed, however thin or fast: where there is no
-// closed form, every step of the search is a proof that nothing happens during it.
+// The time of impact of two moving shapes. No impact is missed, however thin or fast the shapes are: where
+// there is no closed form, each step of the search is short enough that the shapes provably cannot meet
+// during it.
 
 namespace carom {
 

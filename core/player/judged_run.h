@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// How the expectations of a scene fare in a run that goes on.
+/// The judgements of a scene's expectations in a run that is not over.
 struct JudgedRun {
     std::shared_ptr<const Pipeline> pipeline; ///< what the judgements point into
     std::vector<Judgement> judgements;        ///< of those meant for its preset, in the order of the text

@@ -7,8 +7,8 @@
 
 namespace carom {
 
-/// A slot between two threads in which only the newest value counts: the writer overwrites what nobody has
-/// taken yet, the reader takes what is there, and neither ever waits for the other to be ready.
+/// A mailbox between two threads that keeps only the newest value: the writer overwrites a value that was not
+/// taken, the reader takes the value if there is one, and neither waits for the other.
 template<class Value>
 class Latest {
   public:

@@ -18,8 +18,8 @@ struct FrameSample {
     double render = 0; ///< [ms]; 0 for a frame that was never on screen
 };
 
-/// The statistics of every frame on their way from the simulation to the panels: handed over in batches,
-/// nothing lost. The numbers belong to the run they were pushed in; beginning another forgets the old ones.
+/// The queue of the statistics of all frames from the simulation to the panels, taken in batches; none is
+/// lost. A batch belongs to one run; the first push of another run discards the rest of the old one.
 class SampleQueue {
   public:
     struct Batch {
@@ -33,11 +33,12 @@ class SampleQueue {
         m_batch.frames.push_back(frame);
     }
 
-    /// As many as are worth waiting for whoever takes them: a simulation as fast as possible makes half a
-    /// million a second, which panels cannot always follow.
+    /// Frames after which the simulation waits for the panels: as fast as possible it makes half a million a
+    /// second, more than panels can always take. At half, it waits while panels draw; at twice, the queue
+    /// takes twice the memory and panels are further behind.
     static constexpr std::size_t mostWaiting = 10'000;
-    /// What they take at most on their way, from the simulation until a panel has them: as many wait here as
-    /// are with the pictures that show them, and lists that grow have room for twice as many [bytes].
+    /// Memory of the frames between the simulation and the panels, at most [bytes]: as many in this queue as
+    /// with the pictures that show them, in vectors that may have twice the capacity.
     static constexpr std::size_t mostBytes =
         2 * mostWaiting * (sizeof(FrameStatistics) + sizeof(FrameSample));
     bool isFull() const {

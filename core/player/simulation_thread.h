@@ -31,8 +31,8 @@
 #include <variant>
 #include <vector>
 
-// The thread that owns the World. Commands come down a queue; snapshots, samples and changes of state go up.
-// What crosses is immutable or a small value, and neither side waits for the other:
+// The thread that owns the World. It receives commands through a queue and publishes snapshots, samples and
+// changes of state. What the threads exchange is immutable or a small value, and neither waits for the other:
 //
 //     GUI ── Load Run Pause Step Seek Reset Speed … ─────────▶ queue ──▶ World, Recording
 //     GUI ◀── Latest<PublishedSnapshot>, SampleQueue, state ───────────── World
@@ -55,25 +55,25 @@ struct RunStatus {
     Health health; ///< not finite where the state is Stopped for its own sake
     StopCause cause = StopCause::Health;
     std::uint64_t run = 0;    ///< of which this is said
-    bool seeking = false;     ///< on the way to another frame for so long that it is worth saying
-    std::uint64_t number = 0; ///< of those said, in their order
+    bool seeking = false;     ///< a seek has taken so long that it is shown
+    std::uint64_t number = 0; ///< counts the statuses published, in order
 };
 
 struct LoadCommand {
     std::shared_ptr<const Pipeline> pipeline;
-    std::uint64_t run = 0; ///< tags everything this world sends up
-    /// Where the new run goes before it is shown. At 0 it waits, paused; further on it plays if the run
-    /// before did, which becomes its ghost.
+    std::uint64_t run = 0; ///< identifies the run in everything that is published
+    /// The frame to which the new run is simulated before it is shown. At 0 it is paused; further on it plays
+    /// if the run before did, which becomes its ghost.
     std::int64_t frame = 0;
 };
 struct RunCommand {};
-/// Also ends a way to another frame, where it has come to.
+/// Also ends a seek, at the frame that it has reached.
 struct PauseCommand {};
 /// One frame on, or back, and pause there.
 struct StepCommand {
     std::int64_t frames = 1;
 };
-/// To a frame, re-simulated where it is not at hand; goes on playing if it did.
+/// To a frame, re-simulated where there is no checkpoint; goes on playing if it did.
 struct SeekCommand {
     std::int64_t frame = 0;
 };
@@ -90,7 +90,7 @@ struct GhostCommand {
 struct GhostRunCommand {
     std::shared_ptr<const Pipeline> pipeline;
 };
-/// To frame 0, paused. What was simulated stays at hand; its statistics are sent again when it comes by.
+/// To frame 0, paused. Checkpoints are kept; statistics are published again as the run repeats.
 struct ResetCommand {
     std::uint64_t run = 0;
 };
@@ -108,7 +108,7 @@ struct StructureCommand {
     bool wanted = false;
 };
 
-/// Whether a run that gains energy from nowhere pauses there; it is said anyway.
+/// Whether a run that gains energy without a cause pauses there; it is reported in any case.
 struct GuardCommand {
     bool stops = true;
 };
@@ -149,7 +149,7 @@ class SimulationThread {
         /// A breakpoint held; or the one looked for backwards was not found.
         std::function<void(std::optional<BreakHit>)> broke;
         std::function<void()> published; ///< a snapshot or samples are there to be taken
-        /// Energy has risen from nowhere, for the first time in that run.
+        /// Energy has risen without a cause, for the first time in that run.
         std::function<void(std::uint64_t run, EnergyRise)> gained = {};
         std::function<void(std::uint64_t run, EventStory)> explained = {};
     };
@@ -159,7 +159,8 @@ class SimulationThread {
     SimulationThread(const SimulationThread&) = delete;
     SimulationThread& operator=(const SimulationThread&) = delete;
 
-    /// What checkpoints take at most until a BudgetCommand says otherwise [bytes].
+    /// Memory of checkpoints at most, until a BudgetCommand changes it [bytes]. At half, they are twice as
+    /// far apart and a seek takes twice as long.
     static constexpr std::size_t defaultBudget = std::size_t{512} << 20;
 
     void post(SimulationCommand command);
@@ -239,8 +240,8 @@ class SimulationThread {
     std::shared_ptr<const JudgedRun> m_judged; ///< what went up; null where it is old
     bool m_stopsAtRise = true;
     bool m_ghostWanted = true;
-    bool m_torn = false;  ///< a frame was broken off in the middle: the world is to be restored
-    bool m_shown = false; ///< the world has been on screen: worth being a ghost
+    bool m_torn = false;  ///< a frame was interrupted: the world must be restored
+    bool m_shown = false; ///< the world has been on screen, so it can become a ghost
     bool m_seeking = false;
     RunStatus m_said;
     std::int64_t m_sampled = 0; ///< the last frame whose statistics went up

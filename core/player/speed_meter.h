@@ -6,13 +6,13 @@
 
 namespace carom {
 
-/// How fast a running simulation is shown: simulated seconds a second of wall time, over windows of half a
-/// second.
+/// Measures the speed of a running simulation: simulated seconds a second of wall time, over windows of half
+/// a second. At half of that the number changes too fast to be read, at twice it follows too slowly.
 class SpeedMeter {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// Forgets what was; the next note() begins a window.
+    /// Discards the window; the next note() begins a new one.
     void restart() { m_since.reset(); }
 
     /// The run is at `time` [s]. Tells the speed once a window is full and begins the next one; else nothing,

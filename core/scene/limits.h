@@ -7,13 +7,13 @@
 #include <string>
 #include <string_view>
 
-// What double precision cannot hold. Every single value of a scene is finite; what is derived from several
-// may not be, and a body with an infinite or vanishing inertia would only produce NaN.
+// Limits of double precision. Every single value of a scene is finite; what is derived from several may not
+// be, and a body with an infinite or vanishing inertia would only produce NaN.
 
 namespace carom {
 
 struct LimitFault {
-    std::string_view parameter; ///< the one to blame
+    std::string_view parameter; ///< the one that causes it
     std::string sentence;       ///< "its moment of inertia overflows; ..."
 };
 

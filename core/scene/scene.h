@@ -17,7 +17,7 @@
 
 namespace carom {
 
-/// Where one parameter was written. The name points into the schema table and lives for ever.
+/// Where one parameter was written. The name points into the schema table, which is constant.
 struct ParameterSource {
     std::string_view parameter; ///< "friction"
     SourceRange name;
@@ -38,7 +38,7 @@ class EffectValues {
   public:
     /// A number stands in x.
     struct Value {
-        std::string_view parameter; ///< of the schema's row: it lives for ever
+        std::string_view parameter; ///< of the schema's row, which is constant
         Vec3 value = Vec3::Zero();
     };
 

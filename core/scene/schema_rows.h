@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// The rows of the schema, made by the files that hold their stores; read them through schema().
+// The rows of the schema, made by the files that have their functions; read them through schema().
 
 namespace carom {
 

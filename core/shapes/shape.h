@@ -12,9 +12,8 @@
 #include <type_traits>
 #include <variant>
 
-// All shapes there are. A shape is registered by its place in this variant and nowhere else; whoever must
-// treat each kind does so by std::visit or by a table with one row a kind, so a forgotten kind does not
-// compile.
+// All shapes. A shape is registered by its place in this variant and nowhere else; code that treats each kind
+// uses std::visit or a table with one row a kind, so a forgotten kind does not compile.
 
 namespace carom {
 

@@ -32,7 +32,7 @@ Vec3 supportOf(const Sphere& sphere, const Vec3& direction);
 double halfThicknessOf(const Sphere& sphere);
 /// Radius of the smallest ball about the origin that contains the shape [m].
 double boundingRadiusOf(const Sphere& sphere);
-/// Area of the shadow that the shape throws along `direction` (body coordinates, a unit vector) [m²]: π r².
+/// Area of the projection along `direction` (body coordinates, a unit vector) [m²]: π r².
 double projectedArea(const Sphere& sphere, const Vec3& direction);
 /// The largest of any direction [m²].
 double largestProjectedArea(const Sphere& sphere);

@@ -33,8 +33,8 @@ struct Breakpoint {
     int axis = 1;     ///< of the plane: 0 x, 1 y, 2 z
 };
 
-/// Watches a run frame by frame for the moments at which a condition begins to hold. It knows the frame
-/// before and nothing else, so the same frames give the same moments, in whichever order they are looked at.
+/// Finds the frames of a run at which a condition begins to hold. It depends on a frame and the one before it
+/// only, so the result is the same in whichever order frames are checked.
 class BreakWatch {
   public:
     BreakWatch() = default;

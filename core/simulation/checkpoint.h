@@ -11,8 +11,8 @@
 
 namespace carom {
 
-/// A world at one frame, kept to go back to: the state, and what the method remembers. Broad-phases have no
-/// place here: whatever they remember, they report the same pairs.
+/// A world at one frame, to be restored later: the state, and what the method keeps from step to step.
+/// Broad-phases are not part of it: whatever they keep, they report the same pairs.
 struct Checkpoint {
     State state;
     FrameStatistics statistics; ///< of the step that led here

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-// Nothing in a scene gives energy: its sum of kinetic and potential energy may fall, and must not rise. It
-// does where a step is too long for what it has to follow, and then it often rises without an end, to numbers
-// that are finite and mean nothing. The guard looks at every frame and says when a run is not to be believed
-// any more:
+// Nothing in a scene supplies energy except wind: the sum of kinetic and potential energy may fall, but must
+// not rise. It rises where a step is too long for the motion, and then often without bound, to values that
+// are finite but meaningless. The guard checks every frame and reports when the results of a run are no
+// longer reliable:
 //
 //     E − E₀ − P − W > part · S    E₀ the energy at the start
 //                                  P  what corrections of overlaps gave (the ledger has it)
@@ -22,13 +22,15 @@
 //                                  potential energy was released so far; Σ m |g| r what bodies of radius r
 //                                  would gain by a fall of their own size
 //
-// S is what the scene has to spend, so the measure does not depend on where heights are measured from.
+// S is the energy available to the scene, so the measure does not depend on the origin of heights.
 
 namespace carom {
 
 class Pipeline;
 
-/// The part of what a scene has to spend that its energy may rise by.
+/// The part of the available energy S by which the energy may rise. At half, smaller errors of coarse steps
+/// are reported as well; at twice, a spring that becomes unstable, whose energy grows exponentially, is
+/// reported a few frames later.
 inline constexpr double mostEnergyRise = 0.1;
 
 struct EnergyRise {

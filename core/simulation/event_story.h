@@ -7,8 +7,8 @@
 
 #include <cstdint>
 
-// What happened in a frame, seen from outside, whichever method moved the bodies: the body whose momentum
-// changed the most beside gravity, and the one it got that momentum from.
+// The main event of a frame, found from the states before and after it, so by the same rule for every method:
+// the body whose momentum changed the most beside gravity, and the body that it exchanged momentum with.
 //
 //     p_i = m (v2 − v1 − g h)      [N s], of each mobile body; h the frame
 //     a   = the body with the largest |p|

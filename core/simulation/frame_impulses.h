@@ -10,15 +10,15 @@
 #include <optional>
 #include <vector>
 
-// The impulses that passed between bodies in one frame, as anybody can see them from outside, whichever
-// method moved the bodies. The frame changed velocities by more than gravity and the force terms do:
+// The impulses between bodies in one frame, computed from the states before and after it, so by the same rule
+// for every method. The frame changed velocities by more than gravity and the force terms do:
 //
 //     Δv_i = v2 − v1 − h (g + F_i/m_i)        h the frame, F the mean of air and the like      [m/s]
 //
 // Each body moved on the parabola of its start until its velocity jumped, and on that of its end from then
-// on; they meet at t_i, but for a misfit where it was struck more than once or held by a floor. Bodies that
-// these paths bring together at the beginning, the end, t_A or t_B may have touched, and only they can have
-// given each other impulses:
+// on; they meet at t_i, except for a misfit where it was struck more than once or supported by a floor.
+// Bodies that touch on these paths at the beginning, the end, t_A or t_B may have touched, and only they can
+// have given each other impulses:
 //
 //     λ_k >= 0, |τ_k| <= μ_k λ_k               along the normal n of pair k, and across it      [N s]
 //     least  Σ_i m_i |Δv_i − Σ_k ±(λ_k n_k + τ_k)/m_i|²

@@ -9,7 +9,8 @@
 
 namespace carom {
 
-/// More bodies than this a text does not ask for: they are made anew at every keystroke.
+/// Bodies that a text may generate at most: they are made again at every keystroke, so at twice the editor
+/// answers half as fast.
 inline constexpr int mostGenerated = 100'000;
 
 /// Puts into the scene what its `generate` declaration asks for, in that place of the text: bodies and

@@ -8,7 +8,8 @@
 
 namespace carom {
 
-/// A run is healthy until a state is not finite; then it stops and says where. Nothing is clamped or reset.
+/// A run is healthy until its state is not finite; then it stops and reports where. Nothing is clamped or
+/// reset.
 struct Health {
     bool finite = true;
     BodyIndex body = noBody;

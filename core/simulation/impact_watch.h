@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <vector>
 
-// Impacts as anybody can see them from outside, whichever method moves the bodies: a body moves on one
-// parabola, and a frame later it is on another.
+// Impacts found from the states at the ends of frames, so by the same rule for every method: a body moves on
+// one parabola, and a frame later it is on another.
 //
 //     change of velocity     Δv = v2 − v1 − g h             h the frame
-//     excess of the way      Δx = x2 − x1 − v1 h − g h²/2
+//     excess displacement    Δx = x2 − x1 − v1 h − g h²/2
 //     the parabolas meet at  t  = h − Δx·Δv/|Δv|²            Δx = Δv (h − t)
 //
 // Limits: several impacts of one body in a frame are seen as one, at the mean time that their changes of

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// A state to be measured. Forces need a state before it, too.
+/// A state to be measured. Forces also need the state before it.
 struct Moment {
     const Pipeline& pipeline;
     std::span<const Pose> pose;
@@ -37,7 +37,7 @@ struct QuantityRow {
     /// In the same unit and not negative: what a change of it is compared with besides itself, which may
     /// vanish; null: nothing.
     double (*scale)(const Moment& moment, BodyIndex body) = nullptr;
-    /// Booked frame by frame in a world that keeps a ledger; Probes adds the frames up.
+    /// Recorded for each frame by the audit, in a world that keeps a ledger; Probes adds the frames up.
     bool audited = false;
 };
 

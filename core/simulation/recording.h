@@ -9,16 +9,16 @@
 #include <functional>
 #include <map>
 
-// The way back through a run. Keeping every frame would need gigabytes, so only checkpoints are kept, and a
-// frame between two of them is simulated again, bit for bit as it was:
+// Seeking in a run. Keeping every frame would need gigabytes, so only checkpoints are kept, and a frame
+// between two of them is simulated again, with the same bits:
 //
 //     frame     0 . . . . 5 . . . . 10 . . . . 15 . .
 //     kept      #         #         #          #            seek(12) = restore 10, two steps
 //
-// A checkpoint is due when re-simulating what followed the last one would be felt. When they need more memory
-// than they may, they stand twice as far apart: new ones at once, and for each of these one of the old ones
-// goes, every second from the start on. So the memory stays in use, and what is freed has the size of what
-// comes next. If every second one went at once, half of the memory would be holes between pieces that stay.
+// A checkpoint is due when re-simulating the frames since the last one would take noticeably long. When they
+// need more memory than the budget, their spacing is doubled: for new ones at once, and each new one replaces
+// an old one, every second from the start on. So memory is reused at once, in blocks of the same size;
+// deleting every second one together would leave the heap fragmented.
 
 namespace carom {
 
@@ -27,18 +27,17 @@ class Recording {
     /// `budget` bounds the checkpoints' memory [bytes]; the one at the start is always kept.
     explicit Recording(std::size_t budget) : m_budget(budget) {}
 
-    /// Forgets everything; the world stands where its run begins.
+    /// Discards everything; the world is at the start of its run.
     void restart(const World& world);
-    /// To be called after every step. True if the run had never come so far.
+    /// To be called after every step. True if the frame is a new one.
     bool note(const World& world);
     void setBudget(std::size_t budget);
 
-    /// Called after each step of a seek, with whether the run had never come so far; false breaks the seek
-    /// off.
+    /// Called after each step of a seek, with whether its frame is a new one; false ends the seek.
     using AfterStep = std::function<bool(bool isNew)>;
-    /// Brings the world to `frame`, which must not be before the first one, also where it has not been yet.
-    /// Broken off, or where the world stops being healthy, it stays at the frame it has come to. True if it
-    /// has arrived.
+    /// Brings the world to `frame`, which must not be before the first one but may be a new one. If the seek
+    /// is ended, or the world loses its finite state, it stays at the frame it has reached. True if that is
+    /// `frame`.
     bool seek(World& world, std::int64_t frame, const AfterStep& goesOn);
 
     /// The last checkpoint before a frame that is not the first.

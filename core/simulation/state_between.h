@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// What is kept of a frame to read moments between it and the next.
+/// What is kept of a frame to interpolate between it and the next.
 struct FrameBefore {
     std::vector<Pose> pose;
     std::vector<Vec3> velocity, angularVelocity; ///< [m/s], [rad/s]
@@ -16,12 +16,12 @@ struct FrameBefore {
     double time = 0; ///< [s]
 
     void take(const World& world);
-    /// The world's own moment, with what forces need from this frame.
+    /// The moment of the world's state, with what forces need from this frame.
     Moment momentOf(const World& world) const;
 };
 
-/// The state at a moment between two frames: places on the cubic through the places and velocities of both,
-/// which is exact where nothing but gravity acts, everything else on the straight line.
+/// The state at a time between two frames: positions by the cubic through the positions and velocities of
+/// both, which is exact where only gravity acts, everything else linearly.
 struct StateBetween {
     StateBetween(const FrameBefore& before, const World& now, double at);
     /// The world and the frame before must outlive it.

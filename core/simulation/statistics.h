@@ -26,11 +26,11 @@ struct FrameStatistics {
     BroadphaseCounters broad;   ///< summed over the frame's substeps; pairs and memory are the last substep's
     std::uint64_t contacts = 0; ///< pairs found touching or overlapping, summed over substeps
 
-    std::uint64_t events = 0;     ///< lived through by a method that goes from event to event, else 0
-    std::uint64_t axesTried = 0;  ///< pairs tried along the direction that parted them last, summed likewise
-    std::uint64_t axesSpared = 0; ///< of these, the full tests that were not needed
+    std::uint64_t events = 0;     ///< of an event-driven method, else 0
+    std::uint64_t axesTried = 0;  ///< pairs tried with their last separating axis, summed likewise
+    std::uint64_t axesSpared = 0; ///< of these, still separated by it: full tests not made
 
-    std::uint64_t resting = 0; ///< bodies at rest that the last substep left alone
+    std::uint64_t resting = 0; ///< bodies that slept in the last substep
 
     double kinetic = 0;           ///< [J]
     double potential = 0;         ///< [J] that effects store; height measured from the world's origin
@@ -44,8 +44,7 @@ struct FrameStatistics {
 
     WorkCounters work; ///< of method `contacts`
 
-    /// Where the world keeps one (World::keepLedger): what each part of the motion gave and took in this
-    /// frame.
+    /// The audit of this frame, where the world keeps one (World::keepLedger).
     Ledger ledger;
     LedgerEntry unexplained; ///< change of the state's energy and momentum that nothing has recorded
 };

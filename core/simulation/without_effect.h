@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// What the text says in vain, as hints: the velocity of a body that is fixed, and what each effect says
-/// (EffectRow::hint). At most mostHintsOfAKind of a kind.
+/// Hints about values in the text that have no effect: the velocity of a body that is fixed, and what each
+/// effect says (EffectRow::hint). At most mostHintsOfAKind of a kind.
 std::vector<Diagnostic> withoutEffect(const Scene& scene);
 
 } // namespace carom

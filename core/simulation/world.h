@@ -19,12 +19,12 @@ namespace carom {
 
 class World;
 
-/// Advances a world one frame: the whole of the simulation, from above.
+/// Advances a world one frame: the main function of the simulation.
 void stepWorld(World& world);
 /// Energy and momentum of a state, into the statistics.
 void account(const Pipeline& pipeline, const State& state, FrameStatistics& frame);
 
-/// A scene in motion: a constant Pipeline, the State, and what the algorithms remember between frames. One
+/// A simulation of a scene: a constant Pipeline, the State, and what the algorithms keep between frames. One
 /// thread at a time may use it.
 class World {
   public:
@@ -50,7 +50,7 @@ class World {
     /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
     std::uint64_t stateHash() const;
 
-    /// Whether the frames to come record who gives and takes energy and momentum (FrameStatistics::ledger).
+    /// Whether the audit of energy and momentum is kept from now on (FrameStatistics::ledger).
     /// It costs a percent or two, and the motion is the same to the bit.
     void keepLedger(bool keep) { m_keepsLedger = keep; }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-// What the integrator moves by itself: bodies that touch nothing.
+// The motion of bodies without contacts, by the integrator alone.
 
 namespace carom {
 

@@ -39,9 +39,9 @@ struct SolverReport {
     bool searched = true;   ///< whether the broad-phase was asked; its counters are those of the last search
     std::uint64_t contacts = 0;
     std::uint64_t events = 0;     ///< of any kind; 0 for methods that step
-    std::uint64_t resting = 0;    ///< bodies left alone because they are at rest
-    std::uint64_t axesTried = 0;  ///< pairs that were apart before, with the direction that parted them
-    std::uint64_t axesSpared = 0; ///< of these, parted by it still: full tests not made
+    std::uint64_t resting = 0;    ///< bodies that sleep
+    std::uint64_t axesTried = 0;  ///< pairs that had a separating axis in the frame before
+    std::uint64_t axesSpared = 0; ///< of these, still separated by it: full tests not made
     double maxPenetration = 0;    ///< [m]
     double residual = 0; ///< how far the worst contact problem was from solved [m/s]; 0 where there is none
     double coneViolation = 0; ///< of the worst contact force, relative to its size
@@ -86,7 +86,7 @@ struct SolverSettings {
     double tolerance = 1e-6;   ///< residual of the contact problem, relative to |gravity| · substep
     int iterations = 20;       ///< sweeps a substep where the method sweeps
     bool simultaneous = false; ///< impacts at one instant all at once, in place of one after the other
-    bool resting = true;       ///< what rests is left alone; false where nothing can come to rest
+    bool resting = true;       ///< bodies at rest are put to sleep; false where nothing can come to rest
     double effort = 1;         ///< times the budget of refinement
     double reserve = 1;        ///< times what refinement may save
     // Of an exact method, about frames that it leaves to the general one:

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-// What accuracy costs in time: every setting of a scene is a point, its error against the reference solution
-// (reference_solution.h) across, its time per simulated second up; settings that differ in their substeps
-// only are a family. An error is one of several measures (measures.h): where trajectories mean nothing, what
-// is well defined takes their place. Errors are plain, and never averaged over chaotic runs. Times are
+// The work-precision study: every setting of a scene is a point, with its error against the reference
+// solution (reference_solution.h) and its time per simulated second; settings that differ in their substeps
+// only are a family. The error is one of several measures (measures.h): where trajectories are chaotic, a
+// quantity that is well defined is compared instead. Errors are never averaged over chaotic runs. Times are
 // processor times of runs without rendering, loading and the first frame.
 //
 // A study lasts as long as its budget at most. It goes from coarse to fine: the scene's own setting, those of
@@ -29,7 +29,8 @@ namespace carom {
 
 struct MeasureRow;
 
-/// Times that differ by this part of the shorter one at most are not told apart.
+/// Times that differ by at most this part of the shorter one count as equal. At half, runs are repeated more
+/// often until their times agree; at twice, differences of a tenth are not seen.
 inline constexpr double agreeingTimes = 0.05;
 
 /// One way to simulate a scene.
@@ -128,7 +129,7 @@ struct AccuracyStudy {
     double seconds = 0;                         ///< [s] of wall time that it took
     const MeasureRow* measure = firstMeasure(); ///< of the diagram; never null
     bool conservative = false;                  ///< nothing in the scene takes energy out
-    bool complete = false;                      ///< false: somebody told it to stop; what is there is whole
+    bool complete = false;                      ///< false: it was cancelled; the points it has are valid
 
     /// By the study's measure; infinite where the point has none.
     double errorOf(const AccuracyPoint& point) const;

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-// The runs of an accuracy study: one setting held against the reference solution, and the clock.
+// The runs of an accuracy study: the comparison of one setting with the reference solution, and its time.
 
 namespace carom {
 
@@ -27,7 +27,7 @@ struct AccuracyRun {
 /// Measured, or broken where its energy is off by more than an invariant may.
 void judge(const AccuracyStudy& study, AccuracyPoint& point);
 
-/// What a run did to energy, momentum and contacts.
+/// The errors of a run in energy, momentum and contacts.
 void addInvariants(const RunCourse& course, const World& world, AccuracyPoint& point);
 
 /// Runs the point's setting and fills in its errors, its invariants, what became of it and, where the run is

@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <vector>
 
-// What is left to compare where paths mean nothing any more: beyond the chaos horizon a gas is a crowd, and a
-// method is as good as its crowd is like that of exact copies. Three figures, read from states alone and so
-// the same for every method:
+// Statistical comparison where trajectories cannot be compared: beyond the chaos horizon many balls are
+// judged by averages over the ensemble (the crowd), against those of exact runs from slightly different
+// starts (the copies). Three quantities, computed from states alone and so the same for every method:
 //
 //     speeds     the distribution; distance by A. Kolmogorov and N. Smirnov
 //     pressure   at the walls: Σ m vₙ² of the balls in the layer next to a wall, a tenth of a diameter thick.
@@ -19,8 +19,8 @@
 //                layer is the pressure on it (thickness to 0)
 //     free time  between two impacts of a ball, of walls too, as ImpactWatch sees them
 //
-// Figures of one run scatter, so a number of copies give quartiles, and exact copies among themselves show
-// what is chance.
+// The values of one run are random, so several copies give quartiles, and the spread among exact copies is
+// the measure of chance.
 
 namespace carom {
 

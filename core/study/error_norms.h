@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-// How far a run is from the reference solution, and what it did to the quantities it should have kept.
+// Errors of a run against the reference solution, and errors in conserved quantities.
 
 namespace carom {
 
@@ -76,7 +76,7 @@ Horizons horizonsOf(const Trajectory& a, const Trajectory& b, const Bodies& bodi
 /// The largest way of a mobile body from where it starts, relative to `size` [m], or the largest angle [rad].
 double largestWay(const Trajectory& run, const Bodies& bodies, double size);
 
-/// The course of a quantity that should be constant: a line, and what is left beside it.
+/// The course of a quantity that should be constant: a fitted line, and the deviation from it.
 struct Steadiness {
     double drift = 0;       ///< slope of the fitted line [1/s], relative to the scale
     double oscillation = 0; ///< the largest distance from the line, relative to the scale

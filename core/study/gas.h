@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// A scene of elastic balls as a gas: what the kinetic theory says of it, and what the exact method finds.
+// A scene of elastic balls as a gas: the predictions of kinetic theory, and the results of the exact method.
 //
 //     speeds       J. C. Maxwell, 1860: v²-weighted normal distribution; Kolmogorov–Smirnov
 //     pressure     N. F. Carnahan, K. E. Starling, "Equation of state for nonattracting rigid spheres", 1969:
@@ -19,16 +19,16 @@
 //     free time    D. Enskog, 1922: 1/τ = 4 √(π kT/m) n σ² g,  g = (1 − η/2)/(1 − η)³ at contact
 //     heights      thin gas under gravity: density ∝ exp(−m g z/kT), the same temperature at every height
 //
-// Walls disturb a gas of hard balls: within a few diameters the density swings about that of the bulk, and
-// near edges the pressure too. So everything is measured away from them: in an inner box, by the collisions
-// that happen there and the balls that are there,
+// Walls disturb a gas of hard balls: within a few diameters the density oscillates about that of the bulk,
+// and near edges the pressure too. So everything is measured away from them: in an inner box, by the
+// collisions that happen there and the balls that are there,
 //
 //     Z = 1 + W/(3 N kT t)        W  virial of the collisions with their middle in the box, during t
 //                                 N  mean number of centres in the box, V its volume, n = N/V
 //
 // which needs no correction for walls; and at the middle of each wall, out of reach of the edges, by the
 // momentum F t it was given on the area A: p = F/A there is that of the bulk, whatever the layer of balls at
-// the wall is like, because the layer is in equilibrium. What theory says is asked at the measured n.
+// the wall is like, because the layer is in equilibrium. Theory is evaluated at the measured n.
 //
 // The confidence intervals are of 95 %, from the means of batches of the run, which are long against the time
 // between collisions and so nearly independent.

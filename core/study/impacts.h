@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// How the impacts of a run differ from the true ones.
+/// The differences between the impacts of a run and those of the reference solution (the true ones).
 struct ImpactErrors {
     std::size_t expected = 0; ///< true impacts
     std::size_t seen = 0;     ///< of the run

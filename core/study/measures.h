@@ -8,8 +8,8 @@
 #include <span>
 #include <string_view>
 
-// What a setting's error is. Where trajectories mean nothing, others do; the first one of the list that says
-// something of the scene is the one that a study takes where nobody chooses.
+// Measures of a setting's error. Where trajectories are chaotic, other quantities are still well defined; a
+// study uses the first measure of the list that is informative for the scene, unless the user chooses one.
 
 namespace carom {
 
@@ -20,7 +20,7 @@ struct MeasureRow {
     std::string_view help; ///< one sentence: what it is, and relative to what
     /// Nothing where the point has none.
     std::optional<double> (*value)(const AccuracyPoint& point, const AccuracyStudy& study) = nullptr;
-    /// What can be told from none.
+    /// The smallest error that can be distinguished from zero.
     double (*resolution)(const AccuracyStudy& study) = nullptr;
     /// The part of that below which errors are equal: the reference solution's own error, or chance.
     double equalBelow = 1;

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Two runs side by side: the same text with two settings, or two texts with the same bodies. Both are at the
-// same moment after every step, so that the distance between them is that of the motions, not of the clocks.
+// same time after every step, so their distance is a difference in motion, not in time.
 
 namespace carom {
 
@@ -51,7 +51,7 @@ class Race {
     std::optional<BitDifference> m_first;
 };
 
-/// What a race was like, for whoever looks at it while it goes on: one thread adds, another reads. Distances
+/// The record of a race, which can be read while it goes on: one thread adds, another reads. Distances
 /// are kept of every frame; states of every frame, or, where they would take more than `mostBytes`, of every
 /// second, fourth, ... frame.
 class RaceRecording {

@@ -14,19 +14,18 @@
 #include <string>
 #include <string_view>
 
-// What a scene really does: the yardstick of the accuracy study. The best that can be had is taken: a closed
-// form; else exact events; else runs of the most accurate setting with more and more substeps, whose last
-// difference bounds the error of the last one.
+// The reference solution of the accuracy study: a closed form where there is one; else exact events; else
+// runs of the most accurate setting with more and more substeps, whose last difference bounds the error of
+// the last one.
 //
 // A body is followed up to its horizon, which is the earlier of two times:
 //     chaos      a copy of the scene that starts a billionth of its size aside (exact events: a thousandth
 //                of that) has diverged from it by a thousand times as much there; an error of 1e-6 at the
 //                start has become one of 1e-3 by then
-//     branching  the last two of the converging runs have diverged by `agreement` there: contacts have led
-//     the
-//                body one way in the one and another way in the other
+//     branching  the last two of the converging runs have diverged by `agreement` there: contacts have sent
+//                the body in different directions
 // What is left at the end (Outcome), and the course of the energy, are compared beyond all horizons; how far
-// they scatter among the runs of the reference solution says what is chance.
+// they differ among the runs of the reference solution is the measure of chance.
 //
 // Where the most accurate setting does not come to the end of the scene in its share of the time, coarser
 // ones that do take its place: what is compared is then less exact, but all of the scene, and horizons are

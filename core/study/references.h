@@ -3,7 +3,7 @@
 
 #include "core/math/types.h"
 
-// Motions with a closed form: what studies hold a simulation against. SI units and radians.
+// Motions with a closed form, with which studies compare simulations. SI units and radians.
 
 namespace carom::reference {
 

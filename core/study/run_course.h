@@ -7,9 +7,8 @@
 #include <cmath>
 #include <vector>
 
-// What a run did to energy and momentum, how deep bodies overlapped and how far contacts were from solved,
-// and what is left at its end. None of it needs to follow a single body, so it says something where
-// trajectories branch.
+// Energy and momentum during a run, the overlap of bodies, the residual of contacts, and the final state.
+// None of it needs to follow a single body, so it is informative where trajectories branch.
 //
 // Energies are relative to a scale that cannot vanish, E:
 //
@@ -19,7 +18,7 @@
 
 namespace carom {
 
-/// What is left at the end of a run.
+/// The final state of a run.
 struct Outcome {
     double height = 0;          ///< [m] of the highest centre of a mobile body, against gravity
     Vec3 centre = Vec3::Zero(); ///< [m] centre of mass of the mobile bodies

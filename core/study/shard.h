@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-// A part of a study, so that several programs, on one machine or many, do it together. Every study is a list
-// of items in a fixed order; a shard is a stretch of it:
+// A part of a study, so that several programs, on one machine or many, can share it. Every study is a list of
+// items in a fixed order; a shard is an interval of it:
 //
 //     weights    1 1 1 1 | 4 | 2 2       three shards of equal work, not of equal number
 //
@@ -26,6 +26,7 @@ struct Shard {
     bool isWhole() const { return count == 1; }
     friend bool operator==(const Shard&, const Shard&) = default;
 };
+/// Shards of a study at most: a typing mistake is reported; more than a cluster has.
 inline constexpr int mostShards = 100'000;
 std::optional<Shard> shardIn(std::string_view text);
 std::string textOf(const Shard& shard); ///< "2/8"

@@ -50,8 +50,8 @@ struct SweepListener {
     std::function<void(const SweepResult& result)> ended;
 };
 
-/// So far ahead of the first run that has not ended another may begin: whoever puts the rows in order holds
-/// no more of them.
+/// Runs that may begin ahead of the first one that has not ended: code that sorts rows holds no more of them.
+/// At a tenth, fast runs wait for a slow one on a machine of many cores; at ten times, rows take megabytes.
 inline constexpr std::size_t mostRunsAhead = 4096;
 
 /// Makes the runs of a stretch but those that `isKnown` names. False where it was ended before all were made.

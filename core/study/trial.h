@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-// One case being run in one column: makes worlds from text as the column says, steps them as long as it may,
-// and collects figures.
+// The run of one hard case in one column: it makes worlds from text with the settings of the column, steps
+// them until it is cancelled, and collects figures.
 
 namespace carom {
 
@@ -32,7 +32,7 @@ class Trial {
     bool byDefault() const { return m_column == StudyColumn::Default; }
     bool exact() const { return m_column == StudyColumn::Exact; }
     bool isLong() const { return m_length == StudyLength::Long; }
-    /// What the length asks for.
+    /// The value for the length of the study.
     template<class T>
     T shortOrLong(T brief, T full) const {
         return isLong() ? full : brief;

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-// The same scene in other units and elsewhere. Lengths times 4^k and times times 2^k leave gravity as it is,
-// and powers of two round nothing: every number of the motion must come out multiplied by a power of two, to
-// the bit.
+// The same scene in other units and at another place. Lengths times 4^k and times times 2^k leave gravity as
+// it is, and powers of two round nothing: every number of the motion must come out multiplied by a power of
+// two, to the bit.
 
 namespace carom {
 

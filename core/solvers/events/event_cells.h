@@ -15,16 +15,16 @@
 // Cells that hold every ball whose centre they contain, so that a ball can only touch balls of its own and
 // the 26 cells around it before one of them crosses into another cell. Which cell a ball is in is part of its
 // state, changed by crossing events and never derived from its position again; so rounding at a face cannot
-// lose it. Space is endless and the tables are not: cells repeat after `extent` of them along each axis,
-// which brings strangers into a list, never drops a neighbour.
+// lose it. Space is unbounded and the tables are not: cells repeat after `extent` of them along each axis,
+// so a list may have distant balls in it, but no neighbour is missed.
 //
 // Balls of very different sizes live on levels of cells that are twice as wide each; a ball on the level
 // whose cells are as wide as the ball. Cells of all levels begin at the same faces, so the cell around a
-// fine one is `place >> levels up`. A ball looks for its like in the 27 cells of its own level, for larger
-// ones in the 27 coarser cells around, for smaller ones in all the finer cells that those 27 cells consist
-// of.
+// fine one is `place >> levels up`. A search for balls of the same level takes the 27 cells of that level,
+// for larger ones the 27 coarser cells around, for smaller ones all the finer cells that those 27 cells
+// consist of.
 //
-// Most cells are empty. So a bit for every cell says whether it is worth a look: the 27 cells around a ball
+// Most cells are empty. So a bit for every cell says whether it has balls: the 27 cells around a ball
 // are nine rows of three bits, each read at once; the first and the last bit of a row stand for its other
 // end.
 
@@ -61,7 +61,7 @@ class EventCells {
         return isRepeated(level, place) ? (1U << wallBits) - 1
                                         : m_walls[slotOf(level, rowOf(level, place[1], place[2]), place[0])];
     }
-    /// Whether a ball's cell along an axis is so far out that it stays in it for good; only repeated cells
+    /// Whether a ball's cell along an axis is so far out that the ball never leaves it; only repeated cells
     /// are.
     static bool isOutermost(const EventRecord& record, int axis) {
         return std::abs(record.place[index(axis)]) >= farthest >> record.level;
@@ -97,7 +97,7 @@ class EventCells {
     double sideOf(const EventRecord& record) const { return m_levels[record.level].side; }
     std::size_t bytes() const;
 
-    /// Fetches what looking around ball i will read.
+    /// Prefetches the memory that a search around the ball will read.
     void prefetch(const EventRecord& record) const {
         const Level& level = m_levels[record.level];
         if (!isInside(level, record.place)) return;

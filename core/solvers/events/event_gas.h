@@ -34,12 +34,12 @@
 //     time   |-----x---x-----x--|--x------x----x---|---x----      x collisions, bounces
 //            ^ crossings up to  ^ crossings up to  ^
 //
-// A predicted collision is stored with one of its two balls only. That loses none: what a ball drops, it
-// drops for an earlier event, after which it predicts again.
+// A predicted collision is stored with one of its two balls only. None is lost: a ball replaces a prediction
+// by an earlier event only, and after that it predicts again.
 //
-// Balls that lose energy come to rest: on walls, where they slide on in closed form, and straight above a
-// ball that is still, where they stand. Balls that lie on each other in any other way hop a billionth of a
-// radius high (event_rest.h), some 1e5 hops a second for balls of 10 cm: right, but a heap costs that much.
+// Balls that lose energy come to rest: on walls, where they slide in closed form, and exactly above a ball at
+// rest. Balls that lie on each other in any other way make bounces of a billionth of a radius (event_rest.h),
+// some 1e5 a second for balls of 10 cm: correct, but a heap costs that much.
 //
 // B. J. Alder, T. E. Wainwright, "Studies in molecular dynamics I", Journal of Chemical Physics 31 (1959);
 // D. C. Rapaport, "The event scheduling problem in molecular dynamic simulation", Journal of Computational
@@ -48,18 +48,18 @@
 
 namespace carom {
 
-/// What happened in a stretch of time.
+/// The events of an interval of time.
 struct EventCounts {
     std::uint64_t collisions = 0; ///< of two balls
     std::uint64_t bounces = 0;    ///< off walls
     std::uint64_t crossings = 0;  ///< from cell to cell
-    std::uint64_t stale = 0;      ///< predicted collisions that did not come
+    std::uint64_t stale = 0;      ///< predicted collisions that other events invalidated
     std::uint64_t tested = 0;     ///< pairs for which a collision was computed
 
     std::uint64_t events() const { return collisions + bounces + crossings + stale; }
 };
 
-/// The impulses of a stretch of time, for who wants to know the pressure.
+/// The impulses of an interval of time, from which the pressure follows.
 struct ImpulseTally {
     std::uint64_t collisions = 0;
     double virial = 0; ///< of collisions, the sum of impulse · distance of the centres [J]; R. Clausius
@@ -101,7 +101,7 @@ class EventGas {
         double elastic = 1;
     };
 
-    /// What many balls have in common.
+    /// Constants that many balls share.
     struct Material {
         double inverseMass = 0; ///< [1/kg], 0: fixed
         double elastic = 1;
@@ -109,7 +109,7 @@ class EventGas {
         bool operator==(const Material&) const = default;
     };
 
-    /// Two balls that touch and close.
+    /// Two balls that touch and approach each other.
     struct Touch {
         std::uint32_t a = nobody, b = nobody;
         double closing = 0;          ///< [m/s]

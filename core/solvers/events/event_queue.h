@@ -12,14 +12,14 @@
 
 // The next event of every body, in order of time: a calendar queue (R. Brown, "Calendar queues: a fast O(1)
 // priority queue implementation for the simulation event set problem", Communications of the ACM 31, 1988).
-// Time is cut into equal days; a day is a list of the events that fall on it; the year is a ring of days. An
-// event beyond the year waits in a list of its own that is looked through every half year.
+// Time is divided into equal days; a day is a list of the events on it; the year is a ring buffer of days. An
+// event beyond the year is kept in a separate list, which is sorted into days every half year.
 //
 //     today
 //       v
 //     [ 3 ][   ][ 7 1 ][   ][ 0 ] ...    beyond: 2 5
 //
-// Setting and removing an event take a few writes; finding the earliest takes a walk over one short list. The
+// Setting and removing an event take a few writes; finding the earliest takes a search of one short list. The
 // links are in the records, where the times are; every call gets the same ones.
 
 namespace carom {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-// When a bouncing ball has come to rest on a wall or on top of another ball, and how one on several walls
-// goes on.
+// When a bouncing ball has come to rest on a wall or on top of another ball, and the motion of one that rests
+// on several walls.
 
 namespace carom {
 
@@ -32,15 +32,15 @@ Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals);
 
 /// A ball that leaves a wall at `speed` [m/s] and is pulled back, `acceleration` [m/s²] < 0, bounces for
 /// 2 speed / (|acceleration| (1 − restitution)) more seconds in all, the sum of the geometric series, and is
-/// at rest then. Where that is shorter than anything one could see, a billionth of the time a fall through
-/// its radius [m] takes, it is at rest now; likewise where a single bounce is a tenth of that, which ends the
-/// bounces that rounding alone keeps up.
+/// at rest then. Where that is shorter than a billionth of the time of a fall through its radius [m], it is
+/// at rest now; likewise where a single bounce is a tenth of that, which ends bounces that rounding alone
+/// sustains.
 bool restsAfter(double speed, double acceleration, double restitution, double radius);
 
-/// The speed [m/s] of the lowest hop of a ball that another is on, or that is on another, pulled back by
-/// `pull` [m/s²] < 0. What loses energy rises a billionth of `radius` [m]: ten times lower hops cost three
-/// times as many events; ten times higher ones can be seen in what is measured. What loses none may keep any
-/// height but what rounding of places makes.
+/// The speed [m/s] of the lowest bounce of two balls of which one lies on the other, with relative
+/// acceleration `pull` [m/s²] < 0. Where energy is lost the bounce has a height of a billionth of `radius`
+/// [m]: a tenth of that costs three times as many events; ten times as much shows in measurements. Where none
+/// is lost any height is kept that is above the rounding of positions.
 double leastHop(double pull, double restitution, double radius);
 
 /// Whether a ball stands on top of one that is still and carries it, `normal` pointing up to it: gravity has
@@ -49,9 +49,9 @@ double leastHop(double pull, double restitution, double radius);
 bool isBalanced(const Vec3& gravity, const Vec3& normal, const Vec3& velocity, double radius);
 
 /// In every other way balls slide on each other, which is no closed form. Where a pair would come to rest,
-/// pulled together by `pull` [m/s²] < 0, it goes on in least hops. Their energy, 1e-9 of what a fall through
-/// the radius gives, is there once, not added at every hop: the next impact takes it again. `after` [m/s]: at
-/// which they separate by restitution; returns at which they do.
+/// pulled together by `pull` [m/s²] < 0, it goes on in lowest bounces. Their energy, 1e-9 of that of a fall
+/// through the radius, is added once, not at every bounce: the next impact removes it again. `after` [m/s]:
+/// at which they separate by restitution; returns at which they do.
 double separationSpeed(double after, double pull, double restitution, double radius);
 
 } // namespace carom

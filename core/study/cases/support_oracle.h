@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-// The slow, obvious way to a signed distance: the largest gap between the shadows of A and B over all
-// directions, by trying many and walking uphill from the best. It knows nothing of a shape but its support
+// The slow, obvious computation of a signed distance: the largest gap between the projections of A and B over
+// all directions, by trying many and ascending from the best. It uses nothing of a shape but its support
 // function, and every value it returns is the gap along some direction, hence never too large.
 
 namespace carom {
