@@ -8,6 +8,7 @@
 namespace carom {
 namespace {
 
+// Largest values of options: a typing mistake is reported. They bound nothing else.
 constexpr std::int64_t mostSubsteps = 1'000'000;
 constexpr std::int64_t mostIterations = 1'000'000;
 constexpr std::int64_t mostThreads = 1024;

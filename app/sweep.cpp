@@ -20,6 +20,7 @@ CommandRow sweepCommand();
 
 namespace {
 
+/// Largest value of options that count: as many as a sweep has runs (Sweep::mostRuns).
 constexpr std::int64_t many = 100'000'000;
 
 /// What the scene's `sweep` declaration says, if it counts, but where the command line says something else.

@@ -21,7 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Points of a chart at most: more cannot be distinguished, and twice as many take twice the time.
 constexpr std::size_t mostChartPoints = 100'000;
+/// Missing runs that a message lists at most.
 constexpr std::size_t mostGapsNamed = 20;
 
 FileError notWritten(const std::string& path, int cause) {

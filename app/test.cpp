@@ -131,7 +131,7 @@ int exitCodeOf(std::span<const TestedScene> tested, bool unreadable) {
 }
 
 int runTest(const Arguments& arguments) {
-    constexpr std::int64_t mostSideBySide = 1024;
+    constexpr std::int64_t mostSideBySide = 1024; // threads: more than a machine has; a mistake is reported
     const auto processors = static_cast<std::int64_t>(std::max(1U, std::thread::hardware_concurrency()));
     const std::int64_t threads = arguments.wholeNumber("threads", 1, mostSideBySide).value_or(processors);
     const std::optional<std::string> file = arguments.text("junit");

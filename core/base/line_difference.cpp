@@ -15,7 +15,9 @@ namespace {
 
 using Lines = std::span<const std::string_view>;
 
-constexpr std::ptrdiff_t mostChanges = 1500; // the memory of the search grows with its square: 9 MB
+// Changes that are searched for at most. The memory of the search grows with the square: 9 MB, at twice 36
+// MB.
+constexpr std::ptrdiff_t mostChanges = 1500;
 
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;

@@ -12,8 +12,9 @@
 namespace carom {
 namespace {
 
-/// What others take between the look and the last request.
-constexpr std::uint64_t keptForOthers = 16; // the 16th part
+/// The part of the free memory that is left to other programs: one in so many. At half (an eighth) less can
+/// be used; at twice, other programs that grow meanwhile can exhaust the memory.
+constexpr std::uint64_t keptForOthers = 16;
 
 std::string textOf(const char* path) {
     std::ifstream file(path);

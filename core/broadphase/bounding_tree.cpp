@@ -10,13 +10,13 @@ namespace {
 // Boxes in a leaf: more make the tree shorter and each comparison of two leaves dearer. Twice or half of this
 // and of what follows costs time alone; the pairs are the same.
 constexpr std::uint32_t leafSize = 4;
-// A new tree costs about as much as so many node comparisons for each box and each halving of their number.
+// Cost of a new tree, in node comparisons for each box and each level of the tree.
 constexpr double buildCost = 1;
-// From this share of escaped boxes on, comparing the whole tree is cheaper than looking each up.
+// From one escaped box in so many on, comparing the whole tree is cheaper than searching for each.
 constexpr std::size_t fewEscaped = 8;
-// A box is fattened by what it moves in so many frames, at least by a hundredth of its width, so that rest
-// and creeping cost nothing; one that would need more than a quarter of its width stays tight: it will escape
-// whatever is done, and a fat box would only meet more others.
+// A box is enlarged by its motion in so many frames, at least by a hundredth of its width, so that bodies at
+// rest or in slow motion cost nothing; one that would need more than a quarter of its width is not enlarged:
+// it leaves its box in any case, and a larger one would only overlap more others.
 constexpr double framesAhead = 8, leastMargin = 0.01, mostMargin = 0.25;
 
 double girthOf(const Aabb& box) { return box.size().sum(); }

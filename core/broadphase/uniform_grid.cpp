@@ -9,19 +9,19 @@
 namespace carom {
 namespace {
 
-// Slots of the table for each box: fewer make cells meet by chance, more cost time to clear. Twice or half of
-// this and of the next three cost time alone; the pairs are the same.
+// Slots of the table for each box: with fewer, more cells share a slot by chance; more take longer to clear.
+// Twice or half of this and of the next three changes the time only; the pairs are the same.
 constexpr std::size_t slotsPerBox = 4;
-// A level of at most so many boxes is not worth a grid: they are compared with everything finer.
+// Boxes of a level at most for which there is no grid: they are compared with all finer ones.
 constexpr std::uint32_t looseBoxes = 16;
-// Comparisons a box may expect in its cells before levels of smaller cells pay.
+// Expected comparisons of a box in its cells from which on levels of smaller cells are faster.
 constexpr double mostMet = 30;
-// The levels there can be; beyond them, sizes over a range of more than 2^16, the finest shares its cells.
+// Levels at most; where sizes have a range of more than 2^16, the finest ones share cells.
 constexpr std::size_t mostLevels = 16;
 // The level that stands for no grid at all.
 constexpr std::uint8_t loose = 0xff;
 constexpr std::uint32_t noSlot = 0xffff'ffff;
-// Cells are this much wider than the widest box, so that rounding of a cell's index cannot separate
+// Cells are wider than the widest box by this factor, so that rounding of a cell's index cannot separate
 // neighbours ...
 constexpr double slack = 1.002;
 // ... as long as indices stay below 2^40: far from the origin cells are widened to that. At 2^51 the slack

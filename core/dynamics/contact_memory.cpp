@@ -18,7 +18,9 @@ namespace {
 /// get each other's.
 constexpr double sameWithin = 0.05;
 
-/// Places are rounded to this part of their largest coordinate, and gaps come from several of them.
+/// Rounding error of a gap, relative to the largest coordinate: a gap is computed from several coordinates.
+/// At a quarter, bodies far from the origin that rest are taken for apart in some steps; at ten times, gaps
+/// near the origin are resolved to a digit less.
 constexpr double coordinateRounding = 4 * std::numeric_limits<double>::epsilon();
 
 Mat3 frameAlong(const Vec3& normal) {

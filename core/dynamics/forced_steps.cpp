@@ -11,8 +11,9 @@
 namespace carom {
 namespace {
 
-/// Rounds of Newton's method at most. From the velocity that gravity alone would give it takes one round for
-/// every factor of two that this is off, and then five.
+/// Iterations of Newton's method at most. From the velocity that gravity alone would give it takes one for
+/// every factor of two by which this is too large, and then five: at half, a step in which drag slows a body
+/// by more than a factor of 2^45 is not solved.
 constexpr int mostRounds = 100;
 /// The change of a velocity, relative to it, at which they end: the next one would be the square of it, below
 /// a double's rounding up to 1e-8.

@@ -12,14 +12,16 @@ namespace carom {
 namespace {
 
 /// Moments that differ by less than this part of the largest count as equal: rounding in h² + 3 r² and the
-/// like. The precession it neglects is 1e-14 of the spin.
+/// like. The precession it neglects is 1e-14 of the spin; at
+/// a tenth, a cylinder of equal moments would be moved by the splitting, which costs time only.
 constexpr double equalMoments = 1e-14;
 
 /// The largest angle of one composition [rad]. At 1/20 rad the sixth-order error is below 1e-13 a part.
 constexpr double partAngle = 0.05;
 
-/// Parts at most: at 80 turns a step and more, the attitude is what the angle's last digits are, and only the
-/// angular momentum is kept as exactly as ever. Without a bound the last finite speeds would take for ever.
+/// Parts of a step at most. At 80 turns a step and more the orientation is less exact, and only the angular
+/// momentum is kept to rounding; at half, at 40. Without a bound the largest finite speeds would take for
+/// ever.
 constexpr double mostParts = 10'000;
 
 /// Yoshida's solution A: the middle one is 1 − 2 (sum of the others).

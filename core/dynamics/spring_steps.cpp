@@ -22,33 +22,34 @@ constexpr std::array<double, 9> orderSix = {
     0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
     0.08221359629355080023,  0.79854399093482996340, 0.08221359629355080023,
     -0.70624617255763935981, 0.33259913678935943860, 0.39216144400731413928};
-/// λ h up to which a part that runs backwards serves: there what is left of the fastest velocity after a step
-/// is as far off as by equal parts, whose number is the same (2.8e-3 by five, 8.5e-4 by nine), so that
-/// neither work nor error jumps.
+/// λ h up to which parts that run backwards are used: there the error of the fastest velocity after a step is
+/// the same as with equal parts, whose number is the same (2.8e-3 with five, 8.5e-4 with nine), so that
+/// neither cost nor error is discontinuous. At half or twice it would be.
 constexpr double mostDamping = 1.6;
-/// Rounds of the iteration at most, and what each must gain: slower, Newton's method costs less. Both methods
-/// end at the same solution, so twice or half of either costs time alone.
+/// Iterations at most, and the factor by which each must reduce the error: where it is larger, Newton's
+/// method is faster. Both end at the same solution, so twice or half of either changes the time only.
 constexpr int mostRounds = 60;
 constexpr double leastGain = 0.5;
-/// What a round is trusted to have gained at most: the first ones, from a guess, gain more than those to
-/// come. At half of it the iteration may end a round early and leave an error of more than rounding.
+/// The smallest factor assumed for the next iteration: the first ones, from a guess, reduce the error by more
+/// than later ones. At half of it the iteration may end early and leave an error above rounding.
 constexpr double mostGain = 0.02;
-/// Of the fastest speed, the error of velocities at which the iteration ends, and what may be rounding. Ended
-/// at more, energies drift by the sum of these errors; ended at less, rounding keeps the iteration from its
-/// end.
+/// Errors of velocities, relative to the fastest speed: at which the iteration ends, and up to which they may
+/// be rounding. At ten times, energies drift by the sum of these errors; at a tenth, rounding keeps the
+/// iteration from ending.
 constexpr double roundsEnd = 1e-16, maybeRounding = 1e-14;
-/// Where the rounding of lengths makes more of the fastest speed, one part must do: its errors change sign
-/// from step to step, those of several parts add up.
+/// Rounding of lengths as an error of velocities, relative to the fastest speed, beyond which a step is one
+/// part: its errors alternate in sign from step to step, those of several parts add up. At a hundred times,
+/// energies of very stiff springs drift; at a hundredth, springs lose order four where it still pays.
 constexpr double mostRounding = 1e-10;
-constexpr double mostOfRounding = 16; // of all springs at a body
-/// How far a body that is tied off its centre turns within one of the shorter steps [rad]: the energy of one
-/// that spins is then kept to about 1e-6. And so many of them at most: beyond, only the shape of the motion
-/// is lost, not its bound.
+/// Rounding of the sum of all springs at a body, in rounding errors of one.
+constexpr double mostOfRounding = 16;
+/// How far a body with a spring off its centre turns within one of the shorter steps [rad]: the energy of one
+/// that spins is then kept to about 1e-6, at half to about a sixteenth of that (order four). And so many
+/// shorter steps at most: beyond, the motion is bounded but no longer accurate.
 constexpr double mostTurn = 0.18;
 constexpr int mostCuts = 64;
-/// So many times as many are tried where the iteration does not lead to a solution for what turns. With fewer
-/// the motion is taken as far as the iteration came; with more a step that has no solution costs more in
-/// vain.
+/// Up to so many times as many are tried where the iteration does not converge for bodies that turn. At half,
+/// more steps end with an unconverged motion; at twice, a step without a solution costs twice the time.
 constexpr int mostFiner = 8;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 

@@ -7,13 +7,18 @@
 namespace carom {
 namespace {
 
-constexpr double finestTime = 1e-12; ///< [s]; a frame's time written to this is that frame
-/// Significant digits of a value and of a bound.
+constexpr double finestTime = 1e-12; ///< [s]; a frame's time rounded to this identifies the frame
+/// Significant digits of a value and of a bound. With three fewer, a value's rounding is above `share`, and
+/// the proposal fails in the run it comes from; more are only harder to read.
 constexpr int valueDigits = 9, boundDigits = 3;
-constexpr double share = 1e-6;       ///< of a value, by which it may be off
-constexpr double nothing = 1e-9;     ///< what a value of nothing may be off by, in its unit
-constexpr double mostDrift = 1e-2;   ///< what changes by more does not stay the same
-constexpr double leastDrift = 1e-12; ///< of a motion of many steps
+/// Tolerance of a value, relative to it, and of a value of 0, in its unit. At a thousandth another machine or
+/// method may fail by rounding; at a thousand times a change of the motion is not noticed.
+constexpr double share = 1e-6;
+constexpr double nothing = 1e-9;
+/// Relative drifts for which constancy is proposed: a larger one is a change; a smaller one is the rounding
+/// of a motion of many steps, for which this much is allowed.
+constexpr double mostDrift = 1e-2;
+constexpr double leastDrift = 1e-12;
 
 /// The power of ten at which the last of so many digits stands.
 double lastDigit(double value, int digits) {

@@ -21,10 +21,11 @@
 namespace carom {
 namespace {
 
-/// Rounds of the iteration at most. Each gains the factor c h/(2m): ten digits at a step that resolves the
-/// damping.
+/// Iterations at most. Each reduces the error by the factor c h/(2m): ten digits in all at a step that
+/// resolves the damping, half of them at half as many.
 constexpr int mostRounds = 20;
-constexpr double roundsEnd = 1e-15; ///< of the fastest body's speed, the change at which they end: rounding
+constexpr double roundsEnd =
+    1e-15; ///< relative to the fastest body's speed, the change at which they end: rounding
 
 void rotateFreely(const Bodies& bodies, std::span<const BodyIndex> list, double h, State& state) {
     rotateInPieces(bodies, list, h, 2, state);

@@ -7,9 +7,12 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t mostExact = 65'536;       // values: half a megabyte
-constexpr double lowest = 1e-6, highest = 1e10; // of the bins
-constexpr double width = 1.02;                  // of a bin, upper over lower end
+// Values that are kept exactly: half a megabyte, at twice a whole one.
+constexpr std::size_t mostExact = 65'536;
+// Ends of the bins, and the width of a bin as a ratio: percentiles are good to half of 2 %, at 1.04 to half
+// of 4 %.
+constexpr double lowest = 1e-6, highest = 1e10;
+constexpr double width = 1.02;
 
 const std::size_t bins = static_cast<std::size_t>(std::ceil(std::log(highest / lowest) / std::log(width)));
 

@@ -12,13 +12,16 @@
 namespace carom {
 namespace {
 
-/// The rim, as a part of the smallest dimension.
+/// The margin by which cores are smaller, as a part of the smallest dimension. At half, bodies that overlap
+/// by a fortieth take the exact method; at twice, the direction at rims and edges is off by twice as much
+/// (see the limits in the header).
 constexpr double rimPart = 0.05;
 /// GJK ends when no point of the difference is nearer by this part of the squared distance: the direction is
-/// right to a thousandth of a radian.
+/// right to a thousandth of a radian, at a hundred times to a hundredth.
 constexpr double convergence = 1e-6;
 constexpr int mostIterations = 24;
-/// Directions that are exact in their places win over the others within this part of the size.
+/// Directions that are exact for flat contacts are preferred to others whose gap is larger by less than this
+/// part of the size: far above rounding, far below a visible gap; ten times more or less changes nothing.
 constexpr double tie = 1e-6;
 
 double rimOf(const Solid& solid) { return rimPart * solid.half.minCoeff(); }
@@ -39,8 +42,8 @@ Vec3 middleOfEdge(const Solid& solid, Eigen::Index edge, const Vec3& direction) 
     return solid.centre + solid.turn * point;
 }
 
-/// Edges at a smaller angle [rad] count as parallel: the direction across them would be rounding to more than
-/// 1e-7, and faces see what they could.
+/// Edges at a smaller angle [rad] count as parallel: the direction perpendicular to both would have a
+/// rounding error of more than 1e-7, and a face has nearly the same direction.
 constexpr double smallestSine = 1e-9;
 
 /// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
@@ -293,7 +296,7 @@ Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, c
         if (const Vec3 direction = fromSideToRim(a, b, source.kind); direction != Vec3::Zero())
             now = direction;
     }
-    constexpr double sameDirection = 0.9; // another is no small turn of it
+    constexpr double sameDirection = 0.9; // a larger turn (26 degrees) is another direction
     const double cosine = now.dot(before);
     if (!(std::abs(cosine) > sameDirection)) return before;
     return cosine < 0 ? Vec3(-now) : now;

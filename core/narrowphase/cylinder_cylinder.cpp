@@ -24,11 +24,14 @@
 namespace carom {
 namespace {
 
-// Axes whose angle [rad] is below this are parallel: rounding of unit vectors is a few 1e-16.
+// Axes whose angle [rad] is below this are parallel: some tens of the rounding errors of unit vectors. At a
+// hundredth, the direction across both axes would be rounding; at a hundred times nothing changes.
 constexpr double parallel = 1e-14;
-// Below this angle [rad] the lowest point of a cap over another says little about where they come nearest.
+// Below this angle [rad] the lowest point of a cap is a poor estimate of where it is nearest to the other
+// cap.
 constexpr double nearlyParallel = 0.2;
-// Two points this much further apart than the shadows, relative to their gap, still prove a distance.
+// Two points further apart than the projections by this part of the gap still prove a distance: some tens of
+// rounding errors. At a hundredth, no pair is proven and every search is complete.
 constexpr double proof = 1e-14;
 
 struct CylinderPair {

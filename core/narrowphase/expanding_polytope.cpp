@@ -11,13 +11,17 @@
 namespace carom {
 namespace {
 
-// Points closer than this part of the size are one point when a tetrahedron is put together.
+// Points closer than this part of the size count as one when the first tetrahedron is built. Far above
+// rounding and far below the size; a hundred times more or less changes nothing.
 constexpr double flat = 1e-9;
 // The face nearest the origin is the answer when the shape reaches beyond it by less than this part of the
 // size. Round shapes pay one iteration for each halving of the mesh; below 1e-9 faces degenerate.
 constexpr double tolerance = 1e-9;
-// A point this little above a face, relative to the size, lies on it.
+// A point less above a face than this part of the size lies on it: some hundred rounding errors. At a
+// hundredth, rounding decides which faces a point sees, and the polytope need not stay convex.
 constexpr double rounding = 1e-13;
+// Round shapes take one iteration for each halving of the mesh; at half, a cylinder deep in another can end
+// before `tolerance` is reached.
 constexpr int maxIterations = 160;
 
 struct Face {

@@ -38,19 +38,22 @@
 namespace carom {
 namespace {
 
-// The gap, relative to the size, at which shapes touch.
+// The gap, relative to the size, at which shapes touch. At a hundredth rounding of the gap would decide; at a
+// hundred times, impacts are early by a hundred times the gap.
 constexpr double touching = 1e-12;
-// Steps of the search. Near a graze they shrink with the square root of the gap, so one takes about a
-// hundred; one that is still undecided after these is reported as an impact: early by less than its gap, but
-// never missed.
+// Steps of the search at most. Where shapes nearly touch in passing they shrink with the square root of the
+// gap, and it takes about a hundred; a search that is undecided after these reports an impact: early by less
+// than its gap, but never missed. At a tenth, some such passes would be reported as impacts.
 constexpr int maxSteps = 2000;
 constexpr int maxNarrowings = 200;
-// Touching shapes that part, and others no further apart than partingStep of the size, are followed by steps
-// of that part of it: steps that are proofs would be thousands, each hardly longer than the gap. While shapes
-// touch each is twice as long as the one before, up to the longest; one that ends in an overlap is taken back
-// and halved.
+// Touching shapes that separate, and others no further apart than partingStep of the size, are followed by
+// steps of that part of it: conservative steps would be thousands, each hardly longer than the gap. While
+// shapes touch each is twice as long as the one before, up to the longest; one that ends in an overlap is
+// repeated with half the length. At ten times, an impact right after the separation is found late by a step;
+// at a tenth, a search takes ten times as many.
 constexpr double partingStep = 1e-6, longestPartingStep = 1e-3;
-// The time for which shadows stay apart is found to this factor, in at most so many halvings.
+// The time for which the projections stay apart is found to this factor, in at most so many halvings. Twice
+// or half of either costs time only, since every step is conservative.
 constexpr double closeEnough = 1.1;
 constexpr int maxHalvings = 12;
 constexpr double never = std::numeric_limits<double>::infinity();

@@ -11,10 +11,12 @@
 namespace carom {
 namespace {
 
-/// Bodies this near touch, relative to the smaller: a resting contact hovers about 0 by rounding.
+/// Bodies nearer than this part of the smaller one touch: the gap of a resting contact varies about 0. At a
+/// tenth, such a contact may be reported again and again; at ten times, bodies touch visibly early.
 constexpr double touchingWithin = 1e-4;
 
-/// Of the closing speed: even a bounce without any restitution stops the bodies, which is all of it.
+/// Of the closing speed: even an impact without restitution changes it by all
+/// of it; at twice such impacts would be missed, at a tenth contact forces would count.
 constexpr double leastJump = 0.5;
 
 constexpr std::array rows = {

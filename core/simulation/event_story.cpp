@@ -11,22 +11,24 @@
 namespace carom {
 namespace {
 
-/// A body whose misfit is larger explains nothing. A body that took no momentum has 1, so from there on any
-/// bystander would do; two that took half each have 0.5, and at less neither would be found.
+/// A body with a larger misfit is not the partner. A body that took no momentum has 1, so from there on any
+/// uninvolved body would count; two that took half each have 0.5, and at less neither would be found.
 constexpr double worst = 0.9;
-/// The misfit of an immobile body, which takes momentum unseen, where the direction is wrong by a right
+/// The misfit of an immobile body, whose momentum does not change, where the direction is wrong by a right
 /// angle: as much as that of a mobile one which took half. At twice that it would explain nothing there.
 constexpr double immobileShare = 0.5;
-/// The misfit of a wall that is a radius away: small beside that of a direction, because it only has to tell
-/// parallel walls from each other.
+/// The misfit of a wall that is a radius away: small beside that of a direction, because it only has to
+/// distinguish parallel walls. At five times it would outweigh a direction that is wrong by a right angle.
 constexpr double gapShare = 0.1;
-/// How much further apart than they can have come bodies may be, of the radius: positions are corrected by
-/// less. Without it an impact of bodies at rest would find no neighbour.
+/// Bodies may be further apart than they can have moved by this part of the radius: position corrections are
+/// smaller. At 0 an impact of bodies at rest would find no neighbour; at ten times, uninvolved bodies would
+/// count as near.
 constexpr double slack = 0.05;
-/// Changes of a momentum below this part of it are rounding; that of some thousand operations is 1e-13.
+/// Changes of a momentum below this part of it are rounding: that of some thousand operations is 1e-13, so at
+/// a ten-thousandth rounding would be told as an impact.
 constexpr double unnoticed = 1e-9;
 /// Changes of the energy below this part of what was added up are rounding: that of some thousand operations
-/// is 1e-13, and each of the two sums has it.
+/// is 1e-13, and each of the two sums has it, so at a tenth rounding would be told as a loss.
 constexpr double energyUnnoticed = 1e-12;
 
 struct Neighbour {

@@ -11,14 +11,19 @@ namespace carom {
 namespace {
 
 /// Changes of velocity below this many times gravity's in a frame, and impulses below this many times those
-/// of rest, are contact forces.
+/// of rest, are contact forces. At half, bodies at rest on a slope count as struck; at twice, impacts slower
+/// than four frames of gravity are not seen.
 constexpr double weightsOfRest = 2, timesRest = 2;
-/// Rounding of velocities, relative to the fastest body.
+/// Rounding of velocities, relative to the fastest body: far above that of some thousand operations, 1e-13;
+/// at a thousandth of it, rounding counts as an impact without gravity.
 constexpr double velocityRounding = 1e-9;
-/// Bodies this near touch, relative to the smaller: what rests hovers about 0.
+/// Bodies nearer than this part of the smaller one touch: the gap of bodies at rest varies about 0 by less.
+/// At ten times, bodies that passed each other closely count as possibly struck; at a tenth, some at rest do
+/// not touch.
 constexpr double nearTouching = 1e-4;
-/// The search ends when a round changes no velocity by this part of what counts as an impact, or after so
-/// many visits of pairs: a tenth of a second.
+/// The iteration ends when a sweep changes no velocity by this part of what counts as an impact, or after so
+/// many visits of pairs, a tenth of a second; at half of these, impulses in large heaps are less exact. So
+/// many sweeps are made in any case.
 constexpr double settledWithin = 1e-3;
 constexpr std::size_t mostVisits = 2'000'000;
 constexpr std::size_t fewestRounds = 20;

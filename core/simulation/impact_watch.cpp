@@ -8,10 +8,12 @@
 namespace carom {
 namespace {
 
-/// A change of velocity by contact forces is below this many times gravity's in a frame: one time holds the
-/// weight, the other is for friction and slopes.
+/// A change of velocity by contact forces is below this many times gravity's in a frame: one time balances
+/// the weight, the other is for friction and slopes. At half, bodies that slide are seen as struck; at twice,
+/// slow impacts are not seen.
 constexpr double asGravity = 2;
-/// Rounding of velocities, relative to the fastest body at the start.
+/// Rounding of velocities, relative to the fastest body at the start: far above that of some thousand
+/// operations, 1e-13; at a thousandth of it, rounding counts as an impact without gravity.
 constexpr double rounding = 1e-9;
 /// The mean force of air at both ends of a frame is right to this part, while it takes less than a body's
 /// speed in a frame.

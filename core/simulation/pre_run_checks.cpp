@@ -19,13 +19,15 @@
 namespace carom {
 namespace {
 
-/// Warnings of one kind: a list of problems that can be read.
+/// Warnings of one kind at most: a list that can be read. Twice or half changes its length only.
 constexpr std::size_t mostOfAKind = 50;
-/// Substeps that are proposed, at most: beyond, nobody would run it.
+/// Substeps that a fix-it proposes at most: more would take minutes a frame. At half, some scenes get a
+/// warning without a fix-it.
 constexpr double mostSubsteps = 10000;
 
 /// Depth below which bodies count as touching, relative to the smaller body's half thickness: far above
-/// rounding, far below what anybody would see. Scenes stack bodies face on face.
+/// rounding, far below what is visible: scenes stack bodies face on face. At a thousandth, rounding of their
+/// positions would be reported as an overlap.
 constexpr double touching = 1e-9;
 
 SourceRange placeOf(const Scene& scene, BodyIndex body, std::string_view parameter) {
@@ -38,12 +40,14 @@ double thicknessOf(const Scene& scene, BodyIndex body) {
     return isWall(scene.bodies[body].shape) ? HUGE_VAL : halfThicknessOf(scene.bodies[body].shape);
 }
 
-/// Pairs of bodies and walls that are looked at, at most: about a tenth of a second's worth.
+/// Pairs of bodies and walls that are checked at most, in about a tenth of a second; at twice, the editor
+/// waits twice as long in such a scene.
 constexpr std::size_t mostWallPairs = 10'000'000;
 
-/// A text in the making may put a hundred thousand bodies in one place, and the editor must answer all the
-/// same. Bodies that lie apart, or rest on each other, have at most a dozen neighbours each; where there are
-/// more, the first thousand bodies tell enough of the overlaps.
+/// A text that is being typed may have a hundred thousand bodies in one place, and the editor must still
+/// respond. Bodies that are apart, or rest on each other, have at most a dozen neighbours each; where the
+/// average is above this, only the first thousand bodies are checked for overlaps. At half, dense packings
+/// are not checked wholly; at twice, checks of such texts take twice as long.
 constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
 

@@ -177,7 +177,7 @@ std::int64_t framesUntil(double time, double step) {
 }
 
 std::int64_t framesOf(const RunSettings& settings) {
-    constexpr std::int64_t withoutDuration = 600; // frames, ten seconds at the default step
+    constexpr std::int64_t withoutDuration = 600; // frames: ten seconds at the default step, by convention
     if (!settings.duration) return withoutDuration;
     return std::max<std::int64_t>(1, framesUntil(*settings.duration, settings.step));
 }

@@ -17,15 +17,16 @@
 namespace carom {
 namespace {
 
-/// What is to be over when this part of the budget is: the reference solution, first runs of all settings,
-/// copies of crowds, everything. What a stage leaves, the next ones have.
+/// The parts of the budget at which stages end: the reference solution, first runs of all settings, copies of
+/// crowds, everything. Time that a stage does not use is left to the next ones. At half of the first,
+/// reference solutions are less exact; at twice, fewer settings are measured.
 constexpr double referenceBy = 0.4, pointsBy = 0.8, crowdsBy = 0.9, allBy = 0.98;
 /// The part of the budget that one run with the scene's own setting may take; where it would take more, less
 /// of the scene is studied. At twice it half as many settings of a dear scene are measured, at half of it
 /// half the scene.
 constexpr double ownRun = 0.05;
-/// The part of the time left that a run may take of which nothing is known: four that fail leave a third of
-/// it.
+/// The part of the remaining time that a run of unknown cost may take: four that fail leave a third of it, at
+/// twice a sixteenth; at half, some settings that would have fitted are omitted.
 constexpr double unknownRun = 0.25;
 /// Every setting has so many times. Those that nothing beats, and the scene's own, have more until the middle
 /// half of them is as narrow as `agreeingTimes` relative to their median.

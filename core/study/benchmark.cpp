@@ -16,8 +16,9 @@
 namespace carom {
 namespace {
 
-// Frames one world advances before it is the next one's turn: enough to fill its caches, few enough that a
-// disturbance of a tenth of a second falls on several.
+// Frames that one world advances before the next one: enough to fill the caches, few enough that a
+// disturbance of a tenth of a second affects several worlds. At a tenth, every frame begins with cold caches;
+// at ten times, a disturbance affects one world.
 constexpr std::int64_t turn = 10;
 
 /// Worlds that differ in nothing but their broad-phase.

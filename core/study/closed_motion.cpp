@@ -9,7 +9,8 @@
 namespace carom {
 namespace {
 
-/// A point counts as on a line within this part of its distance: rounding of what a text can say.
+/// A point counts as on a line within this part of its distance: the rounding of numbers in a text. At a
+/// tenth some such scenes have no closed form; at a thousand times the closed form would be wrong by 1e-11.
 constexpr double onLine = 1e-14;
 
 Vec3 placeOfWorldEnd(const SpringForce& spring) {

@@ -15,8 +15,9 @@ namespace {
 /// A tenth of the one or twice the other lets errors in that follow no order, and no order is found.
 constexpr double leastError = 1e-12, mostError = 0.35;
 constexpr std::size_t leastSlopes = 2;
-/// Slopes so close to the median are of one order, and so many must be: where impacts fall between the steps,
-/// errors jump up and down, and there is none.
+/// Slopes that differ from the median by less are of one order, and this part of them must be: where impacts
+/// fall between the steps, errors vary irregularly, and there is no order. At twice the first, irregular
+/// errors get one; at half, orders of methods with few substeps are not found.
 constexpr double sameSlope = 0.3, mostSlopes = 0.6;
 
 } // namespace

@@ -12,12 +12,14 @@
 namespace carom {
 namespace {
 
-/// Fewer are no crowd: of n balls an average scatters by 1/√n, of 50 by 14 %.
+/// Balls of a crowd at least: an average over n balls has a deviation of 1/√n, with 50 of 14 %, with 25 of 20
+/// %.
 constexpr std::size_t leastBalls = 50;
 /// The part of a run in which copies must have nothing in common any more; with less of it a crowd's averages
 /// are those of its start.
 constexpr double leastPart = 0.5;
-/// Speeds are told apart up to so many times the fastest at the start.
+/// The histogram of speeds reaches to so many times the fastest at the start; faster ones share the last bin.
+/// At a third, a gas that heats up would be in that bin wholly; at twice, bins are twice as wide.
 constexpr double fasterThanStart = 3;
 
 CrowdWatch::Sums without(const CrowdWatch::Sums& all, const CrowdWatch::Sums& one) {

@@ -94,9 +94,11 @@ class Experiment {
     GasStudy run(const std::function<void(const GasStudy&)>& measured);
 
   private:
-    static constexpr int samplesPerBatch = 50;                    // of positions and velocities
-    static constexpr std::size_t speedBins = 40, heightBins = 12; // of the histograms
-    static constexpr double fastest = 5;                          // in √(kT/m): 1.5e-5 are faster
+    // Samples of positions and velocities in a batch: more are correlated, half as many lose accuracy.
+    static constexpr int samplesPerBatch = 50;
+    // Bins of the histograms: with twice as many each has half the balls, and 1.4 times the deviation.
+    static constexpr std::size_t speedBins = 40, heightBins = 12;
+    static constexpr double fastest = 5; // of the histogram, in √(kT/m): 1.5e-5 are faster, at half 10 %
 
     void lookAtScene();
     void measureRegion();
@@ -255,7 +257,8 @@ void Experiment::layHeights() {
 bool Experiment::liveThrough(double collisionsPerBall) {
     const double balls = static_cast<double>(m_study.balls);
     const std::uint64_t target = static_cast<std::uint64_t>(collisionsPerBall * balls / 2);
-    // A scene in which nothing meets would go on for ever.
+    // A scene in which nothing meets would go on for ever: given up after so many times the expected time. At
+    // a hundredth, gases of few collisions would be given up.
     constexpr double mostIntervals = 1000;
     const double giveUp = m_time + mostIntervals * (collisionsPerBall + 1) * 4 * m_interval;
     while (m_gas.counts().collisions < target) {

@@ -19,7 +19,8 @@
 namespace carom {
 namespace {
 
-/// What the whole run is asked for is judged for so long in the short form [s].
+/// In the short form, expectations of the whole run are judged for so long [s]. At twice the short form takes
+/// twice as long; at half some bodies have not met.
 constexpr double shortForm = 2;
 
 /// What follows `begin` in the comment at the top of a text, up to the full stop that ends a line, as one

@@ -7,7 +7,8 @@
 namespace carom {
 namespace {
 
-/// Two impacts may be the same if their changes of velocity differ by at most this part of the larger one.
+/// Two impacts can be the same if their changes of velocity differ by at most this part of the larger one. At
+/// twice any two in about the same direction would; at a fifth, those of coarse steps would not.
 constexpr double alikeWithin = 0.5;
 /// Impacts below this part of the strongest are not compared: rounding decides whether they happen. At half
 /// of it more of the last bounces before rest are, which methods count differently.

@@ -11,13 +11,15 @@
 namespace carom {
 namespace {
 
-/// What differs by less is the same: rounding of some thousand steps. At a thousandth of it settings that are
-/// alike are ordered by rounding.
+/// Values that differ by less are equal: rounding of some thousand steps. At a thousandth of it equal
+/// settings are ordered by rounding.
 constexpr double rounding = 1e-12;
-/// Values no further apart than this part of the largest do not tell settings from each other.
+/// A measure whose values all lie within this part of the largest does not distinguish settings. At ten times
+/// informative measures are rejected; at a tenth, differences that do not matter decide.
 constexpr double same = 1e-2;
-/// By how much chance may differ, in parts of the largest difference that nine runs show: one more run goes
-/// beyond that in one case of nine, and a study has fifty of them.
+/// Bound of differences by chance, in multiples of the largest difference among nine runs: another run
+/// exceeds that largest one in one case of nine, and a study has fifty runs, so at half of this bound some
+/// would.
 constexpr double chance = 2;
 /// Half of the bodies must be followed for this part of the time, or trajectories say little of the scene. At
 /// twice it scenes whose bodies meet late are measured by what is less telling.

@@ -56,6 +56,7 @@ class Race {
 /// second, fourth, ... frame.
 class RaceRecording {
   public:
+    /// Memory of the states at most [bytes]. At half, long races keep every second frame sooner.
     static constexpr std::size_t mostBytes = std::size_t{256} << 20U;
 
     explicit RaceRecording(std::size_t budget = mostBytes) : m_budget(budget) {}

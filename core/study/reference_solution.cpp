@@ -14,30 +14,39 @@
 namespace carom {
 namespace {
 
-/// Copies start so far apart, relative to the scene's size: exact ones above rounding, others above what the
-/// tolerance of their contacts leaves; and how many times as far they are when they count as diverged.
+/// Initial distance of copies, relative to the scene's size: of exact ones above rounding, of others above
+/// the tolerance of their contacts; and the factor by which it has grown where they count as diverged. At ten
+/// times the factor horizons are later by the time in which distances grow tenfold, and errors at them ten
+/// times larger.
 constexpr double exactApart = 1e-12, runsApart = 1e-9, divergedBy = 1e3;
-/// Errors of a closed form and of exact events: rounding of a few thousand operations.
+/// Errors of a closed form and of exact events: rounding of a few thousand operations. At a tenth, settings
+/// are compared by rounding.
 constexpr double roundingOfReference = 1e-13;
-/// Looks a frame where nothing keeps them from the times between frames: errors are measured there too. With
+/// Samples a frame where states between frames are available: errors are measured there, too. With
 /// half as many the largest error of a motion with a period of two frames may be missed.
 constexpr int looksBetween = 8;
-/// Substeps of the first converging run; a multiple of the looks.
+/// Substeps of the first of the converging runs; a multiple of the samples. At twice, expensive scenes have
+/// time for one run less.
 constexpr int firstSubsteps = 8;
-/// How much finer than the finest setting the last run is, and what is close enough to stop at.
+/// How much finer than the finest setting the last run is: at half, its own error is a quarter of that
+/// setting's for a method of order two. And the difference of runs at which refinement ends: rounding.
 constexpr int finerThanFinest = 4;
 constexpr double convergedEnough = 1e-13;
-/// Runs that diverge no later and agree no better than those before, so often in a row, never will.
+/// Refinement ends after so many runs in a row that neither diverge later nor agree better by these factors.
+/// At twice the first, chaotic scenes take twice as long for the same result; at half, a single unlucky run
+/// ends it.
 constexpr int mostStalls = 2;
 constexpr double furtherOn = 1.1, muchBetter = 0.7;
 /// Of the time for converging runs, the part that the first one may take: its copy takes as long, and a finer
 /// run twice.
 constexpr double partOfFirst = 0.25;
-/// Of what is left of it, the part for copies that show what is chance, and how many they are.
+/// The part of the remaining time for copies that measure chance, and their number at most: with half as
+/// many, the largest difference among them is exceeded by another run twice as often.
 constexpr double partOfChance = 0.15;
 constexpr int copiesOfChance = 8;
-/// What is not so far when so much of its time is over will not come to its end: steps get dearer as bodies
-/// meet.
+/// A run that has not simulated the second part when the first part of its time is over is given up: steps
+/// become more expensive as bodies meet. At half of both, runs with an expensive start are given up too
+/// early.
 constexpr double hopelessBy = 0.25, hopelessAt = 0.125;
 
 /// How well the contacts of a run are solved.

@@ -63,6 +63,7 @@ ReadSweep readSweep(SweepDefinition definition, std::string text);
 
 class Sweep {
   public:
+    /// Runs at most: a typing mistake is reported. Ten times as many would take a table of ten gigabytes.
     static constexpr std::size_t mostRuns = 100'000'000;
 
     const SweepDefinition& definition() const { return m_definition; }

@@ -21,7 +21,8 @@ constexpr std::int32_t fewestAlongAxis = 3;
 // thousand to one get slow: small balls share cells with many.
 constexpr std::size_t mostLevels = 20;
 
-// Of a side: far more than rounding can put a ball beyond its cell.
+// Tolerance of a ball's position relative to its cell, as a part of the side: far more than rounding can put
+// a ball beyond its cell. A tenth or ten times of it changes nothing.
 constexpr double roundingOfPlaces = 1e-3;
 
 std::int32_t cellsAlong(double length, double side) {

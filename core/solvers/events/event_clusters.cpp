@@ -19,11 +19,13 @@
 namespace carom {
 namespace {
 
-/// Balls with a gap up to this part of the sum of their radii touch: far above the rounding of places near
-/// the scene, far below any gap that a scene means.
+/// Balls with a gap up to this part of the sum of their radii touch: far above the rounding of positions
+/// near the scene, far below any gap that is intended. At a hundredth, rounding would separate touching
+/// balls; at a million times, balls that meet a little later would collide at once.
 constexpr double touching = 1e-12;
-/// Speeds within this part of the fastest have no order among them: rounding of a scene's symmetry stays
-/// below a thousandth of it, and speeds that differ by design above.
+/// Speeds that differ by less than this part of the fastest are simultaneous: rounding of a symmetric scene
+/// stays below a thousandth of it, and intended differences are above. At a millionth, rounding would break
+/// symmetry.
 constexpr double tie = 1e-9;
 /// A cluster of touching balls is followed so far: enough for racks of 31 rows. What is beyond is hit one
 /// after the other, so at half of it larger racks may break unsymmetrically.

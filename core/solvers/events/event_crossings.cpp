@@ -10,11 +10,13 @@
 namespace carom {
 namespace {
 
-/// A slice is long enough if in it one ball of so many crosses into another cell: looking for them costs
-/// as much as one crossing then. And short enough if most crossings can be made at its beginning.
+/// A slice is long enough if in it one ball of so many crosses into another cell: the search costs as much as
+/// one crossing then. And short enough if at most one crossing in so many must be queued. Twice or half of
+/// either costs time only.
 constexpr std::size_t ballsPerCrossing = 64, mostQueuedOf = 4;
-/// Cells that a ball passes at once; then it waits in the queue, where the work of a call is bounded. In a
-/// slice it is a few, but for a ball so fast that no time passes between two cells.
+/// Cells that a ball crosses at once at most; then its next crossing is queued, where the work of a call is
+/// bounded. It is a few in a slice, except for a ball so fast that no time passes between two cells. Twice or
+/// half changes nothing else.
 constexpr int mostAtOnce = 10'000;
 
 } // namespace

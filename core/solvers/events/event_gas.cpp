@@ -12,12 +12,14 @@ namespace {
 // A collision of two balls that follows the last lossy one sooner than this share of the typical time is
 // treated as elastic: otherwise three balls can collide infinitely often in finite time (S. Luding,
 // S. McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model",
-// Granular Matter 1, 1998). 1e-6: a ball moves a millionth of its radius between the two.
+// Granular Matter 1, 1998). 1e-6: a ball moves a millionth of its radius between the two. At a
+// thousandth, collapses take more events before they end; at a thousand times, dense gases lose less energy
+// than they should.
 constexpr double shortest = 1e-6;
 
 // If ten events a ball and a thousand more pass in less than this share of the typical time, the run has
-// collapsed. Real gases take about 1, collapses come to nothing within some rounds: any limit far from both
-// serves.
+// collapsed. Gases take about 1, collapses reach 0 within some rounds: a thousand times
+// more or less changes nothing.
 constexpr double stalled = 1e-9;
 
 /// Typical times in one call at most: radii that the fastest ball moves. Beyond, its place is rounded to

@@ -37,9 +37,11 @@ namespace {
 /// without the attempt; at half as many, racks whose balls hop after the break are left to the general
 /// method.
 constexpr std::uint64_t mostPerBall = 16;
-/// And so many more, some milliseconds.
+/// And so many more, some milliseconds, for scenes of few balls. At half, a break of sixteen balls can exceed
+/// it; at twice, a frame that is given up costs some milliseconds more.
 constexpr std::uint64_t mostOfFew = 6000;
-/// After f attempts in vain in a row the next is made 2ᶠ frames later, f at most this: never again.
+/// After f failed attempts in a row the next is made 2ᶠ frames later, f at most this: 2⁴⁰ frames, in effect
+/// never.
 constexpr int mostFailures = 40;
 
 bool mayLoseEnergy(const Bodies& bodies) {
