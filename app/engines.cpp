@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How long a reading waits until it is asked whether to go on [ms].
+/// Interval at which a waiting read checks for cancellation [ms]; at ten times cancelling lags.
 constexpr int pollInterval = 50;
 
 /// A child whose output is read, and that does not outlive this object.

@@ -16,8 +16,12 @@ namespace carom {
 namespace {
 
 constexpr qint64 longestText = qint64{largestText};
-constexpr int quietTime = 300;        // [ms] without a change until whoever writes the file counts as done
-constexpr int looksAtAnEmptyFile = 7; // two seconds
+/// [ms] without a change until another program has finished writing the file. At a tenth a half-written file
+/// is read; at ten times the window shows the old text for seconds.
+constexpr int quietTime = 300;
+/// An empty file is checked so often, for two seconds, before it counts as empty: programs that replace a
+/// file empty it first.
+constexpr int looksAtAnEmptyFile = 7;
 
 /// Of words of eight bytes: it is to tell texts apart, and to take no time for a long one.
 std::uint64_t hashOf(const QByteArray& bytes) {

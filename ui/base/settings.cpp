@@ -101,7 +101,8 @@ void Settings::setMemoryBudget(int mebibytes) { QSettings().setValue(memoryKey, 
 int Settings::threads() const { return QSettings().value(threadsKey, 0).toInt(); }
 void Settings::setThreads(int count) { QSettings().setValue(threadsKey, count); }
 int Settings::recoveryInterval() const {
-    constexpr int shortest = 100; // [ms]: a disk is written that often while one types
+    /// [ms]; the disk is written that often during typing, at a tenth without a pause.
+    constexpr int shortest = 100;
     return std::max(shortest, QSettings().value(recoveryKey, defaultRecoveryInterval).toInt());
 }
 bool Settings::welcomeAtStart() const { return QSettings().value(welcomeKey, true).toBool(); }

@@ -31,8 +31,10 @@
 namespace carom {
 namespace {
 
-constexpr double reportInterval = 100; ///< [ms] between two reports of progress
-constexpr double chartInterval = 700;  ///< [ms] between two diagrams of a study under way
+/// [ms] between two reports of progress, and between two diagrams of a study that is running. At a tenth,
+/// reports and drawing take time from the study; at ten times it seems to have stopped.
+constexpr double reportInterval = 100;
+constexpr double chartInterval = 700;
 constexpr int progressSteps = 1000;
 constexpr int heightForLegend = 260; ///< [px] of the diagram
 constexpr int pointWidth = 300;      ///< [px] of what is said about a point

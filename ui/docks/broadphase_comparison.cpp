@@ -25,10 +25,13 @@
 namespace carom {
 namespace {
 
+/// Frames of a comparison: two seconds of motion at the default step. With half as many the intervals of the
+/// medians overlap more often, and more of these comparisons are repeated.
 constexpr std::int64_t comparedFrames = 120;
-constexpr int moreFrames = 5;              ///< times as many, where those do not tell the fastest
-constexpr double longestDecision = 20'000; ///< [ms] that these may take
-constexpr double progressInterval = 100;   ///< [ms] between two reports of the thread
+constexpr int moreFrames = 5; ///< times as many, where those do not decide which is fastest
+/// [ms] that these may take; at half, large scenes remain undecided.
+constexpr double longestDecision = 20'000;
+constexpr double progressInterval = 100; ///< [ms] between two reports of the thread
 constexpr int progressSteps = 1000;
 constexpr int chartNameWidth = 24; ///< [characters] of the box that chooses the chart
 

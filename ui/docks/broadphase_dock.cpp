@@ -19,10 +19,11 @@
 namespace carom {
 namespace {
 
-constexpr qint64 refreshInterval = 120; // [ms]
-constexpr int mostColumns = 3;          // of figures
-constexpr int valueWidth = 90;          // [px] of a figure
-constexpr int betweenParts = 24;        // [px]
+/// [ms]; at a tenth figures change too fast to be read, at ten times they lag.
+constexpr qint64 refreshInterval = 120;
+constexpr int mostColumns = 3;   // of figures
+constexpr int valueWidth = 90;   // [px] of a figure
+constexpr int betweenParts = 24; // [px]
 
 QString count(std::uint64_t value) { return QLocale::c().toString(static_cast<qulonglong>(value)); }
 

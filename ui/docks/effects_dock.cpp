@@ -41,8 +41,8 @@ QColor colourOf(EffectStatus status, const Theme& theme) {
     return theme.text;
 }
 
-constexpr int refreshInterval = 500;      ///< [ms]
-constexpr std::size_t framesCounted = 60; ///< a second's, at the usual step
+constexpr int refreshInterval = 500;      ///< [ms]; at a tenth times change too fast to be read
+constexpr std::size_t framesCounted = 60; ///< of a second, at the default step; at a tenth means vary visibly
 
 } // namespace
 

@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-/// How long a reading waits until it is asked whether to go on [ms].
+/// Interval at which a waiting read checks for cancellation [ms]; at ten times cancelling lags.
 constexpr int mostWaiting = 50;
 
 QString prefix() { return QStringLiteral("carom-engine-"); }

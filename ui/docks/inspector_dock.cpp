@@ -45,14 +45,15 @@ constexpr int curveRole = Qt::UserRole + 4;
 constexpr int measuredRole = Qt::UserRole + 5;
 /// Of a value's cell: nothing stands in the curve's beside it, so that it may reach there.
 constexpr int spreadsRole = Qt::UserRole + 6;
-constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds
+constexpr qsizetype mostFigures = 120; // of a curve: twelve seconds; twice as many have two a pixel
 constexpr int curveWidth = 56;         // [px]
 constexpr int leastWidth = 250;        // [px] of a panel that has room for curves and sliders
 constexpr int leastNames = 96;         // [px] that names keep beside them
 
-constexpr int refreshInterval = 100; // [ms]
-constexpr int digits = 6;            // significant: more change too quickly to be read
-constexpr int digitsOfSeveral = 3;   // where several figures share a cell; its tip has all
+/// [ms]; at a tenth figures change too fast to be read, at ten times they lag.
+constexpr int refreshInterval = 100;
+constexpr int digits = 6;          // significant: more change too quickly to be read
+constexpr int digitsOfSeveral = 3; // where several figures share a cell; its tip has all
 
 /// Of core, which speaks English.
 QString translated(std::string_view title) {

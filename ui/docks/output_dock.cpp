@@ -8,8 +8,9 @@
 namespace carom {
 
 namespace {
+/// Older ones are removed: at half sooner, at twice the text takes twice the memory.
 constexpr int keptLines = 5000;
-}
+} // namespace
 
 OutputDock::OutputDock(QWidget* parent) : Panel(tr("Output"), parent), m_text(new QPlainTextEdit(this)) {
     setObjectName(QStringLiteral("output"));

@@ -27,9 +27,10 @@
 namespace carom {
 namespace {
 
-constexpr int refreshInterval = 200;      // [ms]
+/// [ms]; at half, drawing takes twice the time; at twice, curves move in steps.
+constexpr int refreshInterval = 200;
 constexpr int listWidth = 230;            // [px]
-constexpr std::int64_t worthSaying = 240; // frames that curves are behind the run
+constexpr std::int64_t worthSaying = 240; // frames behind the run from which the panel says so: four seconds
 
 } // namespace
 

@@ -34,10 +34,11 @@
 namespace carom {
 namespace {
 
-constexpr int tick = 25;              ///< [ms] between two looks at the clock while something goes on
-constexpr double chartInterval = 400; ///< [ms] between two charts of a race under way
-constexpr int mostSubsteps = 10'000;
-constexpr std::int64_t mostFrames = 5'000'000; ///< of a race; their distances take 200 MB
+constexpr int tick = 25; ///< [ms] between two updates while a race runs; at ten times motion is in steps
+/// [ms] between two charts of it; at a tenth drawing takes time from the race.
+constexpr double chartInterval = 400;
+constexpr int mostSubsteps = 10'000;           ///< that the form offers
+constexpr std::int64_t mostFrames = 5'000'000; ///< of a race; their distances take 200 MB, at twice 400
 
 /// A choice of words, the first of which leaves it to the text.
 QComboBox* choice(const QString& name, const QString& what, const QString& ofText,

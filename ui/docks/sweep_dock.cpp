@@ -34,11 +34,12 @@
 namespace carom {
 namespace {
 
-constexpr int pollInterval = 100;     ///< [ms] between two looks at what has been computed
-constexpr double chartInterval = 300; ///< [ms] between two charts of a sweep under way, or more:
-constexpr double chartShare = 0.1;    ///< of the window's time that charts may take
-constexpr int formWidth = 290;        ///< [px]
-constexpr int pointWidth = 220;       ///< [px] of what is said about a point
+constexpr int pollInterval = 100; ///< [ms] between two checks for results; at ten times progress is in steps
+constexpr double chartInterval = 300; ///< [ms] between two charts of a sweep that is running, or more:
+/// Of the window's time that charts may take; at five times the window lags.
+constexpr double chartShare = 0.1;
+constexpr int formWidth = 290;  ///< [px]
+constexpr int pointWidth = 220; ///< [px] of what is said about a point
 constexpr int progressSteps = 1000;
 const QColor markOnMap(0xD5, 0x2B, 0x1E); ///< stands out from all colours of a map, and from both themes
 

@@ -38,7 +38,8 @@ class SweepDock : public Panel {
   public:
     explicit SweepDock(QWidget* parent = nullptr);
 
-    /// So many runs a sweep of the window has at most: it holds what they gave.
+    /// Runs of a sweep in the window at most: the panel keeps all results; at ten times that takes ten times
+    /// the memory and time. Larger sweeps belong to `carom sweep`.
     static constexpr std::size_t mostRuns = 100'000;
 
     /// The scene to sweep next; the figures of the one before stay. `name` is the file's, `path` where it is,

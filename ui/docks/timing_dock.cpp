@@ -22,10 +22,11 @@ namespace carom {
 
 namespace {
 
-constexpr int refreshInterval = 250; ///< [ms]
-/// Statistics are of the newest frames, so that they follow what happens and cost 3 ms at most.
+/// [ms]; at a tenth figures change too fast to be read, at ten times they lag.
+constexpr int refreshInterval = 250;
+/// Statistics are of the newest frames, so that they follow the run and take 3 ms at most, at twice 6.
 constexpr std::size_t framesCounted = 6000;
-/// A chart wider than this in frames has no more columns of pixels to show them.
+/// Frames of a chart at most: a screen has fewer columns of pixels; at half, a wide one could show more.
 constexpr std::size_t framesCharted = 3000;
 
 /// The first column is the newest frame's, or the picked one's.

@@ -12,8 +12,9 @@ namespace {
 
 using Sci = QsciScintillaBase;
 
-constexpr std::size_t widest = 72;                       // [columns] of the box
-constexpr std::int64_t analysedWhileTyping = 256 * 1024; // [bytes]; longer texts get the box on demand only
+constexpr std::size_t widest = 72; // [columns] of the box
+/// [bytes]; longer texts get the box on demand only: 10 ms.
+constexpr std::int64_t analysedWhileTyping = 256 * 1024;
 
 /// Blanks become line ends where a line would grow too wide; no byte moves.
 std::string wrapped(std::string text) {

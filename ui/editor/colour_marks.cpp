@@ -11,6 +11,7 @@ namespace {
 
 using ColourSci = QsciScintillaBase;
 
+/// Colours that are marked at most; ten times as many take ten times the time at every change.
 constexpr std::size_t mostColours = 10'000;
 constexpr int valueIsColour = 1; // SC_INDICFLAG_VALUEFORE, which QScintilla does not name
 

@@ -25,8 +25,9 @@ int styleOf(Severity severity) {
         ->second;
 }
 
-constexpr int messageSize = 9;              // [pt]
-constexpr std::size_t annotatedLines = 400; // more messages in place than anybody reads only cost time
+constexpr int messageSize = 9; // [pt]
+/// With a message below them, at most: twice as many take twice the time.
+constexpr std::size_t annotatedLines = 400;
 
 } // namespace
 

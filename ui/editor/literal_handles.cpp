@@ -22,7 +22,7 @@ using Sci = QsciScintillaBase;
 
 constexpr QSize numberSize{30, 12}, colourSize{16, 12}; // [px]
 constexpr int gap = 6;                                  // [px] of a colour's square behind it
-constexpr int leaveTime = 400;                          // [ms] until a handle that nobody is at goes
+constexpr int leaveTime = 400; // [ms] until an unused handle disappears; at a tenth before one reaches it
 
 } // namespace
 

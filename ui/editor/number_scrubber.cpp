@@ -16,8 +16,9 @@ namespace {
 
 using Sci = QsciScintillaBase;
 
-constexpr int pixelsPerStep = 6; // [px] of a drag
-constexpr int wheelPause = 600;  // [ms] without a turn end the undo step
+/// [px] of a drag; at half single steps are hard to hit, at twice drags are long.
+constexpr int pixelsPerStep = 6;
+constexpr int wheelPause = 600; // [ms] without a turn end the undo step; at a tenth every notch is one
 
 /// Of ten, by which a step is larger or smaller.
 int powerOf(Qt::KeyboardModifiers keys) {

@@ -24,7 +24,8 @@ namespace carom {
 namespace {
 
 constexpr int columnsOfIndent = 4; // [columns]
-constexpr int hoverDelay = 350;    // [ms]
+/// [ms]; at a tenth tips appear as the mouse passes, at ten times they seem missing.
+constexpr int hoverDelay = 350;
 constexpr int editorFontSize = 11; // [pt]
 
 QFont editorFont(const QString& family = {}, int points = editorFontSize) {

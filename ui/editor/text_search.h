@@ -36,7 +36,7 @@ class TextSearch {
     std::optional<SourceRange> previous(const QByteArray& text, std::int64_t from) const;
     /// Whether exactly this is a match.
     bool isMatch(const QByteArray& text, SourceRange range) const;
-    /// More than anybody looks at.
+    /// Matches at most; ten times as many take ten times the time and memory.
     static constexpr std::size_t mostMatches = 100'000;
     /// Every match of the text, up to so many; asks at every line whether it is to go on, and returns what it
     /// has if not.

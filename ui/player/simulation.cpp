@@ -9,7 +9,7 @@
 namespace carom {
 
 namespace {
-constexpr int collectInterval = 16; // [ms] between two looks at what the simulation has sent
+constexpr int collectInterval = 16; // [ms] between two checks for snapshots: sixty a second; at twice thirty
 }
 
 Simulation::Simulation(QObject* parent)

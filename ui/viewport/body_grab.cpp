@@ -13,8 +13,10 @@
 namespace carom {
 namespace {
 
-constexpr double reach = 9;        ///< [px] around a tip
-constexpr double steepest = 0.02;  ///< sine of the angle at which a ray still meets a plane in a useful place
+/// [px] around a tip; at half it is hard to hit, at twice it covers its neighbours.
+constexpr double reach = 9;
+/// Sine of the least angle of a ray to a plane; at a tenth a pixel is far on it.
+constexpr double steepest = 0.02;
 constexpr double levelSeen = 0.12; ///< sine of the angle from which on a level plane is seen from above
 constexpr double ringSeen = 0.3;   ///< the same of a ring that follows the mouse around
 constexpr double snapPixels = 10;  ///< [px] of a step that snaps, at least

@@ -10,10 +10,12 @@ namespace carom {
 namespace {
 
 constexpr double steepest = std::numbers::pi / 2;
-/// The eye stays this far from its target [m]: nearer, floats of the graphics card run out of digits.
+/// Distances of the eye from its target [m]. Beyond them coordinates as floats on the graphics card have too
+/// few digits, and bodies tremble.
 constexpr double smallestDistance = 1e-4;
 constexpr double largestDistance = 1e7;
-/// How much of the picture a framed box leaves free.
+/// Distance of the eye from a framed box, relative to the one at which it fills the picture; at 1 bodies
+/// touch the edges.
 constexpr double framingMargin = 1.12;
 
 } // namespace

@@ -11,7 +11,8 @@ namespace {
 constexpr double orbitPerPixel = 0.008; ///< [rad]
 constexpr double zoomPerNotch = 0.86;   ///< of the distance
 constexpr double pixelsPerNotch = 30;   ///< [px] of a drag that zooms
-constexpr double dragStarts = 4;        ///< [px]: a shorter way between press and release is a click
+/// [px] between press and release; less is a click; at a quarter clicks drag.
+constexpr double dragStarts = 4;
 
 } // namespace
 

@@ -13,7 +13,8 @@ namespace carom {
 /// 1990. Each picture has the 256 colours that suit it best; it repeats for ever.
 class GifWriter {
   public:
-    /// [1/s]; viewers show pictures of less than two hundredths of a second for ten.
+    /// [1/s]; viewers show pictures of less than two hundredths of a second for ten hundredths: at twice this
+    /// rate a video would be five times too slow.
     static constexpr int highestRate = 50;
 
     /// The device must be open and stay so. Pictures stand for whole hundredths of a second, which take turns

@@ -9,7 +9,8 @@ namespace carom {
 
 namespace {
 
-/// A turn by less than this is rounding, not spin: 1 - |q·q'| of an angle of about 1/4 degree.
+/// A smaller turn counts as rounding, not spin: 1 - |q·q'| of an angle of about 1/4 degree, at a hundred
+/// times of 2.3 degrees, so that a slow spin would not be seen.
 constexpr double turnedEnough = 2e-6;
 /// Radii [px] up to which 16 and 36 corners are true to a quarter of a pixel: r (1 - cos(pi / n)).
 constexpr double coarseUpTo = 13;

@@ -9,9 +9,10 @@ namespace carom {
 
 namespace {
 
-/// Shadows are drawn up to this many distances of the camera around what it looks at.
+/// Shadows reach this many times the distance of the camera around its target. At half they end within the
+/// picture; at twice their edges are twice as coarse.
 constexpr double shadowReach = 2;
-/// About so many lines of the grid lie across a room.
+/// Lines of the grid across a room, about; at twice they merge in the distance.
 constexpr double gridLines = 180;
 constexpr float leastLight = 0.05F; ///< that reaches every surface
 

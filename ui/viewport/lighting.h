@@ -12,7 +12,8 @@
 
 namespace carom {
 
-inline constexpr int shadowMapSize = 1024; ///< texels along a side
+/// Texels along a side; at half edges are coarser, at twice 4 times the time.
+inline constexpr int shadowMapSize = 1024;
 
 /// Everything a picture needs besides the scene.
 struct PictureOptions {

@@ -8,8 +8,9 @@
 namespace carom {
 namespace {
 
-constexpr double tipReach = 8; ///< [px]
-constexpr int tipDigits = 4;   ///< significant
+/// [px] around an arrow; at half it is hard to hit, at twice arrows hide each other.
+constexpr double tipReach = 8;
+constexpr int tipDigits = 4; ///< significant
 
 QString words(const char* text) { return QCoreApplication::translate("carom::OverlayTip", text); }
 

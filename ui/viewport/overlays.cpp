@@ -22,7 +22,8 @@ const Vec3 boxColour(0.45, 0.75, 0.95), velocityColour(0.95, 0.65, 0.10), contac
 constexpr double normalReach = 0.7; ///< radii of the body, of the ball that holds it, that a normal is long
 constexpr double forceReach = 1.5;  ///< and the largest contact force
 
-/// Two states of one body that differ less than this, relative to its size, are one picture.
+/// Two states of one body that differ by less than this part of its size look the same: below a pixel in any
+/// view. At a thousandth, rounding would be drawn as a ghost.
 constexpr double sameWithin = 1e-6;
 
 bool looksTheSame(const Shape& a, const Pose& poseA, const Shape& b, const Pose& poseB) {

@@ -25,9 +25,11 @@ class PicturePace {
     double pause() const { return m_last > dear ? m_last / 2 : 0; }
 
   private:
-    /// [ms]; 30 pictures a second can be had up to here, with time left for the simulation between them.
+    /// [ms]; up to this 30 pictures a second are possible, with time left for the simulation between them. At
+    /// twice there is none; at half, pictures are slowed down that need not be.
     static constexpr double dear = 25;
-    /// [ms]; shadows cost about three times as much as the rest, so with them it will not be dear.
+    /// [ms]; shadows take about three times as long as the rest, so with them a picture stays below `dear`.
+    /// At twice it would not, and shadows would come and go.
     static constexpr double cheap = 6;
 
     double m_last = 0; ///< [ms]

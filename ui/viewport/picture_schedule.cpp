@@ -8,7 +8,8 @@ namespace carom {
 
 namespace {
 
-constexpr int restAfter = 250; ///< [ms] without a change
+/// [ms] without a change until a still picture is drawn in full; at a tenth mid-gesture.
+constexpr int restAfter = 250;
 
 } // namespace
 

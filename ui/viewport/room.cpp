@@ -10,9 +10,10 @@ namespace carom {
 
 namespace {
 
-/// An unbounded face reaches this many radii of the scene.
+/// An unbounded face reaches this many radii of the scene: beyond the edge of most views; at half its end is
+/// seen.
 constexpr double extentInRadii = 14;
-/// Every wall cuts every other; beyond this many the picture would be of use to nobody, the time lost to all.
+/// Walls that are drawn at most. Every wall clips every other, so twice as many take four times the time.
 constexpr std::size_t mostWalls = 400;
 
 bool holds(const std::vector<Vec3>& polygon, const Vec3& normal, const Vec3& point) {

@@ -25,7 +25,7 @@
 namespace carom {
 namespace {
 
-constexpr int mostPictures = 100'000; // of five digits
+constexpr int mostPictures = 100'000; // numbered with five digits, so that names sort; more would need six
 
 QString endingOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
 

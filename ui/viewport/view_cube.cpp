@@ -16,10 +16,10 @@ namespace {
 
 constexpr double cubeSize = 76, cubeMargin = 10;      ///< [px]
 constexpr double leastWidth = 320, leastHeight = 220; ///< [px] of a picture that has room for it
-constexpr double facing = 0.08;                       ///< cosine to the eye of a side that can be clicked
-constexpr double named = 0.62;                        ///< the same of a side whose name can be read
-constexpr double quarter = std::numbers::pi / 2;      ///< [rad]
-constexpr int nameHeight = 10;                        ///< [px]
+constexpr double facing = 0.08; ///< cosine to the eye of a side that can be clicked; at a tenth it is a line
+constexpr double named = 0.62;  ///< the same of a side whose name can be read
+constexpr double quarter = std::numbers::pi / 2; ///< [rad]
+constexpr int nameHeight = 10;                   ///< [px]
 
 struct SideRow {
     const char* name;

@@ -15,9 +15,10 @@
 namespace carom {
 namespace {
 
-/// Where the diagram ends: exact to the last bit, and lost altogether.
+/// Range of errors of the diagram: rounding of one operation, and ten times the size of the scene. At twice
+/// either end it has empty space.
 constexpr double leastShown = 1e-16, mostShown = 10;
-/// What did not finish stands so many times beyond what did, at most.
+/// Points without an error are drawn at this multiple of the largest error, at most.
 constexpr double beyond = 2;
 constexpr double realTime = 1000; ///< [ms] a simulated second
 

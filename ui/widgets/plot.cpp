@@ -25,10 +25,12 @@ namespace carom {
 
 namespace {
 
-constexpr double pointReach = 12;                      ///< [px] from a point at which the mouse is over it
-constexpr double clickSlack = 4;                       ///< [px] a click may move
+/// [px] from a point at which the mouse is over it; at half it is hard to hit.
+constexpr double pointReach = 12;
+constexpr double clickSlack = 4; ///< [px] a click may move; at a quarter clicks are taken for drags
 const QString cursorLayer = QStringLiteral("overlay"); // of QCustomPlot
-constexpr int pngScale = 2; ///< pixels of a PNG along a unit of the chart: crisp on paper
+/// Pixels of a PNG along a unit of the chart: sharp in print; at 1 letters are coarse.
+constexpr int pngScale = 2;
 
 struct PlotTexts {
     Q_DECLARE_TR_FUNCTIONS(Plot)

@@ -40,6 +40,8 @@ class LogTicker : public QCPAxisTickerLog {
     }
 
   private:
+    // Decades up to which numbers between have labels, too, and the range of numbers without an exponent:
+    // longer labels would overlap.
     static constexpr double fewDecades = 3, leastPlain = 1e-4, mostPlain = 1e6;
     bool m_plain = false;
 };

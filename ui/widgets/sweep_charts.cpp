@@ -15,6 +15,8 @@
 namespace carom {
 namespace {
 
+/// Lines of a chart and maps at most: as many as there are colours to tell apart, and as fit one above the
+/// other.
 constexpr std::size_t mostLines = 6, mostMaps = 12;
 /// Of a cell whose run is not made yet.
 constexpr std::size_t noRun = std::numeric_limits<std::size_t>::max();

@@ -13,10 +13,10 @@
 namespace carom {
 namespace {
 
-constexpr double margin = 14;        // [px] left and right of the line
-constexpr double lineY = 19;         // [px] from the top
-constexpr double tallest = 12;       // [px] of the impacts above the line
-constexpr double leastTime = 2;      // [s] on the scale of a run that has only begun
+constexpr double margin = 14;   // [px] left and right of the line
+constexpr double lineY = 19;    // [px] from the top
+constexpr double tallest = 12;  // [px] of the impacts above the line
+constexpr double leastTime = 2; // [s] of the scale at least; at a tenth it changes all the time at the start
 constexpr std::int64_t bigStep = 10; // frames that Page Up and Page Down move
 
 /// The next of 1, 2, 5, 10, 20, … that is at least `value`.

@@ -13,9 +13,11 @@ namespace carom {
 
 namespace {
 
-/// What a small budget leaves: a wide screen.
+/// Frames that are kept with the smallest budget: a wide screen shows as many; at half it would be half
+/// empty.
 constexpr std::size_t leastSamples = 4000;
-/// The scale of Budget leaves room above the line of 1/30 s [ms].
+/// The upper end of the scale of Budget [ms]: a fifth above the line of 1/30 s; below it the line is not
+/// shown.
 constexpr double budgetScale = 40;
 constexpr int labelMargin = 4;   // [px]
 constexpr int widestColumn = 16; // [px]

@@ -18,7 +18,7 @@ namespace carom {
 namespace {
 
 constexpr int ticksPerDecade = 100; // of the speed slider
-constexpr int detent = 6;           // [ticks] either side of real time that count as real time
+constexpr int detent = 6; // [ticks] on either side of real time that select it; at 1 it is hard to hit
 
 double speedAt(int tick) { return std::pow(10.0, static_cast<double>(tick) / ticksPerDecade); }
 int tickOf(double speed) { return static_cast<int>(std::lround(std::log10(speed) * ticksPerDecade)); }

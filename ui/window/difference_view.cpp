@@ -15,7 +15,7 @@ namespace carom {
 namespace {
 
 constexpr std::size_t aroundChange = 3; // kept lines shown on either side of a change
-constexpr int mostLines = 2000;         // nobody reads more of a difference
+constexpr int mostLines = 2000;         // of a difference; the layout of twice as many takes twice the time
 constexpr int tint = 60;                // [0..255] opacity of a changed line's background
 
 /// Which lines are worth showing: the changed ones and a few around them.

@@ -20,8 +20,8 @@
 namespace carom {
 
 namespace {
-constexpr int refreshInterval = 200; // [ms]
-constexpr double mostShare = 0.1;    // of the window's time that goes into it
+constexpr int refreshInterval = 200; // [ms]; at a tenth figures change too fast to be read
+constexpr double mostShare = 0.1; // of the window's time that updates may take; at five times the window lags
 } // namespace
 
 ExpectationCommands::ExpectationCommands(MainWindow& window, Simulation& simulation, const LiveBuild& builds,

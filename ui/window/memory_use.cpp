@@ -12,11 +12,12 @@
 namespace carom {
 namespace {
 
-constexpr int refreshInterval = 500; // [ms]
+constexpr int refreshInterval = 500; // [ms]; at a tenth the figure changes too fast to be read
 
-/// Of the budget, what the frame times may take: they are the only ones of the panels that could take all.
+/// The part of the budget for frame times, one in so many: no other panel needs memory without a bound. At
+/// half (one in two) checkpoints have less room; at twice the strip forgets sooner.
 constexpr std::size_t timingShare = 4;
-/// What checkpoints have at least, however much the panels take [bytes].
+/// Memory of checkpoints at least, whatever the panels take [bytes]; at 0 there would be no seeking back.
 constexpr std::size_t leastRecording = mebibyte;
 
 QString inMebibytes(std::size_t bytes) {

@@ -25,11 +25,11 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{980, 560};          // [px]
-constexpr int listWidth = 200;                // [px]
-constexpr int formWidth = 300;                // [px]
-constexpr int idleTime = 120;                 // [ms] after the last change of an option
-constexpr qsizetype largestPreview = 4 << 20; // [bytes] of text; some 30,000 bodies
+constexpr QSize firstSize{980, 560}; // [px]
+constexpr int listWidth = 200;       // [px]
+constexpr int formWidth = 300;       // [px]
+constexpr int idleTime = 120;        // [ms] after the last change of an option until the preview is made
+constexpr qsizetype largestPreview = 4 << 20; // [bytes] of text; some 30,000 bodies, at twice 60,000: slow
 constexpr int largestCount = 10'000'000;      // what a spin box offers at most
 constexpr int nameRole = Qt::UserRole;        // a generator's name, or a template's file
 constexpr int isTemplateRole = Qt::UserRole + 1;

@@ -29,7 +29,7 @@
 namespace carom {
 namespace {
 
-constexpr int largestSide = 8192; // [px]: every OpenGL 3.3 card has as much, but for the oldest
+constexpr int largestSide = 8192; // [px] of a picture: the limit of common OpenGL 3.3 drivers
 
 QSpinBox* pixels(const char* name, int value) {
     QSpinBox* box = new QSpinBox;

@@ -223,7 +223,7 @@ void Workbench::showBuild(const SharedBuild& result) {
 
 /// What is opened by mistake: a picture, a program, another language.
 void Workbench::warnOfNoScene(const BuildResult& result) {
-    constexpr std::uint64_t mostMistakes = 1000;
+    constexpr std::uint64_t mostMistakes = 1000; // more than a text that is meant as a scene has
     const Analysis& analysis = result.build.analysis;
     const bool binary = analysis.text.find('\0') != std::string::npos;
     if (!binary && analysis.mistakes <= mostMistakes) return;
