@@ -35,7 +35,7 @@ std::string behindLinks(const std::string& path) {
     return place.string();
 }
 
-/// To everybody; root may write it all the same, and must not without a word.
+/// Read-only for everybody. Root could write it, but must not do so silently.
 bool isReadOnly(const struct stat& file) { return (file.st_mode & anyWriter) == 0; }
 
 std::string folderOf(const std::string& path) {
@@ -119,7 +119,7 @@ bool FileWriter::commit() {
     return sizeIsRight() && (::fsync(m_descriptor) == 0 || fail(errno)) && closeDescriptor() && rename();
 }
 
-/// A file system that is full may say so late; what is there is what counts.
+/// A full file system may report the error late, so the size of the written file is checked.
 bool FileWriter::sizeIsRight() {
     struct stat written {};
     if (::fstat(m_descriptor, &written) != 0) return fail(errno);

@@ -70,8 +70,8 @@ std::size_t BoxColumns::bytes() const {
     return doubles * sizeof(double);
 }
 
-// Most boxes overlap nothing, so a block of a long range is first asked whether it holds any hit at all. The
-// rest of a range goes four at a time, those beyond the end masked out.
+// Most boxes overlap nothing, so a block of a long range is first tested for any hit at all. The rest of a
+// range goes four at a time, those beyond the end masked out.
 CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
                                    std::span<const BoxRange> ranges, std::uint32_t* hits) {
     // Boxes asked at once, eight comparisons of four. Half as many test twice as often whether there is a

@@ -13,8 +13,8 @@ namespace carom {
 /// The axis along which the boxes' centres have the largest variance: a sweep along it compares the fewest.
 std::size_t axisOfLargestVariance(std::span<const Aabb> boxes);
 
-/// Sorts boxes by their lower ends along one axis and traverses them once: a box is compared with those
-/// that begin before it ends. The order is kept between sweeps, so a scene that moves little sorts quickly.
+/// Sorts boxes by their lower ends along one axis and traverses them once: a box is compared with those that
+/// begin before it ends. The order is kept between sweeps, so a scene that moves little sorts quickly.
 class Sweep {
   public:
     /// Appends the keys of all overlapping pairs, mobile or not, to `pairs` in no particular order and

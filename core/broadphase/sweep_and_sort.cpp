@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::uint32_t isUpper(std::uint32_t code) { return code & 1U; }
 
-// Insertion sort is quadratic when everything is somewhere else (a teleport, a rewind, a very large and fast
-// gas). After this many exchanges for each box and each doubling of their number an update gives up and
-// starts anew, which costs about as much as 22 of them (measured at 10,000 boxes); what it reports is the
-// same.
+// Insertion sort is quadratic when everything has moved far (after a seek, or in a very large and fast gas).
+// After this many exchanges for each box and each doubling of their number an update stops and sorts from
+// scratch, which costs about as much as 22 of them (measured at 10,000 boxes); the pairs are the same. Twice
+// or half costs time in such frames.
 constexpr double exchangesPerDoubling = 32;
-// A frame that far from the last is seldom alone: each failure doubles the updates that do not even try.
+// Such frames come in succession: each failure doubles the number of updates that sort from scratch at once.
+// At half of it more attempts fail; at twice, a scene that has become slow pays for longer.
 constexpr int mostUntried = 32;
 
 std::uint64_t mostExchanges(std::size_t boxes) {
@@ -30,8 +31,8 @@ std::uint64_t mostExchanges(std::size_t boxes) {
 //   lower_j <= upper_i - 1     and     last - upper_j <= last - (lower_i + 1)
 //
 // With the two right-hand sides and a guard bit above each in one word, one subtraction does both
-// comparisons: a guard bit survives where its half does not borrow. Millions of exchanges a second go through
-// here.
+// comparisons: a guard bit survives where its half does not borrow. This is the innermost loop: millions of
+// exchanges a second.
 constexpr std::uint32_t last = 0x7fff'ffff;
 constexpr std::uint64_t guards = 0x8000'0000'8000'0000;
 

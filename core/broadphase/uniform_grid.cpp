@@ -218,7 +218,7 @@ void UniformGrid::compare(std::uint32_t place, const Aabb& box) {
     if (m_hits.size() < room) m_hits.resize(room);
     const std::size_t hits = overlapping(m_boxes, box, m_ranges, m_hits.data());
     for (std::size_t k = 0; k < hits; ++k)
-        if (m_hits[k] != place) // on a small ring it may meet itself
+        if (m_hits[k] != place) // on a small ring it may find itself
             m_found.push_back(pairKey(m_placed[place].entry, m_placed[m_hits[k]].entry));
 }
 

@@ -26,8 +26,8 @@
 //
 //     m̃ (v₁ − v̂) = p      m̃ = m + θ h s      v̂ = v₀ + h (m g + F + s (w − v₀))/m̃
 //
-// so for the solver of p it is a body of another mass and another free velocity. The slope is taken for
-// all directions alike; along the force, where it counts, Newton's method converges quadratically.
+// so for the solver of p it is a body of another mass and another free velocity. The slope is taken for all
+// directions alike; along the force, where it counts, Newton's method converges quadratically.
 
 namespace carom {
 

@@ -12,8 +12,8 @@ namespace carom {
 namespace {
 
 /// Moments that differ by less than this part of the largest count as equal: rounding in h² + 3 r² and the
-/// like. The precession it neglects is 1e-14 of the spin; at
-/// a tenth, a cylinder of equal moments would be moved by the splitting, which costs time only.
+/// like. The precession it neglects is 1e-14 of the spin; at a tenth, a cylinder of equal moments would be
+/// moved by the splitting, which costs time only.
 constexpr double equalMoments = 1e-14;
 
 /// The largest angle of one composition [rad]. At 1/20 rad the sixth-order error is below 1e-13 a part.
@@ -132,7 +132,7 @@ void compose(const Vec3& inertia, const Vec3& momentum, double h, std::span<cons
 //
 //     max Ls² = Ls² + Lm² cl/(cs + cl)
 //
-// so that the number of parts is the same at both ends of a step, and runs go backwards the way they came.
+// so that the number of parts is the same at both ends of a step, and a run is reversible.
 double partsOfFreeRotation(const Vec3& inertia, const Vec3& angularMomentum, double h,
                            const Quat& orientation) {
     Eigen::Index smallest = 0, largest = 0;

@@ -19,8 +19,8 @@ namespace {
 using Range = oneapi::tbb::blocked_range<std::size_t>;
 
 /// What oneTBB guarantees of a loop: its parts run after what came before the loop and before what comes
-/// after it. The thread sanitizer has to be told, because it cannot look into a library that was not built
-/// with it; parts of one loop it still holds against each other.
+/// after it. The thread sanitizer must be told, because it does not see into a library that was not built
+/// with it; it still checks the parts of one loop against each other.
 class LoopOrder {
   public:
     LoopOrder() { happened(m_before); }

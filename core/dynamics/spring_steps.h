@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-// A step h of bodies on springs that touch nothing, to order four or six. The rule of order two is that
-// of R. LaBudde, D. Greenspan, "Energy and momentum conserving methods of arbitrary order for the numerical
+// A step h of bodies on springs that touch nothing, to order four or six. The rule of order two is that of R.
+// LaBudde, D. Greenspan, "Energy and momentum conserving methods of arbitrary order for the numerical
 // integration of equations of motion", Numerische Mathematik 25, 1975: over a part T the impulse of a spring
 // has the direction of its mean vector and follows from its mean length and the change of its length,
 //

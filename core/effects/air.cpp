@@ -65,8 +65,8 @@ class AirDrag final : public ForceTerm {
         }
     }
 
-    // Faster than the wind it never pushes, and towards it by no more than on what stands still: of u = v − w
-    // the part −|u| u · v/|v| is at most |w|².
+    // It never accelerates a body that is faster than the wind, and others by no more than a body at rest: of
+    // u = v − w the part −|u| u · v/|v| is at most |w|².
     SpeedGain gainOf(BodyIndex body) const override {
         return {mostPerMass(body) * m_wind.squaredNorm(), m_wind.norm()};
     }

@@ -26,7 +26,7 @@ double kineticEnergyOf(const Body& body) {
                   spin.dot(inertiaOf(body.shape, body.mass).cwiseProduct(spin)));
 }
 
-/// What there is to spend [J]; nothing where that has no bound.
+/// The energy available [J]; nothing where that has no bound.
 std::optional<double> energyOf(const Scene& scene) {
     double energy = 0;
     for (const EffectRow& row : effects()) {

@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// which reaches 1e-9 of it after four million frames.
 constexpr double sameMoment = 1e-9;
 
-/// How far towards its limit something is; 0 / 0 is nothing.
+/// The share of a limit that is used; 0 / 0 is none.
 double shareOf(double off, double allowed) {
     if (std::isnan(off)) return infinite;
     if (off <= 0) return 0;
@@ -133,7 +133,8 @@ void ExpectationWatch::look(const World& world) {
     const Moment moment = m_before.momentOf(world);
     if (m_impacts) {
         const auto hit = static_cast<double>(m_impacts->look(state));
-        // What goes from event to event counts them itself; others see a body once a frame.
+        // Event-driven methods count impacts themselves; for others they are found from the states at the
+        // ends of frames.
         const bool exact = m_pipeline->settings().method->isExact;
         m_allImpacts += exact ? static_cast<double>(world.statistics().contacts) : hit;
     }

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-// Many pool breaks on one plane. Each has a square to itself, large enough that none reaches into another at
-// the start, and lies in it anywhere and turned anyhow; the balls of different breaks meet later.
+// Many pool breaks on one plane. Each has a square of its own, large enough that none overlaps another at the
+// start, and a random position and direction in it; the balls of different breaks meet later.
 
 namespace carom {
 

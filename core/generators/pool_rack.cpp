@@ -80,7 +80,8 @@ void writePoolTable(SceneWriter& scene, double speed) {
     // Two thirds of the cue ball's radius a substep at most: it cannot pass through what it should hit.
     const double substeps = std::ceil(speed * frame / (cueBallRadius * 2 / 3));
     scene.substeps(static_cast<int>(std::fmax(1, substeps)));
-    // The cloth takes the bounce out of what falls on it; balls at rest stay at rest.
+    // The table is inelastic, like cloth: balls that fall on it do not bounce, and balls at rest stay at
+    // rest.
     scene.wall(Vec3::UnitY(), 0, 0, "green");
 }
 

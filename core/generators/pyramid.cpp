@@ -16,8 +16,8 @@
 //         _|_______|_        standing cylinders, one on the other
 //     ___|___________|___
 //
-// Everything scales with the side of the cloud, which grows with the number of spheres: a larger scene is
-// the same scene with finer rain.
+// Everything scales with the side of the cloud, which grows with the number of spheres: a larger scene is the
+// same scene with smaller spheres.
 
 namespace carom {
 

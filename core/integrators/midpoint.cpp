@@ -6,9 +6,9 @@
 #include <limits>
 
 // The implicit midpoint rule (E. Hairer, C. Lubich, G. Wanner, "Geometric numerical integration", 2006,
-// II.1): forces are those in the middle of the way that they lead to; of springs by their mean length, which
-// keeps their energy to rounding at any step. What is coupled needs a system of equations solved, which a
-// method has to bring: `contacts` does so with the contacts of an island
+// II.1): forces are those at the midpoint of the step that they lead to; of springs by their mean length,
+// which keeps their energy to rounding at any step. Coupled bodies need the solution of a system of
+// equations, which the method of motion provides: `contacts` does so with the contacts of an island
 // (solvers/contacts/island_springs.cpp), and where nothing meets by five parts of a substep, which together
 // are of order four (dynamics/spring_steps.h). Bodies that move freely need no equations: the parabola is
 // exact, and so is free rotation. Where a force depends on a body's own motion its equations are those of

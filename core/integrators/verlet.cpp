@@ -6,14 +6,14 @@
 #include <algorithm>
 
 // Störmer–Verlet in velocity form (L. Verlet, "Computer experiments on classical fluids", 1967; W. Swope et
-// al., 1982): half the change of velocity, the whole way, the other half,
+// al., 1982): half the change of velocity, the whole displacement, the other half,
 //
 //     v½ = v + h/2 F(t)/m          x(t+h) = x + h v½          v(t+h) = v½ + h/2 F(t+h)/m
 //
 // which for a constant acceleration is x + h v + h²/2 a: the parabola of free fall is exact at any step. The
-// same backwards in time, so that energy errors stay bounded while ωh < 2; an oscillation runs ahead by
-// (ωh)²/24 of its phase. A body's angular momentum is treated as the velocity is; its free rotation is split
-// symmetrically into pure rotations (dynamics/free_rotation.h), as in A. Dullweber, B. Leimkuhler, R.
+// same backwards in time, so that energy errors stay bounded while ωh < 2; the phase of an oscillation is
+// ahead by (ωh)²/24 of it. A body's angular momentum is treated as the velocity is; its free rotation is
+// split symmetrically into pure rotations (dynamics/free_rotation.h), as in A. Dullweber, B. Leimkuhler, R.
 // McLachlan, "Symplectic splitting methods for rigid body molecular dynamics", 1997. Where springs are
 // damped, or bodies move through air, the force at t+h depends on v(t+h): it is found by iteration, and the
 // order stays two.

@@ -13,8 +13,8 @@
 #include <map>
 #include <string_view>
 
-// The tree of a text that is being typed says little, so the place is judged by the tokens before it: back to
-// the brace that opens its list, then forward again counting what is given.
+// The tree of a text that is being typed is incomplete, so the context is found from the tokens before the
+// place: back to the brace that opens its list, then forward again over the parameters that are given.
 
 namespace carom {
 namespace {

@@ -185,7 +185,7 @@ class Formatter {
         if (names) put(indent);
     }
 
-    // What a comment has torn off: the rest of a parameter, or a brace that belongs to the line above.
+    // What a comment has separated: the rest of a parameter, or a brace that belongs to the line above.
     void beginContinuation() {
         put(m_lineEnd);
         if (!m_listOpen) return;

@@ -129,8 +129,8 @@ class Lexer {
         add(TokenKind::Comment);
     }
 
-    // To the mark that closes it. One that its line does not have is a mistake that costs the rest of the
-    // line, but for the braces at its end.
+    // To the mark that closes it. If the line does not have it, the rest of the line is skipped as one
+    // mistake, except for the braces at its end.
     void lexText() {
         m_at = std::min(m_text.find_first_of("\"\r\n", m_at + 1), m_text.size());
         if (m_at < m_text.size() && m_text[m_at] == '"') {

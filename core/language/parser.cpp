@@ -11,8 +11,9 @@
 #include <array>
 #include <string>
 
-// Recursive descent without the recursion: the grammar nests to a fixed depth. The schema is asked only where
-// a mistake must be told from a right text: is this name a parameter, does this line begin a declaration?
+// Recursive descent without the recursion: the grammar nests to a fixed depth. The schema is used only where
+// a mistake must be distinguished from a valid text: is this name a parameter, does this line begin a
+// declaration?
 
 namespace carom {
 namespace {

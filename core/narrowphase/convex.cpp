@@ -102,7 +102,7 @@ Proximity proximityConvex(const PlacedShape& a, const PlacedShape& b) {
         larger.points[larger.count++] = next;
         larger = nearestFaceOf(larger);
         const Vec3 moved = larger.count == 4 ? Vec3(Vec3::Zero()) : larger.combine(&DifferencePoint::value);
-        if (!(moved.squaredNorm() < squared)) break; // rounding has the last word
+        if (!(moved.squaredNorm() < squared)) break; // no improvement but rounding
         simplex = larger;
         nearest = moved;
     }

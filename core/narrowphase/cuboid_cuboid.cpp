@@ -87,7 +87,7 @@ void considerNearestFeatures(AxisSearch<CuboidPair>& search, const CuboidPair& p
     Nearest nearest;
     considerCorners(pair, nearest);
     search.considerEitherWay(nearest.between);
-    // A gap between shadows as wide as the distance of two points is proof that both are best.
+    // Where the gap between projections is as wide as the distance of two points, both are optimal.
     const double enough = search.best().separation * (1 + 1e-14);
     if (nearest.squared <= enough * enough) return;
     considerEdges(pair, nearest);

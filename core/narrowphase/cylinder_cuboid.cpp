@@ -8,14 +8,15 @@
 #include <cmath>
 #include <limits>
 
-// What a cylinder and a cuboid can show each other, in the cuboid's frame, a the cylinder's axis:
+// The pairs of features of a cylinder and a cuboid, in the cuboid's frame, a the cylinder's axis:
 //
 //     face – any       n = ±e_i
 //     cap – any        n = ±a
 //     side – edge      n = ±a × e_i
 //     side – corner    n across a, from the axis to the corner
-//     rim – corner     n from the rim to the corner; only apart, a corner in a rim never is the way out
-//     rim – edge       n across e_i: one root of a concave function (rim_line.h) for each edge and rim
+//     rim – corner     n from the rim to the corner; only apart: a corner inside a rim is never the least
+//     overlap rim – edge       n across e_i: one root of a concave function (rim_line.h) for each edge and
+//     rim
 //
 // All closed forms or single roots, so all are tried.
 
@@ -74,7 +75,7 @@ void considerCorners(Search& search, const CylinderCuboidPair& pair) {
 }
 
 // The four edges along e_i against both rims. Directions here run from the cuboid to the cylinder, in the
-// plane across e_i; the rim's own circle is shortest there along `steep`, the axis' shadow.
+// plane across e_i; the rim's circle is shortest there along `steep`, the axis' projection.
 void considerEdges(Search& search, const CylinderCuboidPair& pair, int i) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;

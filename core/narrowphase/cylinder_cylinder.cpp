@@ -10,16 +10,16 @@
 #include <array>
 #include <cmath>
 
-// The features of a cylinder are its two caps, its side and its two rims; what two cylinders show each other
-// in direction n is one of nine combinations. With axes a, b at an angle whose sine is s, x = a × b / s:
+// The features of a cylinder are its two caps, its side and its two rims; in direction n one of nine pairs of
+// features is nearest. With axes a, b at an angle whose sine is s, x = a × b / s:
 //
 //     cap  – any     n = ±a or ±b
 //     side – side    n = ±x
 //     side – rim     n across the one axis: one root of a concave function (rim_line.h)
 //     rim  – rim     both free: Newton's method on the sphere of directions (rim_climb.h)
 //
-// Apart, s(n) has one local maximum only, and a witness pair as far apart as the shadows proves it found.
-// Overlapping, there can be several rim – rim maxima, and the climb starts from several places.
+// Apart, s(n) has one local maximum only, and two points as far apart as the projections prove that it is
+// found. Overlapping, there can be several rim – rim maxima, and the search starts from several directions.
 
 namespace carom {
 namespace {
@@ -67,8 +67,8 @@ Vec3 acrossBoth(const CylinderPair& pair) {
     return sine > parallel ? Vec3(across / sine) : tangentsOf(pair.axisA).first;
 }
 
-// Starts for the climb beside cap A's own direction, leaning out over the rim of A by the angle at which the
-// gap is greatest in that plane.
+// Starting directions beside cap A's normal, tilted over the rim of A by the angle at which the gap is
+// greatest in that plane.
 Vec3 leaningOut(const RimPair& rims, const Vec3& cap, const Vec3& outward) {
     const Vec3 fromRim = rims.offset - rims.radiusA * outward;
     const Vec3 tangent = cap.cross(outward);
@@ -91,8 +91,8 @@ Vec3 leaningOut(const RimPair& rims, const Vec3& cap, const Vec3& outward) {
     return (cap + std::min(0.1, std::abs(slope) / bend) * outward).normalized();
 }
 
-// Where B overhangs cap A, the cap's own direction is not a maximum. Two ways out: towards the point of B's
-// rim nearest to the plane of the cap, and, where the caps are nearly parallel and that point means little,
+// Where B extends beyond cap A, the cap's normal is not a maximum. Two other starts: towards the point of B's
+// rim nearest to the plane of the cap, and, where the caps are nearly parallel and that point is arbitrary,
 // towards B's centre.
 void considerOverhang(AxisSearch<CylinderPair>& search, const RimPair& rims, const Vec3& cap) {
     const auto tryTowards = [&](const Vec3& target) {
@@ -126,10 +126,9 @@ bool overlapIsCertain(const CylinderPair& pair, const BestAxis& best) {
 
 // For each pair of rims the gap F of the discs they bound is concave, F >= s everywhere, and F = s for
 // directions that show these two rims. So
-//   - a certified positive maximum of F is the only one, and no other start is worth trying;
+//   - a certified positive maximum of F is the only one, and no other start is needed;
 //   - if the cylinders overlap with depth δ and F(m) > δ for any m, no direction n that shows these rims is a
-//   local
-//     maximum with s(n) > −δ: uphill from n towards m the gap still grows. Nothing to climb then.
+//     local maximum with s(n) > −δ: from n towards m the gap still grows. Then no search is needed.
 void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, const Vec3& x) {
     const bool overlap = overlapIsCertain(pair, search.best());
     for (const double signA : {1.0, -1.0}) {
@@ -152,7 +151,7 @@ void considerRims(AxisSearch<CylinderPair>& search, const CylinderPair& pair, co
     }
 }
 
-// Apart, two points as far apart as the shadows prove that there is no better direction.
+// Apart, two points as far apart as the projections prove that there is no better direction.
 bool isProven(const CylinderPair& pair, const BestAxis& best) {
     if (!(best.separation > 0)) return false;
     const Vec3 step = best.separation * best.normal;

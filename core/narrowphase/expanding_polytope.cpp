@@ -38,7 +38,7 @@ class Polytope {
     }
 
     // The nearest face bounds the depth from below, the furthest point along its normal from above; the best
-    // upper bound is the answer: a translation that really parts the shapes.
+    // upper bound is the answer: a translation that does separate the shapes.
     PolytopeFace grow() {
         PolytopeFace best;
         best.distance = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ class Polytope {
             const double reach = beyond.value.dot(nearest.outward);
             if (reach < best.distance) best = answer(nearest, reach);
             if (best.distance - nearest.distance <= tolerance * m_size) break;
-            // A face that rounding does not let grow has had its say; the others go on.
+            // A face that rounding does not allow to expand is final; the others are expanded further.
             if (!addPoint(beyond)) nearest.distance = std::numeric_limits<double>::infinity();
         }
         return best;
@@ -102,7 +102,7 @@ class Polytope {
     }
 
     // Replaces every face the point sees by a fan from their common outline. False, and nothing changed, if
-    // rounding has torn the outline (it is no longer one closed loop) or nothing is seen.
+    // rounding has broken the outline (it is not one closed loop) or no face is seen.
     bool addPoint(const DifferencePoint& point) {
         std::vector<std::pair<int, int>> outline;
         const auto crossEdge = [&outline](int from, int to) {

@@ -47,7 +47,7 @@ struct Hessian {
     double xx = 0, xy = 0, yy = 0;
 };
 
-// Newton's step with the eigenvalues made negative, so that it always leads uphill.
+// Newton's step with the eigenvalues made negative, so that F always increases.
 Eigen::Vector2d uphill(const Hessian& hessian, const Eigen::Vector2d& gradient, double longest) {
     const double mean = 0.5 * (hessian.xx + hessian.yy);
     const double half = 0.5 * (hessian.xx - hessian.yy);

@@ -9,8 +9,8 @@
 #include <limits>
 
 // Conservative advancement: B. Mirtich, J. Canny, "Impulse-based simulation of rigid bodies", Symposium on
-// Interactive 3D Graphics (1995). With n the direction of the distance d at time t, the gap of the shadows
-// along n is d now and for a time τ afterwards at least
+// Interactive 3D Graphics (1995). With n the direction of the distance d at time t, the gap between the
+// projections on n is d now and for a time τ afterwards at least
 //
 //     d + (v·n) τ + (g·n) τ²/2 − Ω τ,      v, g: velocity, acceleration of B relative to A,
 //                                          Ω = |ωA| ρA + |ωB| ρB [m/s], the rotation bound
@@ -18,10 +18,10 @@
 // so nothing meets before that reaches zero. ρ is the radius of the smallest ball about the centre that holds
 // the shape, and a body's spin about an axis of symmetry does not count, since it moves no surface outwards.
 //
-// That bound takes all of a turning body to move as fast as its farthest corner does, and its steps shrink
-// with the gap where shapes pass each other closely. So the shadows are followed, too. Let h(m) be how far a
-// shape reaches along m, from its support function; let the direction turn, m = n + τ ṅ, as the direction of
-// the distance did over the last step; Δ is from A's centre to B's. Seen from a body m turns against its
+// That bound assumes that all of a turning body moves as fast as its farthest corner, and its steps shrink
+// with the gap where shapes pass each other closely. So the projections are bounded, too. Let h(m) be how far
+// a shape reaches along m, from its support function; let the direction turn, m = n + τ ṅ, as the direction
+// of the distance did over the last step; Δ is from A's centre to B's. Seen from a body m turns against its
 // spin ω by a rotation, which is n + τ (ṅ + n × ω) to within τ² (|ω||ṅ| + |ω|²/2), and h changes by no more
 // than ρ times what m changes by. So the gap along m is at least
 //
@@ -33,7 +33,7 @@
 //
 // Deviation: once the approach is regular a secant step is tried, no longer than the shapes need to pass
 // through each other; if they overlap there, an impact is bracketed and found by false position. A secant
-// step that finds a gap proves nothing and is thrown away.
+// step that finds a gap proves nothing and is discarded.
 
 namespace carom {
 namespace {
@@ -263,7 +263,7 @@ std::optional<Impact> advance(const FreeMotion& motion, double duration) {
             if (contact.distance <= partingStep * motion.size() && !motion.isApproaching(now))
                 ahead = std::max(ahead, partingStep * unit);
             if (!(ahead <= left)) return std::nullopt;
-            // A regular approach, twice in a row: look where it leads.
+            // A regular approach, twice in a row: extrapolate it.
             const double rate = step > 0 ? (lastDistance - contact.distance) / (now.time - lastTime) : 0;
             const double meeting = now.time + 1.01 * contact.distance / rate;
             if (step % 2 == 1 && rate > 0 && meeting <= duration && motion.staysLocal(now.time, meeting)) {

@@ -23,14 +23,16 @@ using namespace std::chrono_literals;
 constexpr std::chrono::nanoseconds publishInterval = 16'666'667ns;
 constexpr std::chrono::nanoseconds publishSlack = 4ms;
 
-/// A simulation that falls further behind the clock than this gives the lost time up instead of racing on
-/// for as long once the load is gone.
+/// A simulation that is further behind the clock than this drops the lost time instead of running too fast
+/// later. At a tenth, short delays slow the run down; at ten times, it runs too fast for a second after a
+/// delay.
 constexpr std::chrono::nanoseconds longestDebt = 100ms;
 
-/// A way to another frame that takes longer is said to be one, so that it can be ended.
+/// A seek that takes longer is shown as one, so that it can be cancelled. At a tenth short seeks flicker; at
+/// ten times long ones seem to hang.
 constexpr std::chrono::nanoseconds longSeek = 150ms;
 
-/// Between two looks whether samples have been taken.
+/// Between two checks whether samples have been taken; at ten times, the run waits longer than it must.
 constexpr std::chrono::nanoseconds roomInterval = 1ms;
 
 } // namespace
@@ -77,7 +79,7 @@ void SimulationThread::act(const std::stop_token& stop) {
     if (m_state == RunState::Running && due && !stop.stop_requested()) advance();
 }
 
-/// What is on screen stays, and the frames before can be gone back to.
+/// The last picture stays, and earlier frames can still be reached.
 void SimulationThread::giveUp(StopCause cause) {
     m_ghost.reset();
     m_torn = m_world != nullptr;
@@ -134,8 +136,8 @@ void SimulationThread::begin(const std::shared_ptr<const Pipeline>& pipeline) {
     m_watch.begin(*m_world);
 }
 
-/// The guard needs the ledger: what correcting the positions of overlapping bodies gave is no fault of the
-/// run.
+/// The guard needs the ledger: energy from position corrections of overlapping bodies is not counted as an
+/// error.
 void SimulationThread::beginSamples() {
     m_world->keepLedger(true);
     m_sampled = m_world->state().frame;
@@ -313,8 +315,8 @@ void SimulationThread::advance() {
     schedule();
 }
 
-/// Until somebody takes the samples that wait, or there is something else to be done: else they would take
-/// any memory while the window is busy.
+/// Waits until the samples in the queue are taken or a command comes: otherwise they would take unbounded
+/// memory while the window is busy.
 void SimulationThread::waitForRoom() {
     if (!m_samples.isFull()) return;
     m_listener.published();
@@ -324,7 +326,8 @@ void SimulationThread::waitForRoom() {
         m_wake.wait_for(lock, roomInterval);
 }
 
-/// Each frame's statistics go up once, in their order. Whether energy has risen from nowhere in this one.
+/// Publishes each frame's statistics once, in order. Returns whether energy has risen without a cause in this
+/// one.
 bool SimulationThread::sample() {
     const std::int64_t frame = m_world->state().frame;
     judge();
@@ -358,8 +361,8 @@ std::shared_ptr<const JudgedRun> SimulationThread::judged() {
     return m_judged;
 }
 
-/// The frames on the way are shown if `showing`. A command that came meanwhile ends the search: the next
-/// command is the one that counts.
+/// The frames of the seek are shown if `showing`. A command that comes meanwhile ends the seek, since the
+/// newest command counts.
 void SimulationThread::seek(std::int64_t frame, bool showing) {
     bool broken = false;
     const Clock::time_point began = Clock::now();
@@ -386,7 +389,7 @@ void SimulationThread::seek(std::int64_t frame, bool showing) {
     if (showing || !broken) publish(true);
 }
 
-/// Whether a command waits that makes the present search pointless.
+/// Whether a command waits that supersedes the present seek.
 bool SimulationThread::superseded() {
     if (m_thread.get_stop_token().stop_requested()) return true;
     const std::lock_guard lock(m_mutex);

@@ -15,8 +15,8 @@ namespace {
 /// tenth, such a contact may be reported again and again; at ten times, bodies touch visibly early.
 constexpr double touchingWithin = 1e-4;
 
-/// Of the closing speed: even an impact without restitution changes it by all
-/// of it; at twice such impacts would be missed, at a tenth contact forces would count.
+/// Of the closing speed: even an impact without restitution changes it by all of it; at twice such impacts
+/// would be missed, at a tenth contact forces would count.
 constexpr double leastJump = 0.5;
 
 constexpr std::array rows = {
@@ -112,7 +112,7 @@ bool BreakWatch::happened(const Breakpoint& breakpoint, const World& world) cons
 }
 
 /// Whether the bodies of a contact took an impulse from each other, as those do that touch already and are
-/// struck through others: these neither close in nor need they part.
+/// struck through others: these neither approach nor need to separate.
 bool BreakWatch::wereStruck(const Breakpoint& breakpoint, const World& world) const {
     if (breakpoint.kind != BreakKind::Contact) return false;
     const auto isOf = [&](BodyIndex body, const BodyPair& pair) {
@@ -125,9 +125,9 @@ bool BreakWatch::wereStruck(const Breakpoint& breakpoint, const World& world) co
 }
 
 /// Whether two bodies came into contact in the step: they touch now and did not before, or they bounced in
-/// between. Then they close in before and part afterwards, their paths touch, and they changed their relative
-/// velocity by more than gravity does. (Two bodies that pass each other while a third hits one of them look
-/// the same where that brings its path to the other.)
+/// between. Then they approach before and separate afterwards, their paths touch, and they changed their
+/// relative velocity by more than gravity does. (Two bodies that pass each other while a third hits one of
+/// them look the same where that brings its path to the other.)
 bool BreakWatch::met(const World& world, BodyIndex a, BodyIndex b) const {
     const Bodies& bodies = world.pipeline().bodies();
     if (a >= bodies.count() || b >= bodies.count() || (bodies.mobile[a] == 0 && bodies.mobile[b] == 0))

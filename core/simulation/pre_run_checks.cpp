@@ -51,7 +51,8 @@ constexpr std::size_t mostWallPairs = 10'000'000;
 constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
 
-// What touches what at the start: bodies behind walls, overlaps and mass ratios, each found at most so often.
+// Contacts at the start: bodies behind walls, overlaps and mass ratios, each reported at most mostOfAKind
+// times.
 class Touches {
   public:
     Touches(const Scene& scene, const RunSettings& settings)
@@ -202,7 +203,7 @@ class Touches {
     std::size_t m_behind = 0;
 };
 
-// A body that passes its own half-extent between two looks can be in front of a thin body at the one and
+// A body that passes its own half-extent between two substeps can be in front of a thin body at the one and
 // behind it at the other.
 std::vector<Diagnostic> tunnelling(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found;
@@ -241,8 +242,8 @@ double complianceOf(const Scene& scene, BodyIndex body, const Vec3& at) {
     return 1 / end.mass + at.squaredNorm() / inertiaOf(end.shape, end.mass).minCoeff();
 }
 
-// An explicit scheme blows up the oscillation of a spring that is too stiff for the substep: ω² = k (1/mA +
-// 1/mB). Damping saves explicit Euler from h k = c on.
+// An explicit scheme amplifies the oscillation of a spring that is too stiff for the substep: ω² = k (1/mA +
+// 1/mB). With damping explicit Euler is stable from h k = c on.
 std::vector<Diagnostic> instability(const Scene& scene, const RunSettings& settings) {
     std::vector<Diagnostic> found;
     const IntegratorRow& integrator = *settings.integrator;

@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-/// One setting as somebody asked for it.
+/// One setting as it was asked for.
 struct Asked {
     const Scene& scene;
     std::string_view parameter;
@@ -106,7 +106,7 @@ RunSettings settledSettings(const Scene& scene, const SimulationSettings& option
     if (wanted.step) settings.step = *wanted.step;
     settleMethod(scene, options, wanted, settings, warnings);
     const SolverRow& method = *settings.method;
-    // What is too crowded for an exact method the general one moves.
+    // Frames that are too crowded for an exact method are left to the general one.
     const SolverRow& stepping = method.isExact ? generalSolver() : method;
     const PresetValues& values = stepping.presets[static_cast<std::size_t>(preset - presets().data())];
     const IntegratorRow* integrator = findIntegrator(method.integrator);

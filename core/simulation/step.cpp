@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// Counts add up over a frame's substeps; what the broad-phase holds is what it held last.
+// Counts are summed over a frame's substeps; the memory of the broad-phase is that of the last one.
 void add(FrameStatistics& frame, const SolverReport& report, const BroadphaseCounters& broad) {
     frame.integrate += report.integrate;
     frame.broadphase += report.broadphase;

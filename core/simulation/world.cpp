@@ -16,7 +16,7 @@ World::World(std::shared_ptr<const Pipeline> pipeline)
     reset();
 }
 
-// Algorithms start anew as well: what they remember depends on the way there.
+// Algorithms start anew as well: their memory depends on the history.
 void World::reset() {
     m_state = m_pipeline->initialState();
     m_health = {};
@@ -85,7 +85,7 @@ Snapshot World::snapshot() const {
 
 Checkpoint World::checkpoint() const { return {m_state, m_statistics, m_health, m_solver->memory()}; }
 
-// The broad-phase starts anew, so that its counters do not depend on where the world comes from.
+// The broad-phase starts anew, so that its counters do not depend on the history.
 void World::restore(const Checkpoint& checkpoint) {
     m_state = checkpoint.state;
     m_statistics = checkpoint.statistics;

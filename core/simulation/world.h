@@ -50,8 +50,8 @@ class World {
     /// A 64-bit hash of the exact state: every mobile body's pose and velocities, and the frame.
     std::uint64_t stateHash() const;
 
-    /// Whether the audit of energy and momentum is kept from now on (FrameStatistics::ledger).
-    /// It costs a percent or two, and the motion is the same to the bit.
+    /// Whether the audit of energy and momentum is kept from now on (FrameStatistics::ledger). It costs a
+    /// percent or two, and the motion is the same to the bit.
     void keepLedger(bool keep) { m_keepsLedger = keep; }
 
     /// Goes on with another broad-phase from the next step; the motion is the same to the bit.

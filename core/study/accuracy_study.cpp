@@ -22,8 +22,8 @@ namespace {
 /// reference solutions are less exact; at twice, fewer settings are measured.
 constexpr double referenceBy = 0.4, pointsBy = 0.8, crowdsBy = 0.9, allBy = 0.98;
 /// The part of the budget that one run with the scene's own setting may take; where it would take more, less
-/// of the scene is studied. At twice it half as many settings of a dear scene are measured, at half of it
-/// half the scene.
+/// of the scene is studied. At twice it half as many settings of an expensive scene are measured, at half of
+/// it half the scene.
 constexpr double ownRun = 0.05;
 /// The part of the remaining time that a run of unknown cost may take: four that fail leave a third of it, at
 /// twice a sixteenth; at half, some settings that would have fitted are omitted.

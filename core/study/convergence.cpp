@@ -11,8 +11,9 @@
 namespace carom {
 namespace {
 
-/// Errors between these show an order: below rounding takes part, above the first term does not rule yet.
-/// A tenth of the one or twice the other lets errors in that follow no order, and no order is found.
+/// Errors between these show an order: below, rounding contributes; above, the first term of the error does
+/// not dominate yet. A tenth of the one or twice the other lets errors in that follow no order, and no order
+/// is found.
 constexpr double leastError = 1e-12, mostError = 0.35;
 constexpr std::size_t leastSlopes = 2;
 /// Slopes that differ from the median by less are of one order, and this part of them must be: where impacts
@@ -115,8 +116,8 @@ struct Limit {
 };
 
 /// `most` by the study's measure. By every other one that says something of the scene, what the scene's own
-/// setting errs by, chance, or the target, whichever is the greatest: a setting is not good enough for a
-/// short way while its bodies overlap or its energy is lost.
+/// setting errs by, chance, or the target, whichever is the greatest: a setting is not recommended for a
+/// small trajectory error if its bodies overlap or it loses energy.
 std::vector<Limit> limitsFor(const AccuracyStudy& study, double most) {
     const AccuracyPoint* own = ownPoint(study);
     std::vector<Limit> limits = {{study.measure, most}};

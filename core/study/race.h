@@ -51,8 +51,8 @@ class Race {
     std::optional<BitDifference> m_first;
 };
 
-/// The record of a race, which can be read while it goes on: one thread adds, another reads. Distances
-/// are kept of every frame; states of every frame, or, where they would take more than `mostBytes`, of every
+/// The record of a race, which can be read while it goes on: one thread adds, another reads. Distances are
+/// kept of every frame; states of every frame, or, where they would take more than `mostBytes`, of every
 /// second, fourth, ... frame.
 class RaceRecording {
   public:

@@ -22,8 +22,8 @@ constexpr double exactApart = 1e-12, runsApart = 1e-9, divergedBy = 1e3;
 /// Errors of a closed form and of exact events: rounding of a few thousand operations. At a tenth, settings
 /// are compared by rounding.
 constexpr double roundingOfReference = 1e-13;
-/// Samples a frame where states between frames are available: errors are measured there, too. With
-/// half as many the largest error of a motion with a period of two frames may be missed.
+/// Samples a frame where states between frames are available: errors are measured there, too. With half as
+/// many the largest error of a motion with a period of two frames may be missed.
 constexpr int looksBetween = 8;
 /// Substeps of the first of the converging runs; a multiple of the samples. At twice, expensive scenes have
 /// time for one run less.
@@ -68,7 +68,7 @@ SimulationSettings optionsFor(const char* method, const char* integrator, double
     return options;
 }
 
-/// A run as it was looked at.
+/// The samples of a run.
 struct Recorded {
     Trajectory trajectory{};
     ImpactRecord impacts{};
@@ -82,7 +82,7 @@ struct Recorded {
     }
 };
 
-/// How a run is made and looked at.
+/// How a run is made and sampled.
 struct Course {
     const Scene& scene;
     SimulationSettings options;
@@ -326,7 +326,7 @@ class Convergence {
         }
     }
 
-    /// The first run, and how a copy of it parts.
+    /// The first run, and how a copy of it diverges.
     bool begin() {
         const ReferenceRequest& request = m_search.request();
         double share = partOfFirst * m_search.left();
@@ -351,8 +351,8 @@ class Convergence {
         return true;
     }
 
-    /// Where ways are chance, what is left at the end is so, too, in part: copies that cost little say how
-    /// much.
+    /// Where trajectories are chaotic, the final state is random in part: copies of a cheap setting measure
+    /// how much.
     void watchChance() {
         const double until = (1 - partOfChance) * m_search.left();
         const int substeps = m_looks * std::max(1, m_search.request().settings.substeps / m_looks);

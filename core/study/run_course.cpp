@@ -7,11 +7,12 @@
 namespace carom {
 namespace {
 
-/// ε: the part of weight times size below which an exchange of energy counts as none. At a tenth of it scenes
-/// at rest are said to be off by what they tremble; at ten times as much small motions in large scenes have
-/// no error of energy.
+/// ε: the part of weight times size below which an exchange of energy counts as none. At a tenth of it the
+/// residual motion of scenes at rest counts as an error; at ten times as much small motions in large scenes
+/// have no error of energy.
 constexpr double noExchange = 1e-3;
-/// Kinetic energy of what rests, relative to E: a thousandth of the speed that E gives.
+/// Kinetic energy below which bodies are at rest, relative to E: a thousandth of the speed that E gives. At a
+/// hundred times bodies that still settle count as at rest; at a hundredth, residual motion does not.
 constexpr double restingPart = 1e-6;
 /// Momentum below this part of what E gives all bodies is none to compare with: rounding of some thousand
 /// steps. At a thousandth of it bodies that have come to rest are said to have changed their momentum.

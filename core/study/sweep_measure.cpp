@@ -126,7 +126,8 @@ void MeasureWatch::look(const World& world) {
     const Moment moment = m_before.momentOf(world);
     if (m_impacts) {
         const auto hit = static_cast<double>(m_impacts->look(world.state()));
-        // What goes from event to event counts them itself; others see a body once a frame.
+        // Event-driven methods count impacts themselves; for others they are found from the states at the
+        // ends of frames.
         const bool exact = m_pipeline->settings().method->isExact;
         m_allImpacts += exact ? static_cast<double>(world.statistics().contacts) : hit;
     }

@@ -14,7 +14,7 @@ namespace {
 // better, half the mean spacing.
 constexpr double slack = 1.1, shareOfSpacing = 0.5;
 
-// With fewer than three cells along an axis the same list would be walked twice.
+// With fewer than three cells along an axis the same list would be searched twice.
 constexpr std::int32_t fewestAlongAxis = 3;
 
 // Sides up to a million to one; larger balls share the last level. With half of them scenes of sizes beyond a
@@ -50,7 +50,7 @@ double finestRadius(std::span<const TrajectoryOrigin> origins) {
 void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin> origins,
                          const Aabb& region) {
     // A cell takes five bytes and a bit: 160 bytes a ball. Where a region has more, cells repeat, and lists
-    // hold balls that are far away; that costs looks, and no ball is missed.
+    // hold balls that are far away; that costs comparisons, and no ball is missed.
     constexpr std::size_t cellsPerBall = 32, cellsAtLeast = 4096;
     const double finest = finestRadius(origins);
     const double ballCount = static_cast<double>(std::max<std::size_t>(1, origins.size()));

@@ -24,9 +24,8 @@
 // for larger ones the 27 coarser cells around, for smaller ones all the finer cells that those 27 cells
 // consist of.
 //
-// Most cells are empty. So a bit for every cell says whether it has balls: the 27 cells around a ball
-// are nine rows of three bits, each read at once; the first and the last bit of a row stand for its other
-// end.
+// Most cells are empty. So a bit for every cell says whether it has balls: the 27 cells around a ball are
+// nine rows of three bits, each read at once; the first and the last bit of a row stand for its other end.
 
 namespace carom {
 

@@ -13,8 +13,8 @@
 //
 //     W p = −(1+e) u      Wₖₗ = sum over the balls of pairs k and l of ± nₖ·nₗ/m,  u = n·(vⱼ − vᵢ) before
 //
-// in both orders of elimination, averaged. What closes then is the next event, at the same time. Solving
-// all that touch at once instead would send Newton's cradle out with all balls moving.
+// in both orders of elimination, averaged. What closes then is the next event, at the same time. Solving all
+// that touch at once instead would make all balls of Newton's cradle move.
 
 namespace carom {
 namespace {

@@ -71,7 +71,7 @@ inline bool EventGas::mayCrossEarly(std::uint32_t i, int axis, double now) const
 }
 
 // Into the next cell. The crossing after it is predicted from the time of this one, however early this one is
-// made: else a ball that is about to turn there would be put to and fro.
+// made: otherwise a ball that is about to turn there would change cells back and forth.
 inline void EventGas::crossNext(std::uint32_t i, Crossing next) {
     ++m_counts.crossings;
     const EventRecord& record = m_records[i];
@@ -143,7 +143,7 @@ void EventGas::beginSlice() {
     const std::size_t queued = m_queuedCrossings;
     m_queuedCrossings = 0;
     for (std::size_t k = 0; k < m_crossing.size(); ++k) {
-        constexpr std::size_t soon = 4, later = 8; // what is far away is on its way in time
+        constexpr std::size_t soon = 4, later = 8; // prefetched early enough to arrive in time
         if (k + later < m_crossing.size()) {
             __builtin_prefetch(&m_records[m_crossing[k + later]]);
             __builtin_prefetch(&m_origins[m_crossing[k + later]]);

@@ -10,16 +10,16 @@ namespace carom {
 namespace {
 
 // A collision of two balls that follows the last lossy one sooner than this share of the typical time is
-// treated as elastic: otherwise three balls can collide infinitely often in finite time (S. Luding,
-// S. McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model",
-// Granular Matter 1, 1998). 1e-6: a ball moves a millionth of its radius between the two. At a
-// thousandth, collapses take more events before they end; at a thousand times, dense gases lose less energy
-// than they should.
+// treated as elastic: otherwise three balls can collide infinitely often in finite time (S. Luding, S.
+// McNamara, "How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model",
+// Granular Matter 1, 1998). 1e-6: a ball moves a millionth of its radius between the two. At a thousandth,
+// collapses take more events before they end; at a thousand times, dense gases lose less energy than they
+// should.
 constexpr double shortest = 1e-6;
 
 // If ten events a ball and a thousand more pass in less than this share of the typical time, the run has
-// collapsed. Gases take about 1, collapses reach 0 within some rounds: a thousand times
-// more or less changes nothing.
+// collapsed. Gases take about 1, collapses reach 0 within some rounds: a thousand times more or less changes
+// nothing.
 constexpr double stalled = 1e-9;
 
 /// Typical times in one call at most: radii that the fastest ball moves. Beyond, its place is rounded to
@@ -165,7 +165,7 @@ void EventGas::collidePair(std::uint32_t i, std::uint32_t j, double time) {
     const Vec3 normal = (b.position - a.position).normalized();
     const double approach = normal.dot(b.velocity - a.velocity);
     if (comesToRestOn(i, j, -normal, -approach) || comesToRestOn(j, i, normal, -approach)) {
-        // No impulse acts on either: what carries the lower ball takes it.
+        // No impulse acts on either: the support of the lower ball takes it.
     } else if (approach <= 0) {
         const double separation = separationSpeedAt({i, j, -approach, normal}, time);
         push(i, j, normal, (separation - approach) / (inverseMassOf(i) + inverseMassOf(j)));
@@ -250,7 +250,7 @@ void EventGas::note(const BoundedWall& wall, const TrajectoryOrigin& origin, dou
         m_tally.walls[static_cast<std::size_t>(&wall - m_walls.data())] += impulse;
 }
 
-/// Carries the ball's origin to `time`; whatever was found out about it before is off.
+/// Moves the ball's trajectory origin to `time`; its predictions are void.
 void EventGas::moveOrigin(std::uint32_t i, double time) {
     TrajectoryOrigin& origin = m_origins[i];
     const Vec3& acceleration = accelerationOf(i);
@@ -260,8 +260,8 @@ void EventGas::moveOrigin(std::uint32_t i, double time) {
     ++m_records[i].changes;
 }
 
-/// Looks for whatever a ball may do next, after it got a new origin or was put into a cell at `now`; leaves
-/// it out of the queue.
+/// Predicts the next events of a ball that has a new origin or was put into a cell at `now`; it is not queued
+/// yet.
 void EventGas::plan(std::uint32_t i, double now) {
     planCrossings(i, now);
     crossEarly(i, now);
@@ -277,7 +277,7 @@ void EventGas::planPairs(std::uint32_t i) {
     m_cells.aroundBall(m_records, i, [&](std::uint32_t j) { considerPair(i, j); });
 }
 
-/// What a ball has found.
+/// A predicted collision.
 void EventGas::noteCollision(std::uint32_t i, std::uint32_t j, double time) {
     EventRecord& record = m_records[i];
     record.tied = record.pairTime - time <= m_tie ? 1 : 0;
@@ -322,8 +322,8 @@ void EventGas::considerWall(std::uint32_t i, std::size_t k) {
 }
 
 // At equal times: crossings, then walls, then pairs, and pairs that do not touch each other by the places of
-// their origins (those that do: event_clusters.cpp). Numbers and cells have no say, so neither the order of
-// the text nor the size of the cells changes what happens.
+// their origins (those that do: event_clusters.cpp). Numbers and cells do not count, so neither the order of
+// the text nor the size of the cells changes the motion.
 bool EventGas::comesBefore(std::uint32_t i, std::uint32_t j) const {
     const EventRecord& a = m_records[i];
     const EventRecord& b = m_records[j];
@@ -399,8 +399,8 @@ void EventGas::restOn(std::uint32_t i, std::uint16_t wall) {
     rest.acceleration = supportedAcceleration(m_gravity, {normals.data(), rest.count});
 }
 
-/// What stands on a ball that is no longer still, and on that, falls freely from now on; if it touches what
-/// comes back, that is its next event.
+/// Balls that stand on one that is no longer at rest, and on those, fall freely from now on; if one touches a
+/// ball that comes back, that is its next event.
 void EventGas::releaseWhatStandsOn(std::uint32_t support, double time) {
     if (m_standing == 0) return;
     m_released.assign(1, support);

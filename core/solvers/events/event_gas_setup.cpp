@@ -7,8 +7,8 @@
 #include <utility>
 
 // How a gas is set up, and set up anew whenever its clock is set back. Nothing of this changes what happens,
-// to the bit: times are functions of the origins alone, and neither the order of the balls in memory nor the
-// cells nor the days of the queue has a say in them.
+// to the bit: times are functions of the origins alone, and they depend neither on the order of the balls in
+// memory nor on the cells nor on the days of the queue.
 
 namespace carom {
 namespace {
@@ -198,9 +198,8 @@ void EventGas::fillQueue(double eventsPerSecond) {
         if (isMobile(i)) m_queue.insert(m_records, i);
 }
 
-// The queue is quick while a day holds about one event. When the scene has become livelier or calmer than the
-// days were cut for, they are cut anew: a break is over after some milliseconds, and empty days cost time
-// too.
+// The queue is quick while a day holds about one event. When the rate of events has changed much, the length
+// of a day is chosen again: a break is over after some milliseconds, and empty days cost time, too.
 void EventGas::keepDaysFitting() {
     // A day is then off by four, or sixteen, from one event. At half of these the queue is filled anew more
     // often, at twice as much its lists, or its walks over empty days, are twice as long.

@@ -21,7 +21,7 @@ void EventQueue::restart(EventRecords records, double daysPerSecond, double now)
     m_yearEnd = static_cast<double>(m_today) + static_cast<double>(days);
 }
 
-// The ring is rid of the first half of its year, so the year can go on for as long.
+// The first half of the ring buffer is past, so its days are used for the next half year.
 void EventQueue::sortBeyond(EventRecords records) {
     m_sorted = m_today + (m_mask + 1) / 2;
     m_yearEnd = static_cast<double>(m_today) + static_cast<double>(m_mask);

@@ -30,10 +30,10 @@ struct Rest {
 /// among them, balance what pushes in. Walls that would have to pull are let go.
 Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals);
 
-/// A ball that leaves a wall at `speed` [m/s] and is pulled back, `acceleration` [m/s²] < 0, bounces for
-/// 2 speed / (|acceleration| (1 − restitution)) more seconds in all, the sum of the geometric series, and is
-/// at rest then. Where that is shorter than a billionth of the time of a fall through its radius [m], it is
-/// at rest now; likewise where a single bounce is a tenth of that, which ends bounces that rounding alone
+/// A ball that leaves a wall at `speed` [m/s] and is pulled back, `acceleration` [m/s²] < 0, bounces for 2
+/// speed / (|acceleration| (1 − restitution)) more seconds in all, the sum of the geometric series, and is at
+/// rest then. Where that is shorter than a billionth of the time of a fall through its radius [m], it is at
+/// rest now; likewise where a single bounce is a tenth of that, which ends bounces that rounding alone
 /// sustains.
 bool restsAfter(double speed, double acceleration, double restitution, double radius);
 

@@ -119,8 +119,8 @@ double pairTime(const TrajectoryOrigin& a, const Vec3& accelerationOfA, const Tr
     const Vec3 A = accelerationOfB - accelerationOfA;
     const double R = a.radius + b.radius, left = until - later;
     if (D.norm() - R > rounding * left * (U.norm() + 0.5 * left * A.norm())) return never;
-    // Balls that overlap by rounding touch: one that hops lower than that would never come out, so its path
-    // would never fall through 0, and it would sink into the other.
+    // Balls that overlap by rounding touch: one that bounces lower than that would stay in the overlap, so
+    // its gap would never fall through 0, and it would sink into the other.
     const double above = std::max(0.0, D.squaredNorm() - R * R);
     return later + firstFallingRoot(
                        {above, 2 * D.dot(U), U.squaredNorm() + D.dot(A), U.dot(A), 0.25 * A.squaredNorm()});
@@ -131,7 +131,7 @@ double firstFallingRoot(const std::array<double, 5>& q) {
     while (terms > 1 && q[terms - 1] == 0) --terms;
     const std::span<const double> polynomial(q.data(), terms);
     if (terms == 1) return never;
-    for (std::size_t k = 1; q[0] <= 0 && k < terms; ++k) { // touching: the first term that speaks decides
+    for (std::size_t k = 1; q[0] <= 0 && k < terms; ++k) { // touching: the first term that is not 0 decides
         if (q[k] < 0) return 0;
         if (q[k] > 0) break;
     }

@@ -25,16 +25,17 @@
 //     general               |-----|-----|-----|-----|-----|-----|-----|-----|-----|
 //                             x too many events: the frame begins anew
 //
-// An attempt in vain changes nothing: what rests is not disturbed by it. Where no impact loses energy nothing
-// can crowd, and there is no bound. Who asks for this method by name gets it however long it takes, but for
-// frames in which time ceases to pass between the events, or a ball in a groove would be pushed into a wall.
+// A failed attempt changes nothing: bodies at rest are not disturbed by it. Where no impact loses energy
+// balls cannot crowd, and there is no bound. Where this method is asked for by name it has no bound either,
+// except for frames in which time ceases to pass between the events, or a ball in a groove would be pushed
+// into a wall.
 
 namespace carom {
 namespace {
 
 /// Events of a frame, or what costs as much (EventGas::advanceTo): half a microsecond each, where a ball's
 /// frame by contacts takes five. So a frame that begins anew takes up to three times as long as it would
-/// without the attempt; at half as many, racks whose balls hop after the break are left to the general
+/// without the attempt; at half as many, racks whose balls bounce after the break are left to the general
 /// method.
 constexpr std::uint64_t mostPerBall = 16;
 /// And so many more, some milliseconds, for scenes of few balls. At half, a break of sixteen balls can exceed

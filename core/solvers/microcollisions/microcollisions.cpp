@@ -12,9 +12,9 @@
 #include <numeric>
 #include <vector>
 
-// The reference's own method (its chapter 3.6.2): smooth motion, then every colliding pair in turn.
-// Resting contact is a hail of small collisions, hence the name, after B. Mirtich, J. Canny,
-// "Impulse-based simulation of rigid bodies", 1995. For one pair that touches or overlaps:
+// The reference's own method (its chapter 3.6.2): smooth motion, then every colliding pair in turn. Resting
+// contact is a rapid sequence of small collisions, hence the name, after B. Mirtich, J. Canny, "Impulse-based
+// simulation of rigid bodies", 1995. For one pair that touches or overlaps:
 //
 //     1. line of action     through the witness points; they lie along the contact normal
 //     2. incident velocity  relative velocity of the two witness points along it, rotation included

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
-// A gas of elastic spheres in a box: nothing about a single sphere can be foretold, but energy is kept, and
-// after some collisions each the speeds, and under gravity the heights, are those of thermal equilibrium.
+// A gas of elastic spheres in a box: the motion of a single sphere cannot be predicted, but energy is kept,
+// and after some collisions each the speeds, and under gravity the heights, are those of thermal equilibrium.
 
 namespace carom {
 namespace {

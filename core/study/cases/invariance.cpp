@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-// Units and origins are ours, not nature's: a scene in other units (units.h) must move the same to the bit,
+// Units and origins have no physical meaning: a scene in other units (units.h) must move the same to the bit,
 // and one far from the origin as it does near it.
 
 namespace carom {

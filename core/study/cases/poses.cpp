@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 
-// The narrow phase by itself: random pairs of shapes in the poses that break programs. A signed distance is
-// certain if no direction parts the shapes further, as far as a slow search can tell that knows only support
-// functions, and if along the normal they are as far apart as is said.
+// The narrow phase by itself: random pairs of shapes in degenerate poses. A signed distance is certain if no
+// direction separates the shapes further, by a slow search that uses support functions only, and if along the
+// normal they are as far apart as is said.
 
 namespace carom {
 namespace {

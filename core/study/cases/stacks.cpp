@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-// The pyramid of the reference, whose steps must bear what rains on them.
+// The pyramid of the reference, whose steps must carry the spheres that fall on them.
 
 namespace carom {
 
