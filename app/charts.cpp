@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-/// Fonts and painters want an application; the offscreen platform wants no display.
+/// Fonts and painters need an application object; the offscreen platform needs no display.
 void needApplication() {
     static int count = 3;
     static char program[] = "carom", option[] = "-platform", platform[] = "offscreen";

@@ -26,7 +26,7 @@ struct ChartDrawer {
 /// without the IDE, whose studies write their figures only.
 ChartDrawer& chartDrawer();
 
-/// In app/charts.cpp, which knows Qt.
+/// In app/charts.cpp, which uses Qt.
 void drawBenchmark(const Benchmark& benchmark, const std::string& folder);
 void drawAccuracy(const AccuracyStudy& study, const std::string& scene, const std::string& path);
 void drawGas(const GasStudy& study, const std::string& folder);

@@ -91,7 +91,7 @@ void rejectUnknownMember(std::span<const std::string> words) {
     throw UsageError(seen + "; it must be `" + words.front() + "` followed by " + listOf(members));
 }
 
-/// A first word that is no subcommand is a scene for the IDE, or a slip of the finger.
+/// A first word that is no subcommand is a scene for the IDE, or a mistyped command.
 void rejectSlip(const std::vector<std::string>& operands) {
     const std::string& word = operands.front();
     if (::access(word.c_str(), F_OK) == 0) return;
@@ -175,7 +175,7 @@ std::pair<const CommandRow*, std::size_t> commandNamed(std::span<const std::stri
 } // namespace
 
 int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
-    // A reader that goes away is a write error like any other, not a silent death by signal.
+    // A closed pipe is a write error like any other, and does not end the program by a signal.
     std::signal(SIGPIPE, SIG_IGN);
     std::string who = "carom";
     try {

@@ -15,7 +15,7 @@ inline constexpr int done = 0;
 inline constexpr int sceneHasErrors = 1;
 inline constexpr int wrongUsage = 2;
 inline constexpr int fileError = 3;
-inline constexpr int unphysical = 4; ///< the state is not finite, or has energy from nowhere
+inline constexpr int unphysical = 4; ///< the state is not finite, or energy has risen without a cause
 inline constexpr int stabilityFailed = 5;
 inline constexpr int expectationFailed = 5;
 inline constexpr int interrupted = 130;
@@ -35,14 +35,14 @@ class FileError : public std::runtime_error {
     /// The whole sentence at once.
     explicit FileError(const std::string& sentence, int cause = 0)
         : std::runtime_error(sentence), m_isBrokenPipe(cause == EPIPE) {}
-    /// Nobody reads our output any more (`carom ... | head`): not worth a message.
+    /// The reader of the output is gone (`carom ... | head`): no message is needed.
     bool isBrokenPipe() const { return m_isBrokenPipe; }
 
   private:
     bool m_isBrokenPipe;
 };
 
-/// The reading kind, for who goes on with the next file.
+/// An error of reading, for commands that continue with the next file.
 class UnreadableFile : public FileError {
   public:
     UnreadableFile(const std::string& path, int cause) : FileError("cannot read", path, cause) {}

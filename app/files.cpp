@@ -28,7 +28,7 @@ struct Descriptor {
     int number;
 };
 
-/// Standard input and the pipes of a shell's `<(...)` are what somebody writes into; the rest is a slip.
+/// Standard input and the pipes of a shell's `<(...)` have a writer; anything else is a mistake.
 void refuseEndless(int descriptor, const std::string& path, const std::string& name) {
     struct stat found {};
     if (::fstat(descriptor, &found) != 0) throw UnreadableFile(name, errno);
@@ -43,7 +43,7 @@ void refuseEndless(int descriptor, const std::string& path, const std::string& n
     if (S_ISBLK(found.st_mode)) throw UnreadableFile("cannot read " + name + ": it is a device");
     if (S_ISFIFO(found.st_mode) && !isOpen)
         throw UnreadableFile("cannot read " + name + ": it is a named pipe; give `-` to read standard input");
-    // Whoever writes into the pipe may take a while.
+    // The writer of the pipe may be slow.
     const int flags = ::fcntl(descriptor, F_GETFL);
     if (flags >= 0 && (flags & O_NONBLOCK) != 0 && path != "-")
         ::fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK);
@@ -66,7 +66,7 @@ FileError::FileError(const std::string& what, const std::string& path, int cause
 std::string readText(const std::string& path) {
     const bool fromInput = path == "-";
     const std::string name = fromInput ? "standard input" : "`" + path + "`";
-    // Opening must not wait for somebody to write into a pipe.
+    // Opening must not wait for the writer of a pipe.
     const Descriptor opened(fromInput ? -1 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!fromInput && opened.number < 0) throw UnreadableFile(name, errno);
     const int descriptor = fromInput ? STDIN_FILENO : opened.number;
@@ -101,7 +101,7 @@ OutputFile::OutputFile(const std::string& path)
 OutputFile::~OutputFile() {
     try {
         flush();
-    } catch (const FileError&) { // whoever cares has called close
+    } catch (const FileError&) { // errors are reported by close()
     }
     if (m_descriptor > STDOUT_FILENO) ::close(m_descriptor);
 }

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-// Files as the subcommands use them: `-` is standard input or output, and no error goes unseen: a full disk
-// shows at the latest when the file is closed. Everything here throws FileError.
+// Files as the subcommands use them: `-` is standard input or output, and every error is reported: a full
+// disk at the latest when the file is closed. Everything here throws FileError.
 
 namespace carom {
 
@@ -32,9 +32,9 @@ class OutputFile {
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view text);
-    /// What was written so far is the system's now: it outlives this program, however that ends.
+    /// Hands what was written so far to the system: it remains however this program ends.
     void flush();
-    /// Everything is on its way, or FileError.
+    /// Closes the file; throws FileError if anything was not written.
     void close();
 
   private:
@@ -52,7 +52,7 @@ struct NamedFile {
 };
 
 /// Throws UsageError where two of them are one file, by whatever names and links: the later would overwrite
-/// the earlier. Devices and pipes take what comes; an empty path is none.
+/// the earlier. Devices and pipes may be named twice; an empty path is none.
 void refuseSharedFiles(const std::vector<NamedFile>& files);
 
 /// Makes a folder and those above it; one that exists already is fine.
@@ -61,7 +61,7 @@ void makeFolder(const std::string& path);
 void writeFile(const std::string& folder, const std::string& name, std::string_view text);
 
 /// Writes results that will be written again when there are more: a disk that is full now may have room then.
-/// What fails is said once, and the work goes on.
+/// A failure is reported once, and the work continues.
 class InterimResults {
   public:
     explicit InterimResults(std::string who) : m_who(std::move(who)) {}

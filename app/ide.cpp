@@ -41,8 +41,8 @@ void describeApplication() {
     QApplication::setDesktopFileName(QStringLiteral("org.carom.carom"));
 }
 
-/// Whoever has closed the window does not wait for the frame that is being simulated, which can take minutes:
-/// after a while the program ends with its threads. What is to be saved is saved before they are waited for.
+/// After the window is closed the program does not wait for the frame that is being simulated, which can take
+/// minutes: after a while it ends with its threads. Everything is saved before that.
 std::jthread limitOfTheEnd(int exitCode) {
     return std::jthread([exitCode](const std::stop_token& stop) {
         std::mutex mutex;
@@ -55,7 +55,7 @@ std::jthread limitOfTheEnd(int exitCode) {
     });
 }
 
-/// Throws FileError for standard input; a file's own trouble is returned.
+/// Throws FileError for standard input; an error with a file is returned.
 std::optional<QString> openScene(const Workbench& workbench, const std::string& scene) {
     if (scene != "-") {
         const std::optional<QString> problem = workbench.document().open(QString::fromStdString(scene));

@@ -35,7 +35,7 @@ void catchSignal(int number) {
     if (sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
     struct sigaction action = {};
     action.sa_handler = noteSignal;
-    // SA_RESETHAND: the second signal meets the default, which ends the program.
+    // SA_RESETHAND: the second signal has the default action, which ends the program.
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, nullptr);

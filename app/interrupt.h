@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// From now on Ctrl-C, a polite request to end (SIGTERM) and a terminal that goes away (SIGHUP, unless it is
+/// From now on Ctrl-C, a request to end (SIGTERM) and a terminal that is closed (SIGHUP, unless it is
 /// ignored, as under nohup) only set a flag; the loop that computes looks at it once a frame, writes what
 /// there is and ends. A second one ends the program at once.
 void catchInterrupts();
@@ -30,13 +30,13 @@ class InterruptibleWork {
     InterruptibleWork(const InterruptibleWork&) = delete;
     InterruptibleWork& operator=(const InterruptibleWork&) = delete;
 
-    /// Everything outside is done with what there is in hand, so that it is never written half changed.
+    /// The mutex is held outside of steps, so that results are never written half changed.
     template<class Function>
     auto step(Function&& function) {
         const Release released(m_held);
         return function();
     }
-    /// Within a step: the same the other way round.
+    /// Within a step it is released.
     template<class Function>
     void change(Function&& function) {
         const std::lock_guard lock(m_mutex);
@@ -55,7 +55,7 @@ class InterruptibleWork {
     void watch(const std::stop_token& stop);
 
     std::function<void()> m_writeWhatThereIs;
-    std::mutex m_mutex; ///< whoever has it may touch what there is
+    std::mutex m_mutex; ///< its owner may access the results
     std::unique_lock<std::mutex> m_held{m_mutex};
     std::jthread m_watcher;
 };

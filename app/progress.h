@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// One line on standard error that counts up, if that is a terminal and the work takes longer than two
-/// seconds; otherwise nothing at all.
+/// A progress line on standard error, if that is a terminal and the work takes longer than two seconds;
+/// otherwise nothing at all.
 class Progress {
   public:
     /// `things` is what is counted: "frames".

@@ -3,8 +3,8 @@
 
 namespace carom {
 
-/// What Qt says to programmers is not for users: it stays silent unless QT_LOGGING_RULES is set. Where Qt
-/// cannot go on, because the display cannot be reached, the program ends with a sentence and exit code 3.
+/// Qt's messages for programmers are suppressed unless QT_LOGGING_RULES is set. Where Qt cannot start,
+/// because the display cannot be reached, the program ends with a message and exit code 3.
 void quietQt();
 
 } // namespace carom

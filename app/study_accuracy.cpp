@@ -124,8 +124,8 @@ class Results {
     std::string path(const char* name) const { return (std::filesystem::path(m_folder) / name).string(); }
 
     void writeFigures(const AccuracyStudy& study) const {
-        // Ended before there was a reference solution to measure against, a study has nothing to say; what
-        // was there stays.
+        // Ended before there was a reference solution to measure against, a study has no result; existing
+        // files stay.
         if (!study.reference && std::filesystem::exists(path(figuresFile))) return;
         writeFile(m_folder, figuresFile, pointsAsCsv(study, m_hash, m_origin));
     }

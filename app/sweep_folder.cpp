@@ -132,7 +132,7 @@ void SweepFolder::forRows(int descriptor, const TakeRow& take) const {
             line += rest.substr(0, end + 1);
             rest.remove_prefix(end + 1);
             const std::optional<std::size_t> run = runOfRow(line, m_sweep.runs());
-            if (!run && !isFirst) return; // what a machine that stopped has left
+            if (!run && !isFirst) return; // left by a machine that stopped
             if (run) take(*run, line);
             isFirst = false;
             line.clear();

@@ -39,8 +39,9 @@ class SweepFolder {
     const Sweep& m_sweep;
 };
 
-/// A table being written in the order in which runs end. It is a file of this program's own: who goes on with
-/// it copies it first, so that one who still writes, on a machine that was taken for dead, disturbs nobody.
+/// A table being written in the order in which runs end. It is a file of this program's own: a program that
+/// continues it copies it first, so that another one that still writes, on a machine that was taken for
+/// stopped, does not interfere.
 class SweepJournal {
   public:
     /// `name` is the table it will become, "sweep.csv". `resume`: goes on with the rows that are there.
@@ -53,7 +54,7 @@ class SweepJournal {
     bool has(std::size_t run) const { return m_known[run - m_part.first]; }
     std::size_t count() const { return m_count; } ///< rows so far
     bool isComplete() const { return m_count == m_part.count(); }
-    /// The row is the system's at once: it outlives this program, however that ends.
+    /// Hands the row to the system at once: it remains however this program ends.
     void add(const SweepResult& result);
     /// All rows are there: they become the table, in the order of the runs, and the journal is gone.
     void close();

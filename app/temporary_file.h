@@ -5,7 +5,7 @@
 
 namespace carom {
 
-/// An empty file for another program to write into, gone again when this is. Throws FileError.
+/// An empty file for another program to write into; deleted with this object. Throws FileError.
 class TemporaryFile {
   public:
     /// Its path is `besides` with an ending of its own.

@@ -63,7 +63,7 @@ void TimedSession::leave(int exitCode) {
     if (m_left) return;
     m_left = true;
     const bool saved = !m_screenshot || saveWindow(m_workbench, *m_screenshot);
-    try { // Qt's event loop, which calls this, lets no exception through
+    try { // exceptions must not pass through Qt's event loop, which calls this
         printOut("[ms]        frames     first      mean    median       p95       p99       max\n");
         printRow("simulate", m_simulate);
         printRow("render", m_render);
