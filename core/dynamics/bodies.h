@@ -45,6 +45,7 @@ struct Bodies {
     Vec3 gravity = Vec3::Zero();      ///< acceleration of whatever can move [m/s²]
     std::vector<SpringForce> springs; ///< those with an end that can move
     Forces forces;                    ///< on single bodies
+    bool canComeToRest = false;       ///< something makes energy less: bodies at rest may be left alone
 
     std::vector<BodyIndex> order;   ///< all bodies, canonically (numbering.h)
     Vec3 origin = Vec3::Zero();     ///< where coordinates had better begin [m] (numbering.h)

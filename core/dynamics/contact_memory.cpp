@@ -141,9 +141,9 @@ ContactPair pairOf(const Bodies& bodies, BodyPair pair, double margin) {
     };
     return {.a = pair.a,
             .b = pair.b,
-            .restitution = std::min(bodies.elastic[pair.a], bodies.elastic[pair.b]),
+            .restitution = pairRestitution(bodies.elastic[pair.a], bodies.elastic[pair.b]),
             .friction = pairFriction(bodies.friction[pair.a], bodies.friction[pair.b]),
-            .rolling = std::max(bodies.rolling[pair.a], bodies.rolling[pair.b]),
+            .rolling = pairRolling(bodies.rolling[pair.a], bodies.rolling[pair.b]),
             .size = std::min(size(pair.a), size(pair.b)),
             .margin = margin};
 }

@@ -148,6 +148,14 @@ std::optional<double> gives(const Scene& scene) {
     return pushes ? std::nullopt : std::optional<double>(0);
 }
 
+std::optional<Cause> damps(const Scene& scene) {
+    const auto dragged = std::ranges::find_if(scene.bodies, isDragged);
+    if (!(airOf(scene).values.number("density") > 0) || dragged == scene.bodies.end()) return std::nullopt;
+    return Cause{
+        Sentence{"air slows %1, so bodies can come to rest", {scene.nameOf(indexOf(scene, *dragged))}},
+        placeOf(scene, dragged->source, "drag")};
+}
+
 void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
     const bool hasAir = airOf(scene).source.has_value();
     std::size_t count = 0;
@@ -212,6 +220,7 @@ constinit const EffectRow airRow = {
     .exactObjection = "air slows bodies between events",
     .contribute = contribute,
     .gives = gives,
+    .damps = damps,
     .hint = hint,
 };
 

@@ -7,7 +7,7 @@
 namespace carom {
 namespace {
 
-EffectDecision decide(const Scene& scene, const RunFacts&) {
+EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "collision"};
     const Body* mobile = firstMobile(scene);
     if (mobile == nullptr) {
@@ -22,6 +22,10 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
         const std::vector<std::string> counts = {std::to_string(count), std::to_string(scene.bodies.size())};
         decision.reason = count == 1 ? Sentence{"%1 mobile body among %2 can meet the others", counts}
                                      : Sentence{"%1 mobile bodies among %2 can meet the others", counts};
+    }
+    if (!run.methodName.empty()) {
+        decision.reason.add(Sentence{"method `%1`", {std::string(run.methodName)}});
+        if (!run.methodReason.empty()) decision.reason.add(run.methodReason, ": ");
     }
     return decision;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/catalogue.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -22,6 +23,21 @@ std::span<const EffectRow> effects() {
 }
 
 const EffectRow* findEffect(std::string_view name) { return findByName(effects(), name); }
+
+void contribute(const EffectRow& row, const Scene& scene, Bodies& bodies) {
+    const LawCoefficient& law = row.law;
+    if (law.contributed != nullptr)
+        std::ranges::transform(scene.bodies, (bodies.*law.contributed).begin(), law.declared);
+    if (row.contribute != nullptr) row.contribute(scene, bodies);
+}
+
+std::optional<Cause> firstDamping(const Scene& scene) {
+    for (const EffectRow& row : effects()) {
+        if (row.damps == nullptr) continue;
+        if (std::optional<Cause> cause = row.damps(scene)) return cause;
+    }
+    return std::nullopt;
+}
 
 Diagnostic noEffectHint(SourceRange range, std::string message) {
     return {.code = DiagnosticCode::WithoutEffect,

@@ -21,7 +21,7 @@
 // and its line in scene/effects.def. It brings its words (scene/schema.h) and gives the bodies what the
 // methods of motion work with: coefficients of the contact law, springs, or a force on single bodies
 // (dynamics/force_term.h). Effects that follow from others (rotation, resting, continuous collision) ask all
-// rows and name none.
+// rows and name none. Nothing outside an effect's file knows it by name.
 
 namespace carom {
 
@@ -48,6 +48,8 @@ struct EffectDecision {
 /// What a decision goes by besides the scene: how the scene is run.
 struct RunFacts {
     Abilities method = {};            ///< what the method of motion simulates
+    std::string_view methodName = {}; ///< a row's name
+    Sentence methodReason = {};       ///< why `auto` chose it; empty where it was asked for
     double substep = 0;               ///< [s]
     std::string_view broadphase = {}; ///< a row's name
     Sentence broadphaseReason = {};   ///< why `auto` chose it; empty where it was asked for
@@ -62,7 +64,17 @@ struct Cause {
 /// Potential energy that an effect keeps, and the account of the audit to which its changes belong.
 struct StoredEnergy {
     double (*of)(const Scene& scene, const Bodies& bodies, const State& state) = nullptr; ///< [J]
-    LedgerAccount account = LedgerAccount::Gravity;
+    LedgerAccount account = {};
+    /// It depends on the height of bodies: position corrections change it and record that themselves
+    /// (Ledger::lifted), and its zero is arbitrary.
+    bool ofHeight = false;
+};
+
+/// A coefficient of the contact law: each body declares one, and methods read it from the bodies where the
+/// effect is on.
+struct LawCoefficient {
+    double Body::*declared = nullptr;
+    std::vector<double> Bodies::*contributed = nullptr;
 };
 
 struct EffectRow {
@@ -75,7 +87,9 @@ struct EffectRow {
     /// Why an exact method that does not simulate the effect cannot treat a scene that calls for it; empty
     /// where it can.
     std::string_view exactObjection = {};
-    /// Adds what the effect does to the bodies of the scene, where it is on. Null: it does nothing to them.
+    /// Without members: it contributes none.
+    LawCoefficient law = {};
+    /// Adds what else the effect does to the bodies of the scene, where it is on. Null: nothing.
     void (*contribute)(const Scene& scene, Bodies& bodies) = nullptr;
     /// Without a function: it stores none.
     StoredEnergy stored = {};
@@ -94,6 +108,12 @@ struct EffectRow {
 /// Every effect, in the order of the report.
 std::span<const EffectRow> effects();
 const EffectRow* findEffect(std::string_view name);
+
+/// Adds to the bodies what the effect contributes: its coefficient of the contact law, and what else it does.
+void contribute(const EffectRow& row, const Scene& scene, Bodies& bodies);
+
+/// The first thing by which the scene makes energy less; nothing where no effect does.
+std::optional<Cause> firstDamping(const Scene& scene);
 
 /// A text that says something in vain a thousand times is told of it so often by one effect: the list of
 /// problems stays one that can be read.

@@ -3,10 +3,14 @@
 #include "core/effects/scene_facts.h"
 #include "core/scene/schema.h"
 
-#include <algorithm>
-
-// Coulomb friction: a tangential impulse of at most μ times the normal one, against the slip. μ of a pair is
-// the geometric mean of its two, so it is 0 unless both have some.
+// Coulomb friction (C. A. Coulomb, Théorie des machines simples, 1785):
+//
+//     |f_t| ≤ μ f_n      where the surfaces slip  f_t = −μ f_n u/|u|      μ = √(μ_A μ_B)
+//
+//     legend   f_n, f_t  normal and tangential force [N]       u  slip velocity [m/s]
+//              μ_A, μ_B  `friction` of the two bodies
+//
+// μ is 0 unless both bodies have some.
 
 namespace carom {
 namespace {
@@ -38,7 +42,6 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 void contribute(const Scene& scene, Bodies& bodies) {
-    std::ranges::transform(scene.bodies, bodies.friction.begin(), &Body::friction);
     addRotating(bodies, [&scene](BodyIndex i) { return isRough(scene.bodies[i]); });
 }
 
@@ -100,6 +103,7 @@ constinit const EffectRow frictionRow = {
     .decide = decide,
     .unmetMessage = "friction is not simulated yet; bodies slide without it",
     .exactObjection = "friction would turn and slow the bodies it reaches",
+    .law = {&Body::friction, &Bodies::friction},
     .contribute = contribute,
     .turns = turns,
     .damps = damps,

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 
-// Uniform gravity: every mobile body has the acceleration g, whatever its mass. The reference's only force;
-// it took 9.8 m/s² downwards, and so does a scene that declares none. Its energy is −m g·x.
+// Uniform gravity, the reference's only force; it took 9.8 m/s² downwards, and so does a scene that declares
+// none:
+//
+//     F = m g      energy  −m g·x
+//
+//     legend   g  `accel` [m/s²]      m  mass [kg]      x  centre of mass [m], from the world's origin
 
 namespace carom {
 namespace {
@@ -99,7 +103,7 @@ constinit const EffectRow gravityRow = {
     .help = "Accelerates every mobile body by the same constant vector.",
     .decide = decide,
     .contribute = contribute,
-    .stored = {stored, LedgerAccount::Gravity},
+    .stored = {.of = stored, .account = LedgerAccount::Gravity, .ofHeight = true},
     .gives = gives,
 };
 

@@ -8,15 +8,6 @@
 namespace carom {
 namespace {
 
-/// The first thing by which the scene makes energy less.
-std::optional<Cause> firstDamping(const Scene& scene) {
-    for (const EffectRow& row : effects()) {
-        if (row.damps == nullptr) continue;
-        if (std::optional<Cause> cause = row.damps(scene)) return cause;
-    }
-    return std::nullopt;
-}
-
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
     EffectDecision decision{.effect = "resting"};
     if (!anyCanMeet(scene)) {
@@ -35,6 +26,8 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
     return decision;
 }
 
+void contribute(const Scene&, Bodies& bodies) { bodies.canComeToRest = true; }
+
 } // namespace
 
 extern const EffectRow restingRow;
@@ -43,6 +36,7 @@ constinit const EffectRow restingRow = {
     .title = "Resting",
     .help = "Bodies at rest are left alone until something meets them, which saves time.",
     .decide = decide,
+    .contribute = contribute,
 };
 
 } // namespace carom

@@ -7,9 +7,13 @@
 
 #include <algorithm>
 
-// Newton's law of restitution: bodies part with e times the speed they met at, along the normal (I. Newton,
-// Principia, 1687, scholium to the laws of motion). e of a pair is the smaller `elastic` of the two. An
-// impact of masses mA and mB loses (1 − e²) of the energy of the relative motion along the normal.
+// Newton's law of restitution (I. Newton, Principia, 1687, scholium to the laws of motion):
+//
+//     u' = −e u      e = min(e_A, e_B)      the impact loses (1 − e²) m u²/2
+//
+//     legend   u, u'     separation speed along the normal before and after [m/s]
+//              e_A, e_B  `elastic` of the two bodies
+//              m         effective mass of the pair along the normal [kg]
 
 namespace carom {
 namespace {
@@ -30,12 +34,8 @@ EffectDecision decide(const Scene& scene, const RunFacts&) {
     decision.reason =
         Sentence{"%1 and %2 part with %3 times the speed they meet at",
                  {scene.nameOf(indexOf(scene, *pair.first)), scene.nameOf(indexOf(scene, *pair.second)),
-                  figure(std::min(pair.first->elastic, pair.second->elastic))}};
+                  figure(pairRestitution(pair.first->elastic, pair.second->elastic))}};
     return decision;
-}
-
-void contribute(const Scene& scene, Bodies& bodies) {
-    std::ranges::transform(scene.bodies, bodies.elastic.begin(), &Body::elastic);
 }
 
 std::optional<double> gives(const Scene& scene) {
@@ -78,7 +78,7 @@ constinit const EffectRow restitutionRow = {
     .title = "Restitution",
     .help = "Bodies part with a share of the speed they met at.",
     .decide = decide,
-    .contribute = contribute,
+    .law = {&Body::elastic, &Bodies::elastic},
     .gives = gives,
     .damps = damps,
 };

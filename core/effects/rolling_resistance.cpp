@@ -5,8 +5,14 @@
 
 #include <algorithm>
 
-// Rolling resistance: a moment against rolling of at most the lever arm times the normal force; the arm of a
-// pair is the larger of its two, so one body that has some holds back all that roll over it.
+// Rolling resistance, Coulomb's law for rolling (C. A. Coulomb, Théorie des machines simples, 1785):
+//
+//     |τ| ≤ b f_n      where the bodies roll  τ = −b f_n ω/|ω|      b = max(b_A, b_B)
+//
+//     legend   τ    moment across the normal [N m]        ω  relative angular velocity across it [rad/s]
+//              f_n  normal force [N]                      b_A, b_B  `rolling` of the two bodies [m]
+//
+// One body with a lever arm slows all that roll over it.
 
 namespace carom {
 namespace {
@@ -43,8 +49,7 @@ const Body* firstResisting(const Scene& scene) {
     return found != scene.bodies.end() ? &*found : nullptr;
 }
 
-void contribute(const Scene& scene, Bodies& bodies) {
-    std::ranges::transform(scene.bodies, bodies.rolling.begin(), &Body::rolling);
+void contribute(const Scene&, Bodies& bodies) {
     addRotating(bodies, [](BodyIndex) { return true; });
 }
 
@@ -91,6 +96,7 @@ constinit const EffectRow rollingResistanceRow = {
     .decide = decide,
     .unmetMessage = "rolling resistance is not simulated yet; bodies roll on without it",
     .exactObjection = "rolling resistance acts between events",
+    .law = {&Body::rolling, &Bodies::rolling},
     .contribute = contribute,
     .turns = turns,
     .damps = damps,

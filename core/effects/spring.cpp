@@ -10,7 +10,13 @@
 #include <utility>
 #include <vector>
 
-// Springs with dampers: a force k (length − rest) + c · rate along the line between two points of bodies.
+// Springs with dampers between two points of bodies (dynamics/spring_force.h):
+//
+//     f = −(k (l − l₀) + c l') d  on `to`, −f on `from`      energy  k (l − l₀)²/2
+//
+//     legend   d  unit vector from the first point to the second      k  `stiffness` [N/m]
+//              l  their distance [m], l' its rate [m/s]               c  `damping` [N s/m]
+//              l₀ `length` at rest [m]
 
 namespace carom {
 namespace {

@@ -83,16 +83,10 @@ std::string Scene::nameOf(BodyIndex body) const {
     return std::string(carom::nameOf(kindOf(named.shape))) + " " + std::to_string(body);
 }
 
-double pairRestitution(const Body& a, const Body& b) { return std::min(a.elastic, b.elastic); }
-
-double pairFriction(const Body& a, const Body& b) { return pairFriction(a.friction, b.friction); }
-
 // The root of the product is exact where both are alike; the product of tiny coefficients underflows.
 double pairFriction(double a, double b) {
     const double product = a * b;
     return std::isnormal(product) ? std::sqrt(product) : std::sqrt(a) * std::sqrt(b);
 }
-
-double pairRolling(const Body& a, const Body& b) { return std::max(a.rolling, b.rolling); }
 
 } // namespace carom

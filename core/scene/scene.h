@@ -6,6 +6,7 @@
 #include "core/math/pose.h"
 #include "core/shapes/shape.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -205,11 +206,13 @@ struct Scene {
     std::string nameOf(BodyIndex body) const;
 };
 
-/// How the parameters of two bodies combine.
-double pairRestitution(const Body& a, const Body& b);
-double pairFriction(const Body& a, const Body& b);
-/// The same of two coefficients; positive however small they are.
+// The contact law of a pair has of the two coefficients that its bodies declare ...
+
+/// ... the smaller.
+inline double pairRestitution(double a, double b) { return std::min(a, b); }
+/// ... the geometric mean, positive however small they are.
 double pairFriction(double a, double b);
-double pairRolling(const Body& a, const Body& b);
+/// ... the larger [m].
+inline double pairRolling(double a, double b) { return std::max(a, b); }
 
 } // namespace carom

@@ -2,7 +2,6 @@
 #include "core/simulation/energy_guard.h"
 
 #include "core/base/figures.h"
-#include "core/dynamics/spring_force.h"
 #include "core/simulation/pipeline.h"
 
 #include <algorithm>
@@ -12,9 +11,11 @@ namespace carom {
 
 EnergyGuard::EnergyGuard(const Pipeline& pipeline, const FrameStatistics& start)
     : m_start(start.kinetic + start.potential), m_potential(start.potential), m_least(start.potential),
-      m_scale(start.kinetic + springEnergy(pipeline.bodies().springs, pipeline.initialState())) {
+      m_scale(start.kinetic) {
     const Bodies& bodies = pipeline.bodies();
-    const double gravity = pipeline.scene().gravity.acceleration.norm();
+    for (const StoredEnergy& stored : pipeline.stored())
+        if (!stored.ofHeight) m_scale += stored.of(pipeline.scene(), bodies, pipeline.initialState());
+    const double gravity = bodies.gravity.norm();
     for (const BodyIndex i : bodies.mobileBodies)
         m_scale += bodies.mass[i] * gravity * bodies.boundingRadius[i];
     for (const auto& term : bodies.forces.terms) m_suppliers.push_back(term->account());

@@ -101,8 +101,7 @@ double energyLost(const Pipeline& pipeline, const Snapshot& before, const Snapsh
         lost += sign * (one->statistics.kinetic + one->statistics.potential);
         added += one->statistics.kinetic + std::abs(one->statistics.potential);
         for (const BodyIndex i : bodies.mobileBodies)
-            added +=
-                std::abs(bodies.mass[i] * pipeline.scene().gravity.acceleration.dot(one->pose[i].position));
+            added += std::abs(bodies.mass[i] * pipeline.gravity().dot(one->pose[i].position));
     }
     return std::abs(lost) > energyUnnoticed * added ? lost : 0;
 }
@@ -112,7 +111,7 @@ double energyLost(const Pipeline& pipeline, const Snapshot& before, const Snapsh
 EventStory storyOf(const Pipeline& pipeline, const Snapshot& before, const Snapshot& after) {
     const Bodies& bodies = pipeline.bodies();
     EventStory story{.frame = after.frame, .energyLost = energyLost(pipeline, before, after)};
-    const Vec3 fallen = (after.time - before.time) * pipeline.scene().gravity.acceleration;
+    const Vec3 fallen = (after.time - before.time) * pipeline.gravity();
     std::vector<Vec3> given(bodies.count(), Vec3::Zero());
     for (const BodyIndex i : bodies.mobileBodies) {
         given[i] = bodies.mass[i] * (after.velocity[i] - before.velocity[i] - fallen);

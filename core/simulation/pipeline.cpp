@@ -45,12 +45,6 @@ std::vector<BodyIndex> bodiesIn(const Scene& scene, const std::vector<Diagnostic
     return found;
 }
 
-// Which method makes them part, and why `auto` took it.
-void sayMethod(const RunSettings& settings, EffectDecision& collision) {
-    collision.reason.add(Sentence{"method `%1`", {std::string(settings.method->name)}});
-    if (!settings.methodReason.empty()) collision.reason.add(settings.methodReason, ": ");
-}
-
 void turnNone(std::span<const BodyIndex>, double, State&) {}
 void rotateNone(const Bodies&, std::span<const BodyIndex>, double, State&) {}
 
@@ -76,17 +70,17 @@ Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const 
     settleBroadphase(m_scene, options, m_bodies, m_settings, m_warnings);
     stage.reach(settled);
     const RunFacts run{.method = m_settings.method->abilities,
+                       .methodName = m_settings.method->name,
+                       .methodReason = m_settings.methodReason,
                        .substep = m_settings.substep(),
                        .broadphase = m_settings.broadphase->name,
                        .broadphaseReason = m_settings.broadphaseReason};
     for (const EffectRow& row : carom::effects()) {
         m_effects.push_back(row.decide(m_scene, run));
-        if (row.name == "collision") sayMethod(m_settings, m_effects.back());
         warnOfUnmet(row, m_effects.back(), m_warnings);
-        if (row.contribute != nullptr && m_effects.back().status == EffectStatus::On)
-            row.contribute(m_scene, m_bodies);
-        if (row.stored.of != nullptr && m_effects.back().status == EffectStatus::On)
-            m_stored.push_back(row.stored);
+        if (m_effects.back().status != EffectStatus::On) continue;
+        contribute(row, m_scene, m_bodies);
+        if (row.stored.of != nullptr) m_stored.push_back(row.stored);
     }
     m_motion = motionFor(m_bodies, m_settings.integrator->motion);
     for (Diagnostic& warning : preRunWarnings(m_scene, m_settings, m_bodies, stage.part(decided, 1)))

@@ -53,7 +53,7 @@ void closeLedger(const Pipeline& pipeline, const State& state, const Invariants&
     for (std::size_t k = 0; k < storedBefore.size(); ++k) {
         const StoredEnergy& stored = pipeline.stored()[k];
         double rise = stored.of(pipeline.scene(), pipeline.bodies(), state) - storedBefore[k];
-        if (stored.account == LedgerAccount::Gravity) rise -= ledger.lifted;
+        if (stored.ofHeight) rise -= ledger.lifted;
         ledger[stored.account].energy += rise;
     }
     ledger[LedgerAccount::PositionCorrection].energy += ledger.lifted;

@@ -24,8 +24,8 @@ void World::reset() {
     account(*m_pipeline, m_state, m_statistics);
     m_broadphase = m_broadphaseRow->create();
     const RunSettings& settings = m_pipeline->settings();
-    m_solver =
-        settings.method->create(m_pipeline->bodies(), settings.solver(m_pipeline->simulates("resting")));
+    const Bodies& bodies = m_pipeline->bodies();
+    m_solver = settings.method->create(bodies, settings.solver(bodies.canComeToRest));
 }
 
 void World::useBroadphase(const BroadphaseRow& row) {

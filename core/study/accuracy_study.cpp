@@ -6,6 +6,7 @@
 #include "core/study/engines.h"
 #include "core/study/measures.h"
 
+#include "core/effects/effect.h"
 #include "core/math/statistics.h"
 
 #include <algorithm>
@@ -32,14 +33,6 @@ constexpr double unknownRun = 0.25;
 /// half of them is as narrow as `agreeingTimes` relative to their median.
 constexpr std::size_t leastTimes = 3;
 
-bool losesNothing(const Scene& scene) {
-    for (const Body& body : scene.bodies)
-        if (body.elastic < 1 || body.friction > 0 || body.rolling > 0) return false;
-    return std::all_of(scene.springs.begin(), scene.springs.end(),
-                       [](const Spring& spring) { return spring.damping == 0; }) &&
-           Pipeline(scene).bodies().forces.empty();
-}
-
 bool agree(const std::vector<double>& times) {
     const Quartiles middle = quartilesOf(times);
     return middle.upper - middle.lower <= agreeingTimes * middle.median;
@@ -53,7 +46,7 @@ class Runner {
         m_study.plan = plan;
         std::vector<Diagnostic> ignored;
         m_study.settings = settledSettings(scene, {}, ignored);
-        m_study.conservative = losesNothing(scene);
+        m_study.conservative = !firstDamping(scene);
         m_study.duration = plan.duration;
         m_study.measure = plan.measure != nullptr ? plan.measure : &measures().front();
         addPoints();

@@ -4,6 +4,7 @@
 #include "core/study/references.h"
 
 #include "core/dynamics/energy.h"
+#include "core/effects/effect.h"
 #include "core/simulation/method_choice.h"
 #include "core/solvers/events/event_gas.h"
 
@@ -37,19 +38,15 @@ std::optional<GasObjection> gasObjection(const Pipeline& pipeline) {
     const Scene& scene = pipeline.scene();
     if (const std::optional<SolverObjection> objection = objectionTo(*findSolver("events"), scene))
         return GasObjection{objection->reason.text(), objection->place};
-    std::size_t mobile = 0;
-    for (const Body& body : scene.bodies) {
-        mobile += body.mobile() ? 1 : 0;
-        if (!(body.elastic < 1)) continue;
-        const ParameterSource* given = scene.find(body.source, "elastic");
-        return GasObjection{"restitution below 1 cools the gas, which then has no temperature",
-                            given != nullptr ? given->value : body.source.type};
-    }
+    if (const std::optional<Cause> damping = firstDamping(scene))
+        return GasObjection{damping->reason.text() + "; a gas that loses energy cools and has no temperature",
+                            damping->source.value_or(SourceRange{})};
     if (pipeline.gravity().isZero(0) &&
         std::none_of(scene.bodies.begin(), scene.bodies.end(),
                      [](const Body& body) { return body.mobile() && !body.velocity.isZero(0); }))
         return GasObjection{"nothing moves: a gas at rest has no temperature", {}};
-    if (mobile < 2) return GasObjection{"a gas needs at least two mobile spheres", {}};
+    if (pipeline.bodies().mobileBodies.size() < 2)
+        return GasObjection{"a gas needs at least two mobile spheres", {}};
     return std::nullopt;
 }
 

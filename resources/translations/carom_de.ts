@@ -2499,6 +2499,10 @@ Eine Deklaration `expect` sagt, was aus dem Lauf kommen muss; hier wird sie beur
         <source>, good to %1): those below %2 say little else</source>
         <translation>, genau bis %1): unter %2 sagen sie sonst wenig</translation>
     </message>
+    <message>
+        <source>air slows %1, so bodies can come to rest</source>
+        <translation>Luft bremst %1, also können Körper zur Ruhe kommen</translation>
+    </message>
 </context>
 <context>
     <name>carom::DiagnosticMarks</name>

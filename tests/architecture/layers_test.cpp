@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effect.h"
 #include "tests/support/test_class.h"
 
 #include <QDir>
@@ -15,6 +16,9 @@
 // file without its licence line, no file that has outgrown one reading. Works on the sources as they are.
 
 namespace {
+
+using carom::EffectRow;
+using carom::effects;
 
 // The layers from the lowest up. Modules of one row are siblings: they do not include each other.
 const std::vector<QStringList> layers = {
@@ -101,6 +105,22 @@ QString complaintAbout(const QString& file, const Include& include) {
     return {};
 }
 
+QString withoutComments(QString source) {
+    static const QRegularExpression comment("//[^\n]*");
+    return source.remove(comment);
+}
+
+// Whether code outside an effect knows it by name. Some names are words of the language, too: a parameter of
+// bodies, one of `simulation`, an option of generators, two declarations with types of their own. Writing
+// them is not naming an effect; comparing with them is, except where a text or a parameter is read.
+bool namesTheEffect(const QString& code, const QString& effect, const QString& file) {
+    static const QStringList alsoWords = {"rotation", "broadphase", "friction", "gravity", "spring"};
+    const QString text = '"' + effect + '"';
+    if (!alsoWords.contains(effect)) return code.contains(text);
+    if (file.startsWith(QLatin1String("core/language/"))) return false;
+    return code.contains(QRegularExpression("(?<!parameter )== ?" + text + '|' + text + " ?=="));
+}
+
 } // namespace
 
 class LayersTest : public QObject {
@@ -157,16 +177,45 @@ class LayersTest : public QObject {
         QCOMPARE(complaintAbout(file, {quoted, include}).isEmpty(), allowed);
     }
 
-    void effectsAreKnownByNameInNoMethodNoStudyAndNoFrontEnd() {
-        // What they need to know of a scene they ask the bodies, to which effects contribute. A name would
-        // also be what belongs to one effect alone: its account in the audit.
-        static const QRegularExpression named(R"((simulates|findEffect)\(\s*"|LedgerAccount::Drag)");
+    void anEffectIsKnownByNameInItsOwnFileAlone() {
+        // What others need to know of a scene they ask the bodies, to which effects contribute, or all rows
+        // of the table. Only effect.cpp reaches the rows by the names that the code has for them.
+        static const QRegularExpression line(R"(CAROM_EFFECT\(\w+Row, \w+, (?:CAROM_OWN_ACCOUNT\((\w+))?)");
+        QStringList reaching = {"extern const EffectRow", "(?:simulates|findEffect)\\(\\s*\""};
+        QRegularExpressionMatchIterator lines = line.globalMatch(read("core/scene/effects.def"));
+        while (lines.hasNext())
+            if (const QString account = lines.next().captured(1); !account.isEmpty())
+                reaching << "LedgerAccount::" + account + "\\b";
+        QCOMPARE(reaching.size(), 3); // air has an account of its own
         QStringList naming;
-        for (const QString& file : filesBelow({"core/integrators", "core/solvers", "core/expectations",
-                                               "core/study", "core/player", "ui", "app"},
-                                              {"*.h", "*.cpp"}))
-            if (named.match(read(file)).hasMatch()) naming << file;
+        for (const QString& file : filesBelow({"core", "ui", "app"}, {"*.h", "*.cpp"})) {
+            if (file.startsWith(QLatin1String("core/effects/"))) continue;
+            const QString code = withoutComments(read(file));
+            if (code.contains(QRegularExpression(reaching.join('|')))) naming << file;
+            for (const EffectRow& row : effects()) {
+                const QString name =
+                    QString::fromUtf8(row.name.data(), static_cast<qsizetype>(row.name.size()));
+                if (namesTheEffect(code, name, file)) naming << file + ": " + name;
+            }
+        }
+        for (const EffectRow& row : effects()) {
+            const QString name = QString::fromUtf8(row.name.data(), static_cast<qsizetype>(row.name.size()));
+            for (const QString& file : filesBelow({"core/effects"}, {"*.cpp"}))
+                if (file.section('/', -1) != name + ".cpp" &&
+                    namesTheEffect(withoutComments(read(file)), name, file))
+                    naming << file + ": " + name;
+        }
         QVERIFY2(naming.isEmpty(), qPrintable(naming.join('\n')));
+    }
+
+    void theCheckSeesTheNameOfAnEffect() {
+        QVERIFY(namesTheEffect("if (row.name == \"collision\") say();", "collision", "core/x.cpp"));
+        QVERIFY(namesTheEffect("if (pipeline.simulates(\"resting\")) skip();", "resting", "core/x.cpp"));
+        QVERIFY(namesTheEffect("if (row.name == \"gravity\") fall();", "gravity", "core/simulation/x.cpp"));
+        QVERIFY(!namesTheEffect("if (parameter == \"rotation\") turn();", "rotation", "ui/x.cpp"));
+        QVERIFY(!namesTheEffect("open(\"gravity\");", "gravity", "core/generators/x.cpp"));
+        QVERIFY(!namesTheEffect("if (word == \"gravity\") read();", "gravity", "core/language/x.cpp"));
+        QCOMPARE(withoutComments("a // \"resting\"\nb"), QStringLiteral("a \nb"));
     }
 
     void everySourceOpensWithItsLicence() {

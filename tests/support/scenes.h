@@ -19,7 +19,7 @@ inline Bodies bodiesOf(const Scene& scene) {
         if (findEffect(effect)
                 ->decide(scene, {.method = {.friction = true, .rollingResistance = true}})
                 .status == EffectStatus::On)
-            findEffect(effect)->contribute(scene, bodies);
+            contribute(*findEffect(effect), scene, bodies);
     return bodies;
 }
 

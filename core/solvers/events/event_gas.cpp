@@ -141,8 +141,8 @@ void EventGas::collide(std::uint32_t i, std::uint32_t j, double time) {
 
 /// The restitution of two balls that collide at `time`; notes that they lose energy then.
 double EventGas::restitutionAt(std::uint32_t i, std::uint32_t j, double time) {
-    const double e =
-        std::min(m_materials[m_records[i].material].elastic, m_materials[m_records[j].material].elastic);
+    const double e = pairRestitution(m_materials[m_records[i].material].elastic,
+                                     m_materials[m_records[j].material].elastic);
     if (!(e < 1)) return e;
     const double since = time - std::max(m_lastLosses[i], m_lastLosses[j]);
     m_lastLosses[i] = time;
@@ -179,8 +179,8 @@ bool EventGas::comesToRestOn(std::uint32_t i, std::uint32_t j, const Vec3& norma
     if (m_weightless || !isStill(j) || !isFree(i) || closing < 0) return false;
     const double radius = std::min(m_origins[i].radius, m_origins[j].radius);
     if (!isBalanced(m_gravity, normal, m_origins[i].velocity, radius)) return false;
-    const double e =
-        std::min(m_materials[m_records[i].material].elastic, m_materials[m_records[j].material].elastic);
+    const double e = pairRestitution(m_materials[m_records[i].material].elastic,
+                                     m_materials[m_records[j].material].elastic);
     if (closing > leastHop(normal.dot(m_gravity), e, radius)) return false;
     m_origins[i].velocity = Vec3::Zero();
     newRest(i).ball = j;
@@ -219,7 +219,7 @@ void EventGas::bounce(std::uint32_t i, std::uint16_t index, double time) {
     const double gap = gapTo(wall, i);
     if (std::abs(gap) <= touching * origin.radius)
         moveBy(-gap * wall.normal, origin.position, m_placeRests[i]);
-    const double e = std::min(material.elastic, wall.elastic);
+    const double e = pairRestitution(material.elastic, wall.elastic);
     const double after = e * impactSpeed;
     const bool rests = restsAfter(after, pull, e, origin.radius);
     const double change = (rests ? 0 : after) - wall.normal.dot(origin.velocity);
@@ -354,7 +354,7 @@ void EventGas::settle(std::uint32_t i, const Rest& before) {
     for (const std::uint16_t index : before.on()) {
         const BoundedWall& wall = m_walls[index];
         const double speed = wall.normal.dot(origin.velocity);
-        const double e = std::min(material.elastic, wall.elastic);
+        const double e = pairRestitution(material.elastic, wall.elastic);
         const double after = speed < 0 ? -e * speed : speed;
         const double pull = wall.normal.dot(m_gravity);
         const bool rests = restsAfter(after, pull, e, origin.radius) ||

@@ -284,7 +284,7 @@ void Microcollisions::respond(const SolverInput& input, const Contact& contact) 
     if (bodies.mobile[b] != 0) input.state.pose[b].position += displacement;
 
     if (input.ledger != nullptr) record(input, impact, speed, displacement);
-    apply(impact, speed, std::min(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
+    apply(impact, speed, pairRestitution(bodies.elastic[a], bodies.elastic[b]), bodies, input.state);
 }
 
 // Before the impact is applied: its impulse j is known, and the speeds on both sides of it are u and −e u.
@@ -292,7 +292,7 @@ void Microcollisions::record(const SolverInput& input, const PairImpact& impact,
                              const Vec3& displacement) {
     const Bodies& bodies = input.bodies;
     const bool aMoves = bodies.mobile[impact.a] != 0, bMoves = bodies.mobile[impact.b] != 0;
-    const double e = std::min(bodies.elastic[impact.a], bodies.elastic[impact.b]);
+    const double e = pairRestitution(bodies.elastic[impact.a], bodies.elastic[impact.b]);
     const double j = -(1 + e) * speed / impact.inverseMass;
     LedgerEntry& entry = (*input.ledger)[LedgerAccount::Restitution];
     entry.energy += j * 0.5 * (speed - e * speed);

@@ -275,6 +275,32 @@ class EffectsTest : public QObject {
         QCOMPARE(q(nameOf(resting.decide(analysis.scene, {}).status)), QString("not simulated yet"));
     }
 
+    void bodiesInAirCanComeToRestThoughEveryImpactIsElastic() {
+        const EffectRow& resting = *findEffect("resting");
+        const RunFacts run{.method = {.resting = true}};
+        const std::string floor = "wall { normal 0, 1, 0 toOrig 0 }\n",
+                          dragged = "sphere a { radius 1 mass 1 centre 0, 5, 0 drag 0.47 }\n";
+        const Scene vacuum = analyse(floor + dragged).scene;
+        QCOMPARE(q(nameOf(resting.decide(vacuum, run).status)), QStringLiteral("absent"));
+        QVERIFY(!firstDamping(vacuum));
+        const Analysis inAir = analyse(floor + dragged + "air { density 1.2 }");
+        const EffectDecision decision = resting.decide(inAir.scene, run);
+        QCOMPARE(q(nameOf(decision.status)), QStringLiteral("on"));
+        QCOMPARE(q(decision.reason.text()), QStringLiteral("air slows `a`, so bodies can come to rest"));
+        QCOMPARE(q(textOf(inAir.text, *decision.source)), QStringLiteral("0.47"));
+    }
+
+    void collisionSaysTheMethodAndWhyItWasChosen() {
+        const Scene scene = analyse(std::string(ball) + second).scene;
+        const EffectRow& row = *findEffect("collision");
+        const QString counts = q(row.decide(scene, {}).reason.text());
+        QCOMPARE(q(row.decide(scene, {.methodName = "contacts"}).reason.text()),
+                 counts + "; method `contacts`");
+        QCOMPARE(q(row.decide(scene, {.methodName = "events", .methodReason = Sentence{"balls move"}})
+                       .reason.text()),
+                 counts + "; method `events`: balls move");
+    }
+
     void theBroadPhaseSaysWhichAndWhyOrThatItIsNotNeeded() {
         const EffectRow& row = *findEffect("broadphase");
         const Scene scene =

@@ -76,7 +76,7 @@ SchedulerCase drawSchedulerCase(Random& random) {
     for (std::size_t k = 0; k < groups; ++k)
         addGroup(random.below(6), Vec3(groupsApart * static_cast<double>(k), 0, 0), random, drawn.scene);
     drawn.bodies = bodiesOf(drawn.scene);
-    if (!drawn.scene.springs.empty()) findEffect("spring")->contribute(drawn.scene, drawn.bodies);
+    if (!drawn.scene.springs.empty()) contribute(*findEffect("spring"), drawn.scene, drawn.bodies);
     drawn.state = initialStateOf(drawn.scene);
     for (const Spring& spring : drawn.scene.springs) drawn.links.push_back({spring.from, spring.to});
     for (BodyIndex a = 0; a < drawn.bodies.count(); ++a)
