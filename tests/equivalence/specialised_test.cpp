@@ -141,7 +141,7 @@ class SpecialisedTest : public QObject {
         QVERIFY(decided <= mostDecided);
     }
 
-    void aProofThatBarelyFailsTakesTheGeneralWay_data() {
+    void aProofThatBarelyFailsTakesTheGeneralMethod_data() {
         QTest::addColumn<QByteArray>("effect");
         QTest::addColumn<QByteArray>("proved");
         QTest::addColumn<QByteArray>("barelyNot");
@@ -173,7 +173,7 @@ class SpecialisedTest : public QObject {
         add("springs", "spring", ballsOnFloor("", "", ""),
             tied("0").replace("stiffness 5", "stiffness 1e-300"));
     }
-    void aProofThatBarelyFailsTakesTheGeneralWay() {
+    void aProofThatBarelyFailsTakesTheGeneralMethod() {
         QFETCH(QByteArray, effect);
         QFETCH(QByteArray, proved);
         QFETCH(QByteArray, barelyNot);

@@ -31,7 +31,7 @@ class FreeRotationTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
-    void aTumblingBrickKeepsItsEnergy_data() {
+    void aFreelyRotatingBrickKeepsItsEnergy_data() {
         QTest::addColumn<double>("wx");
         QTest::addColumn<double>("wy");
         QTest::addColumn<double>("wz");
@@ -41,7 +41,7 @@ class FreeRotationTest : public QObject {
         QTest::newRow("about the middle axis, 100 s") << 0.01 << 5.0 << 0.01 << 0.01 << 10000;
         QTest::newRow("10,000 rad/s, 1 s") << 5000.0 << 5000.0 << 7000.0 << 1.0 / 240 << 240;
     }
-    void aTumblingBrickKeepsItsEnergy() {
+    void aFreelyRotatingBrickKeepsItsEnergy() {
         QFETCH(double, wx);
         QFETCH(double, wy);
         QFETCH(double, wz);
@@ -193,7 +193,7 @@ class FreeRotationTest : public QObject {
 
     // 112 m long, .4 m wide, .25 m thick, at 6 rad/s: cut by |L| over the smallest moment, 340,000 rad/s, it
     // took 10,000 parts a step and 17 ms.
-    void aPlankTakesAsManyPartsAsItsAxesWander() {
+    void aPlankTakesPartsByThePrecessionOfItsAxes() {
         const Vec3 inertia = inertiaOf(Cuboid{Vec3(56, 0.2, 0.125)}, 1);
         const Quat orientation = Quat::Identity();
         const Vec3 momentum = angularMomentumFrom(inertia, orientation, Vec3(0.02, 6, -0.02));

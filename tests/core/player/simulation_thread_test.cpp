@@ -313,7 +313,7 @@ class SimulationThreadTest : public QObject {
         QCOMPARE(player.frames.front(), std::int64_t{1});
     }
 
-    void aPauseEndsALongWayWhereItHasCome() {
+    void aPauseEndsASeekAtTheFrameItHasReached() {
         Player player;
         player.post(LoadCommand{threeBalls(), 1, 0});
         player.post(SeekCommand{1'000'000'000}); // hours

@@ -21,7 +21,7 @@ class SpeedMeterTest : public QObject {
         QCOMPARE(meter.note(4.1, start + 1000ms).value(), 2.0);
     }
 
-    void afterAPauseOrAWayBackAWindowBeginsAnew() {
+    void afterAPauseOrASeekBackwardsAWindowBeginsAnew() {
         SpeedMeter meter;
         const SpeedMeter::Clock::time_point start{};
         meter.note(0, start);

@@ -80,7 +80,7 @@ class CheckpointMemoryTest : public QObject {
   private Q_SLOTS:
     // With each method that can treat it: a scene of bodies that touch has rows, manifolds and islands to
     // remember, one of events has its queue.
-    void aCheckpointHoldsWhatItSays_data() {
+    void aCheckpointTakesTheMemoryThatItReports_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("method");
         for (const SolverRow& row : solvers())
@@ -88,7 +88,7 @@ class CheckpointMemoryTest : public QObject {
                 QTest::newRow(qPrintable(path + u' ' + q(row.name)))
                     << q(test::textOfScene(path)) << q(row.name);
     }
-    void aCheckpointHoldsWhatItSays() {
+    void aCheckpointTakesTheMemoryThatItReports() {
         QFETCH(QString, text);
         QFETCH(QString, method);
         // What is rounded up differs from piece to piece, and small checkpoints have many.

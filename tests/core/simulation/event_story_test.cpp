@@ -85,7 +85,7 @@ class EventStoryTest : public QObject {
         QVERIFY(std::abs(story.at.y()) < 0.1);
     }
 
-    void inFreeFlightNothingHappens() {
+    void inFreeFallNothingHappens() {
         World world(build("sphere { radius .1 mass 1 centre 0,9,0 vel 1,2,0 }").pipeline);
         const Snapshot before = world.snapshot();
         world.step();

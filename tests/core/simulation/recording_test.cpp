@@ -268,7 +268,7 @@ class RecordingTest : public QObject {
         }
     }
 
-    void aRunThatLostItsNumbersCanGoBackToWhenItHadThem() {
+    void aRunThatLostItsStateCanGoBackToAFiniteOne() {
         const Build built = build("gravity { accel 0,-1e306,0 } simulation { step 1 method contacts }"
                                   "sphere { radius 1 mass 1 centre 0,0,0 }");
         World world(built.pipeline);

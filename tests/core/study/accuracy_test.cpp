@@ -66,7 +66,7 @@ class AccuracyTest : public QObject {
 
     void anOscillationShowsTheOrderOfEveryScheme() { expectOrders(oscillating(), ReferenceKind::ClosedForm); }
 
-    void aTumblingCuboidShowsTheOrderOfEveryScheme() {
+    void aFreelyRotatingCuboidShowsTheOrderOfEveryScheme() {
         const Scene scene = tumbling();
         AccuracyPlan plan = quickPlan(scene, {1, 2, 4, 8}, 1);
         std::erase_if(plan.settings, [](const AccuracySetting& s) { return s.method->name != "contacts"; });

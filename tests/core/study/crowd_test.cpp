@@ -89,7 +89,7 @@ class CrowdTest : public QObject {
         QVERIFY(std::abs(deviation.freeTime) < 0.15);
     }
 
-    void aHotterCrowdIsToldFromACoolOne() {
+    void aHotterCrowdIsDistinguishedFromACoolOne() {
         Scene hot = brownian(200);
         const Scene cool = hot;
         for (Body& body : hot.bodies) body.velocity *= 1.2;

@@ -141,7 +141,7 @@ class SweepMeasureTest : public QObject {
 
     // The ball meets the floor with 10 m/s and leaves with 5: 2 kg lose 75 J. Both frames that are asked for
     // lie behind the impact, one of them between two frames.
-    void whatIsBookedFrameByFrameIsAddedUp() {
+    void whatIsAuditedFrameByFrameIsAddedUp() {
         std::string text = droppedBall;
         text.replace(text.find("mass 2"), 6, "mass 2 elastic 0.5");
         const std::vector<double> figures =
@@ -176,7 +176,7 @@ class SweepMeasureTest : public QObject {
         QVERIFY2(QString::fromStdString(read.objection).contains(objection), read.objection.c_str());
     }
 
-    void bodiesThatAreNotThereAreSaid() {
+    void missingBodiesAreReported() {
         const std::shared_ptr<const Pipeline> pipeline = build(droppedBall).pipeline;
         const auto objection = [&](const char* text) {
             return objectionToMeasure(readMeasure(text).measure.value(), *pipeline).value_or("");

@@ -299,7 +299,7 @@ class EventGasTest : public QObject {
     }
 
     // Cells would be crossed at time 0 for ever: nothing is planned, and the run is lost at once.
-    void whatHasNoSquareIsLostBeforeABorderIsPassed() {
+    void whatHasNoSquareIsLostBeforeACellIsCrossed() {
         for (const bool falls : {true, false}) {
             Scene scene;
             scene.bodies.push_back(test::sphere(1, 1, Vec3::Zero()));

@@ -140,7 +140,7 @@ class EventTimesTest : public QObject {
     }
 
     // One that hopped lower than rounding had put it into the other never hit it again, and sank into it.
-    void aBallThatOverlapsByRoundingAndHopsComesBack() {
+    void aBallThatOverlapsByRoundingAndBouncesComesBack() {
         const TrajectoryOrigin below{Vec3::Zero(), 0, Vec3::Zero(), 0.1};
         const TrajectoryOrigin above{Vec3(0, 0.2 * (1 - 1e-16), 0), 0, Vec3(0, 1e-10, 0), 0.1};
         const double found = pairTime(below, Vec3::Zero(), above, Vec3(0, -10, 0));
