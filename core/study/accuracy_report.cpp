@@ -38,6 +38,12 @@ std::string aligned(const std::vector<std::vector<std::string>>& lines) {
 /// What has not been measured is no figure.
 std::string known(double value) { return std::isfinite(value) ? figure(value) : "-"; }
 
+// From the start where nothing takes energy out, else from the reference solution.
+std::string energyOffOf(const AccuracyPoint& point, const AccuracyStudy& study) {
+    if (study.conservative) return figure(point.energy.worst);
+    return point.energyOff ? figure(*point.energyOff) : "-";
+}
+
 std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
     const auto any = [&](const auto& has) {
         return std::any_of(study.points.begin(), study.points.end(), has);
@@ -60,7 +66,7 @@ std::string tableOf(const AccuracyStudy& study, const AccuracyFamily& family) {
         if (study.measure->name != "trajectory")
             line.push_back(known(point->status == PointStatus::Timed ? HUGE_VAL : point->errors.worst()));
         if (counted) line.push_back(point->instructions > 0 ? figure(point->instructions, 4) : "-");
-        line.push_back(figure(point->energy.worst));
+        line.push_back(energyOffOf(*point, study));
         line.push_back(figure(point->energy.gain));
         const bool isOurs = point->setting.engine.empty(); // another engine does not tell these
         line.push_back(isOurs ? figure(point->penetration) : "-");
