@@ -114,6 +114,7 @@ AccuracyDock::AccuracyDock(QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setMaximumSize(120, 12);
     m_state->setObjectName(QStringLiteral("accuracyState"));
+    m_state->setTextFormat(Qt::PlainText); // names of files, too
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_keep->setCheckable(true);

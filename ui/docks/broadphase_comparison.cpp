@@ -59,6 +59,7 @@ BroadphaseComparison::BroadphaseComparison(QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setMaximumSize(120, 12);
     m_state->setObjectName(QStringLiteral("comparisonState"));
+    m_state->setTextFormat(Qt::PlainText); // names of files, too
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_chart->setObjectName(QStringLiteral("comparisonChart"));

@@ -4,6 +4,7 @@
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
 #include "ui/base/file_output.h"
+#include "ui/base/plain_words.h"
 #include "ui/base/theme.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/empty_state.h"
@@ -118,6 +119,7 @@ RaceDock::Side RaceDock::makeSide(const QString& name, const QString& suffix) {
         choice(QStringLiteral("raceIntegrator") + suffix, tr("Integrator"), tr("Integrator of the text"),
                integratorWords()),
         new QSpinBox, new QLabel(name)};
+    side.title->setTextFormat(Qt::PlainText);                                // names of files
     side.title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // as much as fits
     side.substeps->setObjectName(QStringLiteral("raceSubsteps") + suffix);
     side.substeps->setAccessibleName(tr("Substeps"));
@@ -139,6 +141,7 @@ QWidget* RaceDock::makeTop() {
     m_duration->setSuffix(tr(" s"));
     m_duration->setValue(10);
     m_state->setObjectName(QStringLiteral("raceState"));
+    m_state->setTextFormat(Qt::PlainText); // names of files, too
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_first->setObjectName(QStringLiteral("raceFirst"));
@@ -265,7 +268,7 @@ void RaceDock::setScene(const SharedBuild& build, const QString& name) {
 void RaceDock::setOtherText(const QString& text, const QString& name) {
     m_otherText = text;
     m_otherName = name;
-    m_other->setText(text.isEmpty() ? tr("Same text") : name);
+    m_other->setText(text.isEmpty() ? tr("Same text") : plainTitle(name));
 }
 
 void RaceDock::askForOtherFile() {
@@ -369,7 +372,7 @@ void RaceDock::begin(const Contest& contest) {
         m_sides[i].title->setText(
             pattern.arg(QString(letter), contest.names[i], settingWords(settings, &others)));
         m_sides[i].title->setToolTip(
-            pattern.arg(QString(letter), contest.names[i], settingWords(settings, nullptr)));
+            plainTip(pattern.arg(QString(letter), contest.names[i], settingWords(settings, nullptr))));
     }
     // When the views have their size, by which a scene without a camera is framed.
     QTimer::singleShot(0, this, [this] { m_views[1]->setCamera(m_views[0]->camera()); });

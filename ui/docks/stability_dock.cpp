@@ -44,6 +44,7 @@ StabilityDock::StabilityDock(const Theme& theme, QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setMaximumSize(120, 12);
     m_state->setObjectName(QStringLiteral("stabilityState"));
+    m_state->setTextFormat(Qt::PlainText); // names of files, too
     m_state->setProperty("role", QStringLiteral("muted"));
     m_table->setAccessibleName(tr("Hard cases"));
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);

@@ -116,6 +116,7 @@ QWidget* SweepDock::makeFigures() {
     m_progress->setTextVisible(false);
     m_progress->setMaximumSize(120, 12);
     m_state->setObjectName(QStringLiteral("sweepState"));
+    m_state->setTextFormat(Qt::PlainText); // names of files, too
     m_state->setProperty("role", QStringLiteral("muted"));
     m_state->setWordWrap(true);
     m_shown->setObjectName(QStringLiteral("sweepShown"));

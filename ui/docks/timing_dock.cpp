@@ -67,6 +67,8 @@ TimingDock::TimingDock(QWidget* parent)
 
     m_first->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_report->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_report->setObjectName(QStringLiteral("timingReport"));
+    m_report->setTextFormat(Qt::PlainText); // names of files
     m_report->setWordWrap(true);
     m_report->hide();
     QWidget* onScreen = new QWidget;

@@ -3,6 +3,7 @@
 
 #include "ui/base/file_output.h"
 #include "ui/editor/scene_editor.h"
+#include "ui/base/plain_words.h"
 #include "ui/base/save_dialog.h"
 #include "ui/base/actions.h"
 #include "ui/window/main_window.h"
@@ -214,7 +215,7 @@ void FileCommands::fillRecent() {
     QMenu* menu = action.menu();
     menu->clear();
     for (const QString& path : m_settings.recentFiles())
-        connect(menu->addAction(QDir::toNativeSeparators(path)), &QAction::triggered, this,
+        connect(menu->addAction(plainTitle(QDir::toNativeSeparators(path))), &QAction::triggered, this,
                 [this, path] { open(path); });
     action.setEnabled(!menu->isEmpty());
 }

@@ -9,6 +9,7 @@
 #include "ui/widgets/timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/base/actions.h"
+#include "ui/base/plain_words.h"
 #include "ui/base/settings.h"
 #include "ui/window/workspaces.h"
 
@@ -236,7 +237,7 @@ void MainWindow::tell(const QString& sentence, int milliseconds) {
 
 void MainWindow::warn(const QString& sentence) {
     m_warning->setText(sentence);
-    m_warning->setToolTip(sentence);
+    m_warning->setToolTip(plainTip(sentence));
     m_warning->setHidden(sentence.isEmpty());
 }
 

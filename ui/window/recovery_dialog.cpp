@@ -2,6 +2,7 @@
 #include "ui/window/recovery_dialog.h"
 
 #include "ui/window/difference_view.h"
+#include "ui/base/plain_words.h"
 
 #include <QDialogButtonBox>
 #include <QFile>
@@ -45,7 +46,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
             text.path.isEmpty() ? tr("a scene without a file") : QFileInfo(text.path).fileName();
         QListWidgetItem* item = new QListWidgetItem(
             name + u'\n' + QLocale::system().toString(text.written, QLocale::ShortFormat), m_list);
-        item->setToolTip(text.path);
+        item->setToolTip(plainTip(text.path));
     }
     QHBoxLayout* row = new QHBoxLayout;
     row->addWidget(m_list);

@@ -2,6 +2,7 @@
 #include "ui/window/welcome.h"
 
 #include "ui/widgets/resources.h"
+#include "ui/base/plain_words.h"
 #include "ui/base/settings.h"
 
 #include <QCheckBox>
@@ -108,10 +109,10 @@ QWidget* Welcome::startColumn(const Settings& settings) {
         column->addWidget(title);
     }
     for (const QString& path : recent) {
-        QPushButton* file = new QPushButton(QFileInfo(path).fileName());
+        QPushButton* file = new QPushButton(plainTitle(QFileInfo(path).fileName()));
         file->setFlat(true);
         file->setStyleSheet(QStringLiteral("text-align: left;"));
-        file->setToolTip(QDir::toNativeSeparators(path));
+        file->setToolTip(plainTip(QDir::toNativeSeparators(path)));
         connect(file, &QPushButton::clicked, this, [this, path] {
             accept();
             Q_EMIT fileWanted(path);

@@ -3,13 +3,21 @@
 
 #include "ui/window/file_commands.h"
 #include "ui/window/outside_dialog.h"
+#include "ui/window/recovery_dialog.h"
+#include "ui/base/settings.h"
+#include "ui/base/theme.h"
+#include "ui/window/welcome.h"
 
 #include <QDir>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTextDocumentFragment>
 
 // Other programs change the scene's file while it is open here.
 
@@ -25,6 +33,17 @@ void press(QWidget& dialog, const char* button) {
     QPushButton* found = dialog.findChild<QPushButton*>(QLatin1StringView(button));
     QVERIFY(found != nullptr);
     found->click();
+}
+
+/// What a tool tip shows.
+QString seen(const QString& tip) {
+    return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
+}
+
+/// What a menu or a button shows: `&` marks a letter, `&&` is one.
+QString seenOn(QString title) {
+    constexpr QChar mark(0xFFFC); // which no name has
+    return title.replace(QStringLiteral("&&"), mark).remove(u'&').replace(mark, u'&');
 }
 
 } // namespace
@@ -194,6 +213,46 @@ class OutsideTest : public QObject {
         });
         ide.bench.window().close();
         QCOMPARE(format, Qt::PlainText);
+    }
+
+    void menusButtonsAndTipsShowANameAsItIs() {
+        const QString name = QStringLiteral("<b>this & that<b> &amp; more.sdl");
+        Ide ide;
+        const QString path = ide.folder.filePath(name);
+        QVERIFY(Qt::mightBeRichText(path)); // or nothing is shown here
+        writeFile(path, twoBalls);
+        QVERIFY(ide.bench.files().open(path));
+        MainWindow& window = ide.bench.window();
+        QCOMPARE(seenOn(window.actions()[ActionId::Recent].menu()->actions().first()->text()), path);
+
+        Settings settings;
+        Welcome welcome(settings, nullptr);
+        bool offered = false;
+        for (const QPushButton* button : welcome.findChildren<QPushButton*>())
+            offered |= seenOn(button->text()) == name && seen(button->toolTip()) == path;
+        QVERIFY(offered);
+
+        RecoveryDialog dialog({{QString(), path, "sphere", QDateTime::currentDateTime(), {}}},
+                              loadTheme(true), nullptr);
+        const QListWidgetItem* lost = dialog.findChild<QListWidget*>()->item(0);
+        QVERIFY(lost->text().startsWith(name));
+        QCOMPARE(seen(lost->toolTip()), path);
+
+        window.warn(path);
+        const QLabel* warning = window.findChild<QLabel*>(QStringLiteral("warning"));
+        QCOMPARE(warning->textFormat(), Qt::PlainText);
+        QCOMPARE(seen(warning->toolTip()), path);
+        window.warn({});
+    }
+
+    void aPanelShowsANameAsItIs() {
+        Ide ide;
+        for (const char* name : {"accuracyState", "comparisonState", "raceState", "stabilityState",
+                                 "sweepState", "timingReport"}) {
+            const QLabel* label = ide.bench.window().findChild<QLabel*>(QLatin1StringView(name));
+            QVERIFY2(label != nullptr, name);
+            QVERIFY2(label->textFormat() == Qt::PlainText, name);
+        }
     }
 };
 
