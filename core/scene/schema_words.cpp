@@ -38,24 +38,20 @@ constexpr auto generatorNames = std::to_array<std::string_view>({
 });
 constexpr std::array<std::string_view, 2> boxesNames = {"tight", "cube"};
 constexpr std::array<std::string_view, 2> impactsNames = {"sequential", "simultaneous"};
-// Of a body, or of each; then of the whole scene only; then what is found by other means.
+// Of a body, or of each; then what is found by other means; then of the whole scene only.
 constexpr auto quantities = std::to_array<std::string_view>({
-    // clang-format off
-    "x", "y", "z", "displacement", "lateral_displacement", "speed", "velocity_x", "velocity_y", "velocity_z", "turn", "yaw", "tilt",
-    "angular_speed", "angular_velocity_x", "angular_velocity_y", "angular_velocity_z", "energy",
-    "kinetic_energy", "potential_energy", "momentum", "momentum_x", "momentum_y", "momentum_z",
-    "angular_momentum", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z", "penetration",
-    "contact_force", "contact_force_x", "contact_force_y", "contact_force_z", "impacts", "distance",
-    "centre_of_mass_x", "centre_of_mass_y", "centre_of_mass_z", "slope", "contact_residual", "contacts",
-    "overlapping_pairs", "pairs_collided", "rows_swept", "factorisations", "impacts_treated", "searches",
-    "islands", "islands_unfinished",
-// clang-format on
+#define CAROM_BODY_QUANTITY(word, name, unit, ...) #word,
+#include "core/scene/quantities.def"
+    "impacts",
+    "distance",
+#define CAROM_WHOLE_ONLY_QUANTITY(word, name, unit, ...) #word,
+#include "core/scene/quantities.def"
 #define CAROM_LEDGER_ACCOUNT(account, word) "energy_by_" #word,
 #include "core/scene/ledger_accounts.def"
 #undef CAROM_LEDGER_ACCOUNT
     "energy_unexplained",
 });
-constexpr std::string_view firstOfWhole = "centre_of_mass_x";
+constexpr std::string_view lastOfBodies = "distance";
 
 constexpr std::array<std::string_view, 2> yesOrNo = {"yes", "no"};
 
@@ -71,8 +67,8 @@ std::span<const std::string_view> generatorWords() { return generatorNames; }
 std::span<const std::string_view> presetWords() { return presets; }
 std::span<const std::string_view> quantityWords() { return quantities; }
 bool isOfWholeOnly(std::string_view quantity) {
-    const auto* const first = std::ranges::find(quantities, firstOfWhole);
-    return std::find(first, quantities.end(), quantity) != quantities.end();
+    const auto* const last = std::ranges::find(quantities, lastOfBodies);
+    return std::find(last + 1, quantities.end(), quantity) != quantities.end();
 }
 bool isOfTwoBodies(std::string_view quantity) { return quantity == "distance"; }
 

@@ -118,44 +118,8 @@ double largestOf(const Moment& moment, BodyIndex) {
 }
 
 constexpr std::array bodyRows = {
-    QuantityRow{"position x", "x", "m", component<positionOf, 0>, sizeOf},
-    QuantityRow{"position y", "y", "m", component<positionOf, 1>, sizeOf},
-    QuantityRow{"position z", "z", "m", component<positionOf, 2>, sizeOf},
-    QuantityRow{"displacement", "displacement", "m", displacementOf, sizeOf},
-    QuantityRow{"lateral displacement", "lateral_displacement", "m", lateralDisplacementOf, sizeOf},
-    QuantityRow{"speed", "speed", "m/s", length<velocityOf>},
-    QuantityRow{"velocity x", "velocity_x", "m/s", component<velocityOf, 0>, length<velocityOf>},
-    QuantityRow{"velocity y", "velocity_y", "m/s", component<velocityOf, 1>, length<velocityOf>},
-    QuantityRow{"velocity z", "velocity_z", "m/s", component<velocityOf, 2>, length<velocityOf>},
-    QuantityRow{"turn", "turn", "rad", turnOf, oneRadian},
-    QuantityRow{"yaw", "yaw", "rad", yawOf, oneRadian},
-    QuantityRow{"tilt", "tilt", "rad", tiltOf, oneRadian},
-    QuantityRow{"angular speed", "angular_speed", "rad/s", length<spinOf>},
-    QuantityRow{"angular velocity x", "angular_velocity_x", "rad/s", component<spinOf, 0>, length<spinOf>},
-    QuantityRow{"angular velocity y", "angular_velocity_y", "rad/s", component<spinOf, 1>, length<spinOf>},
-    QuantityRow{"angular velocity z", "angular_velocity_z", "rad/s", component<spinOf, 2>, length<spinOf>},
-    QuantityRow{"kinetic energy", "kinetic_energy", "J", kineticOf, kineticOf},
-    QuantityRow{"potential energy", "potential_energy", "J", potentialOf, kineticOf},
-    QuantityRow{"energy", "energy", "J", energyOf, kineticOf},
-    QuantityRow{"momentum", "momentum", "kg m/s", length<momentumOf>},
-    QuantityRow{"momentum x", "momentum_x", "kg m/s", component<momentumOf, 0>, length<momentumOf>},
-    QuantityRow{"momentum y", "momentum_y", "kg m/s", component<momentumOf, 1>, length<momentumOf>},
-    QuantityRow{"momentum z", "momentum_z", "kg m/s", component<momentumOf, 2>, length<momentumOf>},
-    QuantityRow{"angular momentum", "angular_momentum", "kg m²/s", length<angularMomentumOf>},
-    QuantityRow{"angular momentum x", "angular_momentum_x", "kg m²/s", component<angularMomentumOf, 0>,
-                length<angularMomentumOf>},
-    QuantityRow{"angular momentum y", "angular_momentum_y", "kg m²/s", component<angularMomentumOf, 1>,
-                length<angularMomentumOf>},
-    QuantityRow{"angular momentum z", "angular_momentum_z", "kg m²/s", component<angularMomentumOf, 2>,
-                length<angularMomentumOf>},
-    QuantityRow{"penetration", "penetration", "m", penetrationOf, sizeOf},
-    QuantityRow{"contact force", "contact_force", "N", length<contactForceOf>},
-    QuantityRow{"contact force x", "contact_force_x", "N", component<contactForceOf, 0>,
-                length<contactForceOf>},
-    QuantityRow{"contact force y", "contact_force_y", "N", component<contactForceOf, 1>,
-                length<contactForceOf>},
-    QuantityRow{"contact force z", "contact_force_z", "N", component<contactForceOf, 2>,
-                length<contactForceOf>},
+#define CAROM_BODY_QUANTITY(word, name, unit, ...) QuantityRow{name, #word, unit, __VA_ARGS__},
+#include "core/scene/quantities.def"
 };
 
 /// Of everything that moves [m]; undefined where nothing does.
@@ -218,28 +182,9 @@ double auditedOf(const Moment& moment, BodyIndex) {
 double unexplainedOf(const Moment& moment, BodyIndex) { return moment.statistics.unexplained.energy; }
 
 constexpr std::array wholeRows = {
-    QuantityRow{"energy", "energy", "J", totalEnergyOf, totalKineticOf},
-    QuantityRow{"kinetic energy", "kinetic_energy", "J", totalKineticOf, totalKineticOf},
-    QuantityRow{"potential energy", "potential_energy", "J", totalPotentialOf, totalKineticOf},
-    QuantityRow{"momentum", "momentum", "kg m/s", length<totalMomentumOf>, momentumScaleOf},
-    QuantityRow{"momentum x", "momentum_x", "kg m/s", component<totalMomentumOf, 0>, momentumScaleOf},
-    QuantityRow{"momentum y", "momentum_y", "kg m/s", component<totalMomentumOf, 1>, momentumScaleOf},
-    QuantityRow{"momentum z", "momentum_z", "kg m/s", component<totalMomentumOf, 2>, momentumScaleOf},
-    QuantityRow{"centre of mass x", "centre_of_mass_x", "m", component<centreOfMassOf, 0>, largestOf},
-    QuantityRow{"centre of mass y", "centre_of_mass_y", "m", component<centreOfMassOf, 1>, largestOf},
-    QuantityRow{"centre of mass z", "centre_of_mass_z", "m", component<centreOfMassOf, 2>, largestOf},
-    QuantityRow{"slope", "slope", "rad", slopeOf, oneRadian},
-    QuantityRow{"deepest penetration", "penetration", "m", deepestOf, largestOf},
-    QuantityRow{"contact residual", "contact_residual", "m/s", residualOf},
-    QuantityRow{"contacts", "contacts", "", contactsOf},
-    QuantityRow{"overlapping pairs", "overlapping_pairs", "", pairsOf},
-    QuantityRow{"pairs collided", "pairs_collided", "", workOf<&WorkCounters::pairsCollided>},
-    QuantityRow{"rows swept", "rows_swept", "", workOf<&WorkCounters::rowsSwept>},
-    QuantityRow{"factorisations", "factorisations", "", workOf<&WorkCounters::factorisations>},
-    QuantityRow{"impacts", "impacts_treated", "", workOf<&WorkCounters::impacts>},
-    QuantityRow{"searches", "searches", "", workOf<&WorkCounters::searches>},
-    QuantityRow{"islands", "islands", "", workOf<&WorkCounters::islands>},
-    QuantityRow{"islands unfinished", "islands_unfinished", "", workOf<&WorkCounters::unfinished>},
+#define CAROM_WHOLE_QUANTITY(word, name, unit, ...) QuantityRow{name, #word, unit, __VA_ARGS__},
+#define CAROM_WHOLE_ONLY_QUANTITY(word, name, unit, ...) QuantityRow{name, #word, unit, __VA_ARGS__},
+#include "core/scene/quantities.def"
 #define CAROM_LEDGER_ACCOUNT(account, word)                                                                  \
     QuantityRow{"energy by " #word,                                                                          \
                 "energy_by_" #word,                                                                          \
