@@ -170,7 +170,8 @@ CommandRow benchCommand() {
             "ends the benchmark: what was measured is written, and the exit code is 130.",
         .leastOperands = 0,
         .mostOperands = std::numeric_limits<std::size_t>::max(),
-        .run = runBench};
+        .run = runBench,
+        .drawsCharts = true};
 }
 
 } // namespace carom

@@ -22,6 +22,7 @@ struct CommandRow {
     std::size_t leastOperands = 0;
     std::size_t mostOperands = 0;
     int (*run)(const Arguments& arguments) = nullptr; ///< the exit code; throws UsageError and FileError
+    bool drawsCharts = false;                         ///< where it is told `--output`, `--merge` or `--chart`
 };
 
 /// Every subcommand, in the order of the manual.
@@ -37,10 +38,14 @@ std::string helpOfProgram();
 /// The manual page carom(1), made from the same tables (troff, man macros).
 std::string manualPage();
 
-/// What opens the IDE; null in a build without it. Passed in, so that the subcommands need no Qt.
-using IdeEntry = int (*)(const IdeRequest& request);
+/// What needs Qt, which the subcommands do without: the one or the other, neither in a build without the IDE.
+struct QtParts {
+    int (*ide)(const IdeRequest& request) = nullptr; ///< opens it; returns the exit code
+    /// Goes on as a program that has Qt; does not return (programs.h).
+    void (*handOn)(const std::string& program, std::span<const std::string> words) = nullptr;
+};
 
 /// Everything `main` does: `words` are those behind the program's name. Returns the exit code.
-int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide);
+int runCommandLine(const std::string& program, std::span<const std::string> words, const QtParts& parts);
 
 } // namespace carom

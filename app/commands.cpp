@@ -49,8 +49,10 @@ std::span<const OptionRow> ideOptions() {
 
 namespace {
 
-int runCommand(const CommandRow& command, std::span<const std::string> words) {
-    const Arguments arguments = readArguments(words, command.options);
+/// `words` are those of the whole command line, the first `named` of which name the command.
+int runCommand(const CommandRow& command, std::size_t named, const std::string& program,
+               std::span<const std::string> words, const QtParts& parts) {
+    const Arguments arguments = readArguments(words.subspan(named), command.options);
     if (arguments.has("help")) {
         printOut(helpOf(command));
         return exitcode::done;
@@ -60,6 +62,10 @@ int runCommand(const CommandRow& command, std::span<const std::string> words) {
     if (arguments.operands.size() > command.mostOperands)
         throw UsageError("`" + arguments.operands[command.mostOperands] +
                          "` is one operand too many; it takes " + std::string(command.operands));
+    const bool draws =
+        command.drawsCharts && (arguments.has("output") || arguments.has("chart") || arguments.has("merge"));
+    if (draws && parts.handOn) parts.handOn(program, words);
+    limitMemory();
     return command.run(arguments);
 }
 
@@ -131,7 +137,7 @@ std::optional<PictureRequest> readPicture(const Arguments& arguments) {
     return picture;
 }
 
-int openIde(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
+int openIde(const std::string& program, std::span<const std::string> words, const QtParts& parts) {
     const Arguments arguments = readArguments(words, ideOptions());
     if (arguments.has("help")) {
         printOut(helpOfProgram());
@@ -154,10 +160,12 @@ int openIde(const std::string& program, std::span<const std::string> words, IdeE
     refuseSharedFiles({{"the scene", request.scene.value_or("")},
                        {"`--picture`", request.picture ? request.picture->file : ""},
                        {"`--screenshot`", request.screenshot.value_or("")}});
-    if (!ide) throw UsageError("this build has no IDE; `carom run SCENE` simulates without it");
+    if (!parts.ide && !parts.handOn)
+        throw UsageError("this build has no IDE; `carom run SCENE` simulates without it");
     if (!hasDisplay())
         throw UsageError("there is no display to open the IDE on; `carom run SCENE` simulates without one");
-    return ide(request);
+    if (parts.handOn) parts.handOn(program, words);
+    return parts.ide(request);
 }
 
 /// The subcommand that the first words name, and how many of them do.
@@ -174,7 +182,7 @@ std::pair<const CommandRow*, std::size_t> commandNamed(std::span<const std::stri
 
 } // namespace
 
-int runCommandLine(const std::string& program, std::span<const std::string> words, IdeEntry ide) {
+int runCommandLine(const std::string& program, std::span<const std::string> words, const QtParts& parts) {
     // A closed pipe is a write error like any other, and does not end the program by a signal.
     std::signal(SIGPIPE, SIG_IGN);
     std::string who = "carom";
@@ -182,11 +190,10 @@ int runCommandLine(const std::string& program, std::span<const std::string> word
         const auto [command, named] = commandNamed(words);
         if (command) {
             who.append(" ").append(command->name);
-            limitMemory();
-            return runCommand(*command, words.subspan(named));
+            return runCommand(*command, named, program, words, parts);
         }
         rejectUnknownMember(words);
-        return openIde(program, words, ide);
+        return openIde(program, words, parts);
     } catch (const UsageError& error) {
         printError(who + ": " + error.what() + "\nTry `" + who + " --help`.\n");
         return exitcode::wrongUsage;

@@ -2,6 +2,7 @@
 #include "app/engines.h"
 
 #include "app/errors.h"
+#include "app/programs.h"
 #include "core/base/clock.h"
 #include "core/base/figures.h"
 
@@ -90,8 +91,7 @@ class Child {
 
 std::string engineProgram(const std::string& engine) {
     const std::string name = "carom-engine-" + engine;
-    std::error_code problem;
-    std::vector<fs::path> folders = {fs::read_symlink("/proc/self/exe", problem).parent_path()};
+    std::vector<fs::path> folders = {fs::path(ownProgram()).parent_path()};
     if (const char* const path = std::getenv("PATH")) {
         std::istringstream parts(path);
         for (std::string part; std::getline(parts, part, ':');) folders.emplace_back(part);

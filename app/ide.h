@@ -25,7 +25,7 @@ struct IdeRequest {
     std::optional<PictureRequest> picture; ///< save the scene's picture and leave; no window is opened
 };
 
-/// Opens the IDE; returns the program's exit code. In app/ide.cpp, the only file here that knows Qt.
+/// Opens the IDE; returns the program's exit code. In app/ide.cpp, which knows Qt.
 int runIde(const IdeRequest& request);
 
 } // namespace carom

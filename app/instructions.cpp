@@ -2,6 +2,7 @@
 #include "app/instructions.h"
 
 #include "app/errors.h"
+#include "app/programs.h"
 #include "app/temporary_file.h"
 #include "core/base/text.h"
 #include "core/integrators/integrator.h"
@@ -25,8 +26,6 @@ namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* ownProgram = "/proc/self/exe";
 
 /// Runs a program of the PATH, its output dropped; whether it ended with 0.
 bool succeeds(const std::vector<std::string>& words) {
@@ -72,7 +71,7 @@ double instructionsOf(const AccuracyStudy& study, const AccuracySetting& setting
     std::vector<std::string> words = {"valgrind",
                                       "--tool=callgrind",
                                       "--callgrind-out-file=" + counts.path(),
-                                      fs::read_symlink(ownProgram).string(),
+                                      ownProgram(),
                                       "run",
                                       "--frames=" + std::to_string(frames),
                                       "--step=" + shortest(study.settings.step),

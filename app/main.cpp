@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/charts.h"
 #include "app/command.h"
+#include "app/programs.h"
 
 #include <string>
 #include <vector>
 
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-#ifdef CAROM_IDE
-    const carom::IdeEntry ide = carom::runIde;
-#else
-    const carom::IdeEntry ide = nullptr;
+    carom::QtParts parts;
+#ifdef CAROM_WINDOW
+    parts.handOn = carom::handOn;
 #endif
-#ifdef CAROM_CHARTS
-    carom::chartDrawer().benchmark = carom::drawBenchmark;
-    carom::chartDrawer().accuracy = carom::drawAccuracy;
-    carom::chartDrawer().gas = carom::drawGas;
-    carom::chartDrawer().sweep = carom::drawSweep;
-#endif
-    return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, ide);
+    return carom::runCommandLine(argc > 0 ? argv[0] : "carom", words, parts);
 }

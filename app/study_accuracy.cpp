@@ -375,7 +375,8 @@ CommandRow studyAccuracyCommand() {
             "times the cheapest setting that is no worse is cheaper than the scene's own, the sentence.",
         .leastOperands = 0,
         .mostOperands = std::numeric_limits<std::size_t>::max(),
-        .run = runStudy};
+        .run = runStudy,
+        .drawsCharts = true};
 }
 
 } // namespace carom

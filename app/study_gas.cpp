@@ -187,7 +187,8 @@ CommandRow studyGasCommand() {
             "each part writes its own, gases-2-of-4.csv, and `--merge` makes gases.csv of them.",
         .leastOperands = 0,
         .mostOperands = std::numeric_limits<std::size_t>::max(),
-        .run = runStudy};
+        .run = runStudy,
+        .drawsCharts = true};
 }
 
 } // namespace carom

@@ -192,7 +192,8 @@ CommandRow sweepCommand() {
             "takes one sweep only. With `--merge` the exit code is 3 where runs are missing.",
         .leastOperands = 0,
         .mostOperands = 1,
-        .run = runSweepCommand};
+        .run = runSweepCommand,
+        .drawsCharts = true};
 }
 
 } // namespace carom

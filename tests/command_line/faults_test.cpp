@@ -213,8 +213,8 @@ class FaultsTest : public QObject {
         }
         QCOMPARE(shell("\"$carom\" check - < " + large.fileName()).exitCode, 1);
         // Just beyond. `bench` measured an empty scene: .004 ms a frame for a million bodies.
-        for (const QStringList& words : {QStringList{"generate", "brownian", "--n", "720000"},
-                                         {"bench", "--scene", "brownian", "-n", "720000", "--broadphase",
+        for (const QStringList& words : {QStringList{"generate", "pile", "--n", "720000"},
+                                         {"bench", "--scene", "pile", "-n", "720000", "--broadphase",
                                           "uniform_grid", "--frames", "2"}}) {
             const Ended generated = carom(words);
             QVERIFY2(generated.exitCode == 2, qPrintable(words.join(' ')));

@@ -5,6 +5,7 @@
 #include "tests/support/program.h"
 #include "tests/support/test_class.h"
 
+#include <QDir>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -32,6 +33,8 @@ class OptionsTest : public QObject {
     void wrongUsageEndsWithTwoAndPointsToHelp_data();
     void wrongUsageEndsWithTwoAndPointsToHelp();
     void withoutDisplayTheIdeSaysWhatToDo();
+    void subcommandsStartWithoutQt();
+    void aWindowThatIsNotInstalledEndsWithThree();
     void theShippedManualPageIsMadeFromTheTables();
 
   private:
@@ -221,6 +224,33 @@ void OptionsTest::withoutDisplayTheIdeSaysWhatToDo() {
                                           test::source("scenes/table.sdl"));
     QCOMPARE(ended.exitCode, 2);
     QVERIFY2(ended.err.contains("`carom run SCENE` simulates without"), qPrintable(ended.err));
+}
+
+void OptionsTest::subcommandsStartWithoutQt() {
+    // Loading it took 13 of the 16 ms of a start.
+    const test::Ended ended = test::shell("LD_TRACE_LOADED_OBJECTS=1 \"$carom\"");
+    QVERIFY2(ended.out.contains("libc.so"), qPrintable(ended.out)); // or it was not asked
+    QVERIFY2(!ended.out.contains("Qt"), qPrintable(ended.out));
+}
+
+void OptionsTest::aWindowThatIsNotInstalledEndsWithThree() {
+#ifdef CAROM_CHARTS
+    const QTemporaryDir folder;
+    const QString copy = folder.filePath("bin/carom");
+    QVERIFY(QDir(folder.path()).mkdir("bin") && QFile::copy(QStringLiteral(CAROM_PROGRAM), copy));
+    const QString why =
+        "cannot start `" + folder.filePath("lib/carom/carom-window") + "`: No such file or directory";
+    const QString scene = test::source("scenes/table.sdl");
+    for (const QStringList& words : {QStringList{scene, "--picture", folder.filePath("a.png")},
+                                     {"study", "accuracy", scene, "-o", folder.filePath("out")}}) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("DISPLAY", ":987");
+        const test::Ended ended = test::runCommand(copy, words, {}, environment);
+        QCOMPARE(ended.exitCode, 3);
+        QVERIFY2(ended.err.contains(why), qPrintable(ended.err));
+    }
+    QCOMPARE(test::runCommand(copy, {"check", scene}).exitCode, 0);
+#endif
 }
 
 void OptionsTest::theShippedManualPageIsMadeFromTheTables() {
