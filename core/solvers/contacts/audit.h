@@ -7,8 +7,8 @@
 #include <span>
 
 // What the impulses of a contact problem did, for the ledger: p · (u + u')/2 in each direction, with the mean
-// of the bodies' velocities before and after. Momentum is given only by immobile bodies; between two mobile
-// ones it passes on.
+// of the bodies' velocities before and after. Only immobile bodies change the total momentum; between two
+// mobile ones it is exchanged.
 
 namespace carom {
 

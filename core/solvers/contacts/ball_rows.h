@@ -19,11 +19,11 @@
 //     ball, ball    d = xB − xA                   gap = |d| − rA − rB    n = d/|d|
 //     wall, ball    d = xB − a point of the wall  gap = n · d − rB       n is the wall's
 //
-// refresh() looks whether the two can meet within the substep as they move. Where they do, n is that of the
+// refresh() tests whether the two can meet within the substep as they move. Where they do, n is that of the
 // moment of their meeting, and where they pass each other by, of their nearest approach. A pair that cannot
 // meet has no masses, so passes do nothing to it, until findStruck() sees that impulses make it close its
-// gap; a group of such pairs is idle, and left out. What a pair does so never depends on who shares its
-// group.
+// gap; a group of such pairs is idle, and left out. So the result of a pair does not depend on the other
+// pairs of its group.
 //
 // Of balls the normal impulse turns nothing, and friction does not change uₙ.
 
@@ -75,7 +75,7 @@ class BallRows {
 
     void clear();
     /// Of those that share a body, pairs are solved in the order in which they were added, or backwards,
-    /// whoever else is there (lane_packer.h). `source` is given back by forEach.
+    /// whatever other pairs there are (lane_packer.h). `source` is given back by forEach.
     void add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
              std::span<const SolverBody> bodies);
     /// Pairs stay whose source gets a number other than noPair, in the groups and lanes they are in, with the

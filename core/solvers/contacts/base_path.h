@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-// Who takes the base path, and for how long: bodies enter with all pairs that can touch for a while, so that
-// the substeps search for nothing.
+// The bodies on the base path: they enter with all pairs that can touch for some time, so that substeps need
+// no search.
 //
 //     reach    how far a body's surface comes within a frame, and some times as far in its last
 //              substep; bodies within reach of each other share the larger one, since one may strike the
@@ -57,7 +57,7 @@ class BasePath {
     /// By body: 0 for those that are not here, otherwise a number for all that are in one block.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
-    /// Sees to it that the pairs serve for another `substep` [s]. The few that may outrun their reach, or be
+    /// Ensures that the pairs are valid for another `substep` [s]. The few that may outrun their reach, or be
     /// struck by one of those, get a new one for `time` [s] and `skin` times their size, and the pairs that
     /// are within it. False if some islands are marked: those must leave.
     bool renew(const SteppedInput& input, double substep, double time, double skin, Neighbours& neighbours,

@@ -10,9 +10,10 @@
 
 // When bodies of the base path, whose forces balance less exactly than those of refined islands, are put to
 // sleep: after so long, in units of the time √(size/g) in which they would fall their own size, within a
-// small part of their size, and when they are slow. What is unstable grows by a factor e in about that unit,
-// so it would have gone that way in the last of them alone, and what creeps steadily goes it soon. In a heap
-// of hundreds there is always one that slips a little, for a moment: it keeps nobody awake.
+// small part of their size, and when they are slow. An unstable motion grows by a factor e in about that
+// unit, so it would have left that distance in the last of them alone, and a steady slow motion leaves it
+// soon. In a heap of hundreds some body always slips a little for a moment: that does not keep the others
+// awake.
 
 namespace carom {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-// Which pairs of the bodies that move in islands (the members) are worth a look in a substep: those that may
-// touch within it, and those so near that their forces are remembered through small hops. Pairs with what
-// cannot move are among them, pairs with mobile bodies that are no members are not.
+// The pairs of the bodies that move in islands (the members) that a substep must test: those that may touch
+// within it, and those so near that their forces are kept through small bounces. Pairs with what cannot move
+// are among them, pairs with mobile bodies that are no members are not.
 
 namespace carom {
 
@@ -20,13 +20,13 @@ class Candidates {
 
     /// Takes note of how far the members come in the substep that the neighbours followed last, and of the
     /// pairs among them, without those of two that are `placed` (by body, not 0: its pairs with others that
-    /// are placed and with what cannot move are known). False if that takes somebody beyond what was
+    /// are placed and with what cannot move are known). False if a body may come further than what was
     /// searched: the neighbours must search, and be asked again.
     bool look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed, Neighbours& neighbours);
 
-    /// How far a member's surface may come [m]: a body about to be hit may leave as fast as what hits it
-    /// comes, so neighbours share their reach.
+    /// How far a member's surface may come [m]: a body that is struck may leave as fast as the striker, so
+    /// neighbours share their reach.
     double reach(BodyIndex member) const { return m_reach[member]; }
     /// Pairs that may touch, ascending.
     std::span<const BodyPair> find(const Bodies& bodies, const State& state);

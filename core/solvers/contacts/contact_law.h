@@ -4,7 +4,7 @@
 #include "core/solvers/contacts/velocity_solve.h"
 #include "core/solvers/contacts/wide_bodies.h"
 
-// The law of a contact point, as the head comment of velocity_solve.h has it, for four points at a time.
+// The law of a contact point (see the head comment of velocity_solve.h), for four points at a time.
 
 namespace carom {
 
@@ -64,7 +64,7 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
         bias = (row.approach > zero) & (row.normal > zero) ? -group.restitution * row.approach : bias;
     const Wide wanted = row.normal - row.massNormal * share * (speed + bias) - decay * row.normal;
     Wide normal = larger(wanted, zero);
-    if constexpr (pass != Pass::Feedback) // what is still open and not needed yet is left to the next step
+    if constexpr (pass != Pass::Feedback) // impulses of open contacts are left to the next step
         normal = (gap > zero) & (row.normal == zero) ? zero : normal;
     const Wide dn = normal - row.normal;
     if constexpr (pass == Pass::Relax) {

@@ -21,7 +21,8 @@
 //              p    impulse on B; the opposite acts on A
 //
 // The same form serves three times: for velocities in the smooth motion, for velocities in an impact (b from
-// restitution), and with lengths for velocities and gaps for b to part overlapping bodies.
+// restitution), and with lengths for velocities and gaps for b in the position correction of overlapping
+// bodies.
 
 namespace carom {
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-// What the velocity solve works on, laid out for registers that hold four doubles.
+// The data of the velocity solve, laid out for registers of four doubles.
 //
 //     group    four pairs of bodies, no body twice, so that four lanes are solved at once
 //     point    one contact point of each of the four pairs
@@ -38,7 +38,7 @@ struct PairInput {
     double friction = 0, restitution = 0;
     double rolling = 0;         ///< [m]
     Vec3 torque = Vec3::Zero(); ///< of rolling resistance, on B, world [N m s]; where the solve begins
-    double push = 0;            ///< an overlap is moved apart no faster than this [m/s]
+    double push = 0;            ///< position correction is no faster than this [m/s]
     std::span<const PointInput> points;
 };
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
-// The figures by which the method `contacts` decides. All are relative to the scene's own sizes, gravity and
-// substep: none is a length or a speed.
+// The constants of the method `contacts`. All are relative to the scene's own sizes, gravity and substep:
+// none is a length or a speed.
 
 namespace carom {
 
@@ -15,7 +15,7 @@ namespace carom {
 inline constexpr double speedRounding = 4e-15;
 
 /// A gap or overlap up to this part of the smaller body's size counts as touching: neither pushed apart nor
-/// waited for. Without the dead band the rounding of positions would show up, divided by the substep, as
+/// waited for. Without this slop the rounding of positions, divided by the substep, would appear as
 /// inconsistent speeds at redundant contact points. It is 1e-16 of the coordinates; so far from the origin,
 /// where that is more, the band is what the coordinates can resolve.
 inline constexpr double contactSlop = 1e-9;
@@ -44,8 +44,8 @@ inline double leastImpactPart(double restitution) {
 }
 
 /// Where more than half of the events of a substep are used up, closing speeds below this part of the
-/// fastest are no impact, either: a rim that rattles as it falls flat would go through its series of bounces
-/// until no event is left for what strikes hard.
+/// fastest are no impact, either: a rim that bounces as a disc falls flat would use up all events, and none
+/// would be left for stronger impacts.
 inline constexpr double rattling = 1e-2;
 
 /// No part of a substep is shorter than this part of it: forces are impulses over a duration.

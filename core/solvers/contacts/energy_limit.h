@@ -8,12 +8,12 @@
 #include <vector>
 
 // Newton's law of impact for several contacts at once may gain energy, all the more as few passes do not
-// solve it. So the rebound goes from the velocities before it, v, to those after it, v + Δv, only as far as
-// the kinetic energy T of the island allows:
+// solve it. So the change of velocities by restitution, from v to v + Δv, is scaled so that the kinetic
+// energy T of the island does not increase:
 //
 //     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit
 //
-// Contacts do not close by that: they parted at s = 0 and at s = 1.
+// No contact closes by that: all separate at s = 0 and at s = 1.
 //
 // The same holds for impulses that are carried over from the step before, p: forces give no energy, since
 // pᵀu ≤ 0 for the velocities u that they lead to, so T(v + M⁻¹Jᵀp) ≤ T(v); where it is larger, p is not that

@@ -16,13 +16,13 @@
 
 // The contacts of a substep, in two forms. Bodies that took the base path in the substep before have their
 // contacts carried along as manifolds; the others have them found anew by the exact kernels, with the forces
-// they had. Who goes on in the other form has his contacts turned into it.
+// they had. Contacts of bodies that change form are converted.
 //
 //     found      pairs with points, or that may come to touch; with a manifold or without. Of balls the
 //     points
 //                are found where somebody asks for them.
 //     apart      carried for the direction in which the pair is apart
-//     distant    carried, of pairs that cannot touch within the substep; who is not taken over is dropped
+//     distant    carried, of pairs that cannot touch within the substep; dropped if not taken over
 
 namespace carom {
 
@@ -44,8 +44,8 @@ class FoundContacts {
     const Manifolds& manifolds() const { return m_manifolds; }
     void recall(const Manifolds& manifolds) { m_manifolds = manifolds; }
 
-    /// Some of the pairs, with points where they are now, found by the exact kernels. Manifolds that they had
-    /// stay beside, for whom is left unfinished.
+    /// Some of the pairs, with points where they are now, found by the exact kernels. Their manifolds are
+    /// kept as well, for islands that remain unfinished.
     void makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
     /// Some of the pairs, with manifolds.
     void makeManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);

@@ -11,15 +11,16 @@
 
 // Impacts at one instant, by Newton's law for every contact that bodies close at: u' = −e u.
 //
-// Sequential (the default): the contact with the largest closing speed first, until none closes any more. A
-// Newton's cradle comes out right, because its impacts do happen one after the other. Contacts that tie with
-// the largest and share a body with it have no order and are solved together, as are all points of one pair
-// (taken in turn, the corners of a flat landing would set it spinning). For contacts without friction that is
+// Sequential (the default): the contact with the largest closing speed first, until none closes any more.
+// Newton's cradle is treated correctly, because its impacts do happen one after the other. Contacts that tie
+// with the largest and share a body with it have no order and are solved together, as are all points of one
+// pair (in sequence, the corners of a body that lands flat would set it spinning). For contacts without
+// friction that is
 //
 //     W p = −(1+e) u,   W = J M⁻¹ Jᵀ
 //
 // solved in both orders of elimination and averaged, so that a mirror image gives mirrored bits. One contact
-// with friction that sticks, or slips between spheres, where a push along the normal turns nobody, has a
+// with friction that sticks, or slips between spheres, where a normal impulse turns neither body, has a
 // closed form, too. What is left, and where W is singular or a pull would result, is left to the Newton
 // solver with u' + e u >= 0 for u >= 0. Perfectly plastic contacts (e = 0) are all solved together: one after
 // the other would never end in a stack. Simultaneous: all contacts at once.

@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
-// Which bodies impulses can reach within a substep. Most bodies of a thin scene are near others and meet none
-// of them: as long as nothing strikes them they move on their parabola, and no island need hold them.
+// The bodies that impulses can reach within a substep. Most bodies of a sparse scene are near others but
+// touch none of them: as long as nothing strikes them they move on a parabola and need not be in an island.
 //
 //     sources   bodies of pairs that may meet as they move, on springs, and on the base path: reached at 0
 //     spread    a body that is reached at t may from then on move anywhere at a speed S, at most reachFactor
-//               times as fast as anybody that had part in it comes; its neighbour k is on its own way:
+//               times the speed of any body involved; its neighbour k moves on its own path:
 //
 //                   i ──── gap(t) ──── k        t_k = t + (gap(t) − slack)/(S + s_k)
 //

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-// Moves the islands of a substep, side by side where there are several threads. Islands know nothing of each
-// other: each is moved by one worker alone, and what the workers have done is collected in the order of
-// islands. So the bits depend neither on the number of threads nor on who took what.
+// Moves the islands of a substep, side by side where there are several threads. Islands are independent: each
+// is moved by one worker, and results are collected in the order of islands. So the bits depend neither on
+// the number of threads nor on which worker moved which island.
 
 namespace carom {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-// Bodies that touch, directly or through other mobile bodies, form an island; islands know nothing of each
-// other and are moved one by one. Walls and fixed bodies carry no motion, so they join nothing.
+// Bodies that touch, directly or through other mobile bodies, form an island; islands are independent and are
+// moved one by one. Walls and fixed bodies transmit no motion, so they do not join islands.
 
 namespace carom {
 

@@ -17,10 +17,10 @@
 //     pairs    (1,2)  (1,3)  (2,3)  (4,5)  (4,6)
 //     groups   (1,2) (4,5)    |    (1,3) (4,6)    |    (2,3)
 //
-// So pairs that share a body are in the order in which they came, and pairs that share none do not matter to
-// each other: a pass through the groups does, to the bit, what a pass through the pairs one after the other
-// does, whoever else is there. The price is that a chain of pairs, each of which shares a body with the next,
-// has a group for each.
+// So pairs that share a body are in the order in which they came, and pairs that share none are independent:
+// a pass through the groups gives, to the bit, the result of a pass through the pairs one after the other,
+// whatever other pairs there are. The cost is that a chain of pairs, each of which shares a body with the
+// next, has a group for each.
 //
 // Which groups have room is a set of bits, so that looking for one is a step for every 64 of them.
 
@@ -52,7 +52,7 @@ class LanePacker {
     void reserve(std::size_t bodies) {
         if (m_next.size() < bodies) m_next.resize(bodies, 0);
     }
-    /// Bodies without motion do not exclude each other: `shared` is one.
+    /// A body that cannot move may be in several lanes of a group: `shared` is one.
     Place place(std::uint32_t a, std::uint32_t b, std::uint32_t shared, std::size_t kind = 0) {
         const std::uint32_t first = std::max(a == shared ? 0 : m_next[a], b == shared ? 0 : m_next[b]);
         std::size_t group = openFrom(first, kind);

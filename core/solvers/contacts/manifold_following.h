@@ -4,15 +4,15 @@
 #include "core/narrowphase/core_direction.h"
 #include "core/solvers/contacts/manifolds.h"
 
-// How a contact of cylinders and cuboids follows them between the times at which its points are found. What
-// is left where it was found pushes: a cylinder whose points stay behind as it rolls is driven on by them.
+// How a contact of cylinders and cuboids follows them between the times at which its points are found. Points
+// that stay where they were found would drive a rolling cylinder on.
 //
 //     normal   across a face, two edges, or the side of a cylinder and a rim: as that is now; otherwise fixed
 //              to A
 //     points   fixed to both bodies, but for those below the side or the rim of a cylinder: they turn about
 //     its
 //              axis as the normal does, and the other body's point is straight across
-//     limits   of what slides and turns: first-order errors are of where a face or a line ends
+//     limits   where bodies slide and turn, the ends of faces and lines are off by first-order errors
 
 namespace carom {
 

@@ -14,11 +14,11 @@
 #include <variant>
 #include <vector>
 
-// Contacts of bodies on the base path outlast the substep. While two bodies keep their relative pose to
+// Contacts of bodies on the base path persist over substeps. While two bodies keep their relative pose to
 // within a third of a percent of their size and of a degree, or a fifteenth of that where nothing is known of
 // the normal, their points are not looked for anew: points that follow both bodies (manifold_following.h)
-// tell the gap. This saves most of the narrow phase, and it is what lets cylinders stand: points of a disc
-// that are chosen anew each time go round the rim, and forces with them.
+// tell the gap. This saves most of the narrow phase, and it keeps cylinders upright: points of a disc that
+// are chosen anew each time would move around the rim, and the forces with them.
 //
 //     found      by the kernels of core/narrowphase, for cylinders and cuboids by the direction of their
 //     cores
@@ -31,8 +31,8 @@
 // Between spheres nothing is carried but the force: their contact is computed each time, with the normal they
 // will have when they meet within the substep (or pass each other by).
 //
-// Most pairs near each other do not touch within a substep, and cost no row: they are open. Which these are
-// follows from how the two move; where an impulse has changed that, stepped_motion.h looks again.
+// Most pairs near each other do not touch within a substep and need no row: they are open. Whether a pair is
+// open follows from how the two move; where an impulse has changed that, stepped_motion.h tests it again.
 
 namespace carom {
 
@@ -49,8 +49,9 @@ inline bool isSphere(const Bodies& bodies, BodyIndex i) {
 /// The contact of two bodies, as it is carried from substep to substep.
 struct PersistentManifold {
     /// Relative poses within this part of the smaller body's size and this angle [rad] keep their points
-    /// where these do not follow. What rolls leaves them behind by up to that, so that they push it on: at
-    /// ten times as much cylinders that rock in a heap do so ever more.
+    /// where these do not follow. The points of rolling bodies lag by up to that and drive them on: at ten
+    /// times as much, cylinders that rock in a heap gain amplitude; at a tenth, points are computed about ten
+    /// times as often.
     static constexpr double keptWithin = 0.0002, keptAngle = 0.0002;
 
     struct Point {

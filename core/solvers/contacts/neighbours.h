@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-// The pairs that can meet in the next few substeps. A search costs more than anything else in a thin scene,
-// so each body gets a skin, the broad-phase finds the pairs whose skins overlap, and they serve until some
-// body has used its skin up (L. Verlet, "Computer experiments on classical fluids", 1967):
+// The pairs that can meet in the next few substeps (a Verlet list). A search is the largest cost of a sparse
+// scene, so each body gets a skin, the broad-phase finds the pairs whose skins overlap, and they are valid
+// until some body has moved by its skin (L. Verlet, "Computer experiments on classical fluids", 1967):
 //
 //        ______________
 //       /  ____   skin \         serves while   moved + path <= skin   for every body
@@ -23,8 +23,8 @@
 //
 // Where only some have used it up, all others are compared with these, and the rest of the lists stays.
 //
-// Whoever uses the list tests its pairs for what they are now: what happens depends neither on the skins nor
-// on when they were renewed, only the time it takes does.
+// Users of the list test its pairs at their present poses: the motion depends neither on the skins nor on
+// when they were renewed, only the time does.
 
 namespace carom {
 
@@ -52,7 +52,7 @@ class Neighbours {
   public:
     explicit Neighbours(const Bodies& bodies);
 
-    /// Takes note of where the bodies are and how far each comes within `duration` [s] under its velocity and
+    /// Records where the bodies are and how far each comes within `duration` [s] under its velocity and
     /// gravity. Searches if the list could miss a pair.
     void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration, Broadphase& broadphase);

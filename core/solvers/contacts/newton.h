@@ -21,11 +21,11 @@
 //              Dₙₙ  = 1 if zₙ > 0;  Dₜₜ = 1 sticking, (r/|zₜ|)(1 − t tᵀ) slipping, r = μ pₙ, t = zₜ/|zₜ|
 //     step     H s = −G;  v ← v + α s with sᵀG(v + α s) = 0, which needs only u and du of each contact
 //
-// H leaves out how the slip radius r depends on pₙ, which keeps it symmetric positive definite, and the step
-// downhill; G has it, so the solution is exact. Where that converges slowly the whole derivative of G is
-// factored instead (not symmetric, Alart and Curnier's) and its step is taken if it helps. H contains M:
-// redundant contacts (four corners of a cube) need no care. A larger κ makes the outer loop converge faster
-// and conditions H worse.
+// H omits the dependence of the slip radius r on pₙ, which keeps it symmetric positive definite and the step
+// a descent direction; G includes it, so the solution is exact. Where that converges slowly the whole
+// derivative of G is factored instead (not symmetric, Alart and Curnier's) and its step is taken if it helps.
+// H contains M: redundant contacts (four corners of a cube) need no special treatment. A larger κ makes the
+// outer loop converge faster and conditions H worse.
 //
 // Masses enter H in a unit of the problem and pivots are chosen with lengths in a unit of each body, powers
 // of two both: the same problem in other units gives the same bits. (Roots of masses would differ for every

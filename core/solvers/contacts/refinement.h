@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-// Which islands are solved to the tolerance, with their impacts located, and how much work each may take. All
-// others take the base path. Nothing is decided by what an island looks like, only by work (work_budget.h):
+// The islands that are solved to the tolerance, with their impacts located, and the work that each may take.
+// All others take the base path. Only the amount of work decides (work_budget.h):
 //
 //     budget     a floor, so that small scenes are as exact as can be, and a part for every body and contact
 //     order      islands that are expected to cost least come first, while the budget lasts
@@ -26,8 +26,8 @@
 //                The base path's work is paid from the same budget, so what moves all the time saves nothing.
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
-//                ... 63 substeps: an island that moves all the time costs attempts in vain ever more seldom,
-//                one that has just been put down is solved from the forces the base path has found
+//                ... 63 substeps: for an island that moves all the time failed attempts become rare, one that
+//                has just come to rest is solved from the forces of the base path
 //
 // A frame's work is at most mostShares times the floor and mostOverrun times the budget, forSprings times
 // that where there are springs, what was saved, the overrun of one step of each solver, and the base path.

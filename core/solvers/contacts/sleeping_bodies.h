@@ -9,18 +9,18 @@
 #include <span>
 #include <vector>
 
-// Bodies at rest sleep: they are left alone until something may touch them.
+// Bodies at rest sleep: they are not simulated until something may touch them.
 //
 // A refined island is put to sleep after a substep that began and ended with all its velocities zero and
 // moved nothing: its forces balance, and the substeps to come would find the same. (What is slower than the
 // tolerance of the contact problem has been stopped before, IslandMotion::settle.) One on the base path,
-// whose forces balance less exactly, after it has been slow for long enough that nothing unstable can hide in
-// it (contacts.cpp). An island is woken whole, with the forces it had when it fell asleep:
+// whose forces balance less exactly, after it has been slow for so long that no unstable motion can be in it
+// (contacts.cpp). An island is woken whole, with the forces it had when it fell asleep:
 //
 //     reach      a body that moves may touch one of it within the substep
-//     velocity   somebody gave one of it a velocity: a ball that hit it, an edit
+//     velocity   one of its bodies was given a velocity: by a ball that hit it, by an edit
 //
-// Until then a substep does not look at it: its pairs are not searched, collided or solved for.
+// Until then a substep skips it: its pairs are not searched, collided or solved for.
 
 namespace carom {
 

@@ -6,8 +6,7 @@
 #include <array>
 #include <cstddef>
 
-// A body as the velocity solve works on it, in one record of 128 bytes that registers of four doubles load
-// whole.
+// A body in the velocity solve: one record of 128 bytes, loaded as registers of four doubles.
 
 namespace carom {
 

@@ -9,15 +9,15 @@
 #include <span>
 #include <vector>
 
-// A few passes do not solve for springs that share bodies, and where these are stiff, what is left of the
-// error takes the bodies to where the springs hold many times the energy that there was. So an island with
-// springs moves in a step only as far as its energy allows:
+// A few passes do not solve for springs that share bodies, and where these are stiff, the remaining error
+// moves the bodies to where the springs store many times the energy that there was. So an island with springs
+// moves in a step only as far as its energy allows:
 //
 //     x + h (v̄ + s (v − v̄))   the largest s ≤ 1 with  T(s) + V(s) <= T₀ + V₀ + W
 //
 //     legend   v, T, V  velocities, kinetic energy, energy of the springs; T₀ with what gravity has added
 //              v̄  the motion of the island as a whole, 0 if anything fixed holds it;  h  the step [s]
-//              W  what moving overlaps apart may add to the springs
+//              W  what position correction may add to the springs
 //
 // There is such an s, since V(0) = V₀. Contacts that are open at v stay so: at s = 0 nothing closes. At the
 // end of the step the same is done with the velocities alone, to which V has been added as it then is.
