@@ -22,7 +22,7 @@ namespace {
 
 std::atomic<bool> signalled = false; ///< the handler runs on any thread, and the watching one reads it
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
-std::array<int, 2> wakePipe{-1, -1}; ///< written to by the handler and by whoever ends the watching
+std::array<int, 2> wakePipe{-1, -1}; ///< written to by the handler and at the end of the watching
 
 extern "C" void noteSignal(int) {
     signalled = true;

@@ -205,7 +205,7 @@ void openResults(const Arguments& arguments, PlannedStudy& study) {
                           hashOfScene(study.built.analysis.text), studyOrigin(command, arguments));
 }
 
-/// Runs a study as long as its budget lasts, or until somebody interrupts it.
+/// Runs a study until its budget ends or it is interrupted.
 AccuracyStudy run(const PlannedStudy& planned, const KnownPoints& known) {
     auto progress = std::make_unique<Progress>(static_cast<std::int64_t>(std::ceil(planned.plan.budget)),
                                                "s of the budget");

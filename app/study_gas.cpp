@@ -63,7 +63,7 @@ void writeFigures(const GasStudy& study, const std::string& folder, const StudyO
     writeFile(folder, "summary.txt", summaryOf(study));
 }
 
-/// Runs one study to its end, or until somebody interrupts it, and writes what it has.
+/// Runs one study until it ends or is interrupted, and writes what it has.
 GasStudy run(const PlannedGas& gas, const GasPlan& plan, const StudyOrigin& origin) {
     if (gas.folder) makeFolder(*gas.folder);
     const auto write = [&](const GasStudy& study) {

@@ -8,7 +8,7 @@ struct stat;
 
 namespace carom {
 
-/// Who may read a file that was not there before. One that is replaced keeps its permissions.
+/// Permissions of a new file. One that is replaced keeps its own.
 enum class FileReaders { Everybody, OwnerOnly };
 
 /// Replaces a file as a whole: readers see the old content or the new, never a part, whatever fails and

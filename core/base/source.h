@@ -6,7 +6,7 @@
 #include <vector>
 
 // Places in a text. Everything that points into a scene's text does so by byte offset and length; lines and
-// columns are computed only where somebody reads them.
+// columns are computed only where they are shown.
 
 namespace carom {
 

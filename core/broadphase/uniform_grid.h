@@ -59,7 +59,7 @@ class UniformGrid final : public Broadphase {
     std::vector<std::uint32_t> m_starts;        ///< first place of a slot; one more for the end
     std::vector<Placed> m_placed;               ///< by slot, then entry; after them the loose ones
     BoxColumns m_boxes;                         ///< of m_placed
-    std::vector<BoxRange> m_ranges;             ///< of m_placed: whom one of them is compared with
+    std::vector<BoxRange> m_ranges;             ///< of m_placed: those that one of them is compared with
     std::vector<std::uint32_t> m_hits;          ///< of these
     std::uint32_t m_inTable = 0;                ///< of m_placed
     std::uint64_t m_mask = 0;                   ///< slots - 1

@@ -33,7 +33,7 @@ class BodyLabels {
     /// The body that carries the label written at `label` (noBody for `world`); nothing, and reported, where
     /// no built body does.
     std::optional<BodyIndex> find(SourceRange label);
-    /// A family of its own for a label that claimForOther took; nobody is in it yet.
+    /// A family of its own for a label that claimForOther took; it is empty yet.
     BodyFamily makeFamily(SourceRange label);
     /// Those of makeFamily, or the bodies whose labels are this one and a number; none where a declaration
     /// carries the very label.

@@ -9,8 +9,8 @@
 namespace carom {
 
 /// Another run beside the one on screen, at the time of the snapshot it comes with: the one that an exchanged
-/// scene took the place of, or one that somebody asked for. Both null where there is none, or where it never
-/// came so far.
+/// scene took the place of, or one that was asked for. Both null where there is none, or where it did not
+/// reach this time.
 struct Ghost {
     std::shared_ptr<const Pipeline> pipeline;
     std::shared_ptr<const Snapshot> snapshot;

@@ -23,8 +23,7 @@ struct ContactForce {
     bool slides() const;
 };
 
-/// The state of a world at a frame, for whoever shows or writes it. A value: it shares nothing with the
-/// world.
+/// The state of a world at a frame, to be shown or written. A value: it shares nothing with the world.
 struct Snapshot {
     std::int64_t frame = 0;
     double time = 0;        ///< [s]

@@ -43,7 +43,7 @@ void pass(double part, const LedgerEntry& amount, LedgerEntry& from, LedgerEntry
     to.momentum += part * amount.momentum;
 }
 
-/// Who has what no other account of a network explains: the springs, else the last term.
+/// The account for what no other account of a network explains: the springs, else the last term.
 LedgerAccount remainderOf(const SpringNetwork& network) {
     const bool isDriven = network.springs.empty() && !network.bodies.forces.empty();
     return isDriven ? network.bodies.forces.terms.back()->account() : LedgerAccount::Spring;

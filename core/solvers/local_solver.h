@@ -5,17 +5,17 @@
 
 #include <memory>
 
-// A method in terms of its own: bodies numbered canonically and coordinates from an origin near the scene
-// (dynamics/numbering.h). What the method does then depends neither on the order of declarations nor, but for
-// the rounding of the numbers in the text, on where the scene lies.
+// A method with its own numbering and origin: bodies numbered canonically and coordinates from an origin near
+// the scene (dynamics/numbering.h). Its results then depend neither on the order of declarations nor, except
+// for the rounding of the numbers in the text, on the position of the scene.
 //
 //     state of the world ── enter ──▶ own state ── the method ──▶ own state ── leave ──▶ state of the world
 //                     renumber, − origin                                renumber, + origin
 //
-// Within a frame nobody else looks at the world's state, so it goes to and fro once a frame. Far out a
-// coordinate of the world has fewer digits than one near the origin; what it rounds off is kept as
-// State::positionRest, so that going to and fro changes no bit of a place and the world's state is all there
-// is to save.
+// Nothing else reads the world's state within a frame, so it is converted once a frame. Far from the origin a
+// coordinate of the world has fewer digits than one near it; its rounding error is kept as
+// State::positionRest, so that the conversion there and back is exact and the world's state is all that must
+// be saved.
 
 namespace carom {
 
@@ -23,7 +23,7 @@ enum class Numbering { AsDeclared, Canonical };
 
 using MakeSolver = std::unique_ptr<Solver> (*)(const Bodies& bodies, const SolverSettings& settings);
 
-/// The method that `make` makes, in terms of its own; by itself where these are the scene's.
+/// The method that `make` makes, with its own numbering and origin; unchanged where these are the scene's.
 std::unique_ptr<Solver> inOwnTerms(const Bodies& bodies, const SolverSettings& settings, Numbering numbering,
                                    MakeSolver make);
 

@@ -61,7 +61,7 @@ struct SolverInput {
     Broadphase& broadphase;
     Workers& workers;
     State& state;             ///< changed in place
-    Ledger* ledger = nullptr; ///< records what is done, where somebody keeps one
+    Ledger* ledger = nullptr; ///< the audit, where one is kept
     /// This substep of the frame, and how many it has. Only at the end of the last one need the state be that
     /// of one time for all bodies.
     int part = 0, parts = 1;
@@ -185,7 +185,7 @@ struct SolverRow {
     bool isGeneral = false;
     std::string_view choice = {};          ///< of an exact method: a clause, why `auto` takes it where it can
     std::string_view integrator = "euler"; ///< that fits it, where no other one is asked for
-    int iterations = 0; ///< sweeps a substep where nobody asks for others; 0: the method does not iterate
+    int iterations = 0;                    ///< sweeps a substep by default; 0: the method does not iterate
     std::array<PresetValues, presetCount> presets = {}; ///< in the order of scene/presets.def
     /// With these settings and so many contact points at the start. Null: whatever the ratio.
     MassRatioLimit (*massRatioLimit)(const SolverSettings& settings, std::size_t points) = nullptr;

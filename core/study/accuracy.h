@@ -80,7 +80,7 @@ struct AccuracyPoint {
     std::optional<ImpactErrors> impacts{};  ///< where they can be seen
     std::optional<OutcomeErrors> outcome{}; ///< what is left at the end, where the reference knows it
     std::optional<CrowdFigures> crowd{};    ///< of a crowd, beyond the horizon
-    double instructions = 0;                ///< a simulated second, where somebody counted them
+    double instructions = 0;                ///< a simulated second, where they were counted
     std::vector<double> times{};            ///< [ms] a simulated second, a run each
     double longestStep = 0;                 ///< [s] of wall time, of the run that gave the errors
 

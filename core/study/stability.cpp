@@ -37,7 +37,7 @@ std::span<const HardCase> hardCases() {
 
 namespace {
 
-/// Names that are somebody's, in which files have no apostrophe.
+/// Names with a possessive; file names have no apostrophe.
 constexpr std::string_view possessive = "eulers", apostrophised = "Euler's";
 
 } // namespace

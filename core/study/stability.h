@@ -117,7 +117,7 @@ struct StabilityStudy {
     bool allHold() const;
 };
 
-/// Who watches a study. All may be empty.
+/// The listener of a study. All may be empty.
 struct StabilityListener {
     std::function<bool()> goOn; ///< false ends the study; asked every frame
     std::function<void(const HardCase&, StudyColumn)> starts;

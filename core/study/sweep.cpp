@@ -13,7 +13,8 @@
 namespace carom {
 namespace {
 
-/// The draw of a parameter in a run of random ones, by its place alone: whoever runs it draws the same.
+/// The draw of a parameter in a run of random ones, by its place alone: every program that runs it draws the
+/// same.
 double drawnValue(const SweptParameter& parameter, std::size_t number, std::size_t draw, std::uint64_t seed) {
     Hash64 stream;
     stream.add(static_cast<std::uint64_t>(number));

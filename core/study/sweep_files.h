@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-// What stands in the folder of a sweep, whoever has made it:
+// The files in the folder of a sweep, made by the program or by the window:
 //
 //     sweep.txt       the definition, the program's version and a hash: what the folder belongs to
 //     scene.sdl       the scene's text, where it is not generated

@@ -43,8 +43,8 @@ using SweepGoOn = std::function<bool()>;
 /// One run; nothing where it was ended.
 std::optional<SweepResult> runOf(const Sweep& sweep, std::size_t run, const SweepGoOn& goOn);
 
-/// Who takes what comes of the runs. Both are called from the threads that run; `ended` by one at a time, as
-/// they end, in whatever order that is.
+/// The receiver of results. Both are called from the threads that run; `ended` by one at a time, as they end,
+/// in whatever order that is.
 struct SweepListener {
     SweepGoOn goOn;
     std::function<void(const SweepResult& result)> ended;

@@ -62,8 +62,8 @@ class EventQueue {
     }
 
     /// The body with the earliest event not after `limit`, or nobody. Of equal times the one wins that
-    /// `before(i, j)` says; a strict order. Who is first some days later is shown to
-    /// `preview(i, soon)`: first when that is still far, then when it is soon.
+    /// `before(i, j)` says; a strict order. The first events of later days are passed to `preview(i, soon)`:
+    /// once some days before, and again when they are near.
     template<class Before, class Preview>
     std::uint32_t earliest(EventRecords records, double limit, const Before& before, const Preview& preview) {
         if (m_count == 0) return nobody;

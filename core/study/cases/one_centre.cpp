@@ -6,7 +6,7 @@
 #include <array>
 
 // Many bodies with one centre: whether a second run is the same to the bit, and, in the long form, more of
-// them than a scene can hold that somebody reads.
+// them than a readable scene can hold.
 
 namespace carom {
 namespace {
