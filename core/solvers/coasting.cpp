@@ -24,7 +24,7 @@ LedgerEntry rateOf(const ForceTerm& term, SpringNetwork& network, const State& s
     SpringNetwork::Scratch& scratch = network.scratch;
     scratch.samples.clear();
     for (const BodyIndex i : network.moving)
-        if (term.actsOn(i))
+        if (network.bodies.forces.actOn(i)) // where another term acts this one gives 0
             scratch.samples.push_back({i, state.pose[i], state.velocity[i], state.angularVelocity[i]});
     scratch.values.assign(scratch.samples.size(), ForceValue{});
     term.add(scratch.samples, scratch.values);

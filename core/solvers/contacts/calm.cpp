@@ -37,10 +37,15 @@ bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, cons
            speed * speed <= calmSpeed * calmSpeed * gravity.norm() * size;
 }
 
-bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity) {
+bool Calm::mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity) {
     if (!bodies.forces.actOn(body)) return false;
-    const double speed = calmSpeed * std::sqrt(gravity.norm() * bodies.boundingRadius[body]);
-    return bodies.forces.most(body, speed) > bornePart * bodies.mass[body] * gravity.norm();
+    Floating& floating = m_floating[body];
+    if (floating == Floating::Unknown) {
+        const double speed = calmSpeed * std::sqrt(gravity.norm() * bodies.boundingRadius[body]);
+        const bool bears = bodies.forces.most(body, speed) > bornePart * bodies.mass[body] * gravity.norm();
+        floating = bears ? Floating::Yes : Floating::No;
+    }
+    return floating == Floating::Yes;
 }
 
 void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger) {

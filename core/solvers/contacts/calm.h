@@ -5,6 +5,7 @@
 #include "core/dynamics/ledger.h"
 #include "core/dynamics/state.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,12 +29,15 @@ class Calm {
         double time = 0;
     };
 
-    explicit Calm(std::size_t bodies) : m_stays(bodies) {}
+    explicit Calm(std::size_t bodies) : m_stays(bodies), m_floating(bodies, Floating::Unknown) {}
 
     /// Takes note of another `time` [s] of bodies.
     void note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time);
     /// Whether a body has stayed for long enough, and is slow now; never without gravity.
     bool isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const;
+    /// Whether force terms could bear a body's weight, or a part of it, while it is calm: then it need not
+    /// lie on anything. The terms are asked once a run; gravity is the same all the time.
+    bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity);
     void forget(std::span<const BodyIndex> list) {
         for (const BodyIndex body : list) m_stays[body].time = 0;
     }
@@ -41,12 +45,11 @@ class Calm {
     void recall(const std::vector<Stay>& stays) { m_stays = stays; }
 
   private:
-    std::vector<Stay> m_stays;
-};
+    enum class Floating : std::uint8_t { Unknown, No, Yes };
 
-/// Whether force terms could bear a body's weight, or a part of it, while it is calm: then it need not lie on
-/// anything.
-bool mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity);
+    std::vector<Stay> m_stays;
+    std::vector<Floating> m_floating; ///< by body
+};
 
 /// Takes all velocity from bodies; what that costs is recorded under Rest.
 void stop(const Bodies& bodies, std::span<const BodyIndex> list, State& state, Ledger* ledger);

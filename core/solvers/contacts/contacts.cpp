@@ -466,7 +466,7 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     m_calm.note(input.bodies, input.state, m_entering, input.parts * input.substep);
     const auto isCalm = [&](BodyIndex body) {
         return m_isOnSpring[body] == 0 && m_calm.isCalm(input.bodies, input.state, body, input.gravity) &&
-               !mayFloat(input.bodies, body, input.gravity);
+               !m_calm.mayFloat(input.bodies, body, input.gravity);
     };
     if (!(input.gravity.norm() > 0)) return;
     m_base.markIslands(isCalm);
