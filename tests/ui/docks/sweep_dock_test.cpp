@@ -330,7 +330,7 @@ class SweepDockTest : public QObject {
         ask("bal.vel.x=1:4:4", "final x of ball");
         sweep();
         QVERIFY(state().contains(QStringLiteral("did you mean `ball`?")));
-        ask("ball.vel.x=1:4:400000", "final x of ball");
+        ask("ball.vel.x=1:4:100001", "final x of ball");
         sweep();
         QVERIFY2(state().contains(QStringLiteral("copy it as a command")), qPrintable(state()));
         QVERIFY(m_dock->results().empty());
