@@ -239,6 +239,7 @@ struct BallRows::Refresh {
 [[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i,
                                                           const Wide* struck) {
     BallGroup& group = with.groups[i];
+    if (group.held) return;
     BallRow& row = group.row;
     const Fixed& fixed = with.fixed[i];
     Motion a, b;
@@ -252,10 +253,11 @@ struct BallRows::Refresh {
     const Wide distance = isWall ? dot(old, d) : centres, radii = group.radiusA + group.radiusB;
     const Wide gap = distance - radii;
 
-    // The time of impact, or of the closest approach, within the time. Where A cannot move, B falls relative
-    // to it.
+    // The time of impact, or of the closest approach, within the time. Where one of them does not move, the
+    // other falls relative to it.
     Wide3 v = b.velocity - a.velocity;
-    const Wide falls = a.inverseMass > zero ? zero : 0.5 * duration;
+    const Wide half = 0.5 * duration;
+    const Wide falls = a.inverseMass == zero ? half : (b.inverseMass == zero ? -half : zero);
     v = v + Wide3{falls * with.gravity.x(), falls * with.gravity.y(), falls * with.gravity.z()};
     const Wide closing = -dot(d, v), square = dot(v, v);
     const Wide inner = closing * closing - square * (distance * distance - radii * radii);
@@ -294,7 +296,7 @@ struct BallRows::Refresh {
     row.massTangent = changes ? (acts ? fixed.massTangent : zero) : row.massTangent;
     store(group.normal, choose(changes, n, old));
     store(group.tangent, choose(changes, t, oldT));
-    group.gap = changes ? (used ? now : zero) : group.gap;
+    group.gap = changes ? (used | (fixed.isHeld > zero) ? now : zero) : group.gap;
     const auto solved = row.massNormal > zero;
     group.idle = !anyLane(solved ? one : zero);
     group.watched = anyLane(used & (row.massNormal == zero) ? one : zero);
@@ -329,6 +331,7 @@ void BallRows::clear() {
     m_fixed.clear();
     m_packer.clear();
     m_active = m_watched = 0;
+    m_heldDeepest = 0;
 }
 
 BallGroup BallRows::emptyGroup(std::uint32_t immobile) {
@@ -351,7 +354,6 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     BallGroup& group = m_groups[place.group];
     Fixed& fixed = m_fixed[place.group];
     const std::size_t lane = place.lane;
-    const SolverBody &a = bodies[pair.a], &b = bodies[pair.b];
     const auto set = [lane](std::array<Wide, 3>& to, const Vec3& value) {
         for (std::size_t k = 0; k < 3; ++k) to[k][lane] = value[static_cast<Eigen::Index>(k)];
     };
@@ -364,11 +366,10 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     group.push[lane] = pair.push;
     group.hard[lane] = pair.a == immobile ? 1 : 0;
     group.bounces = group.bounces || pair.restitution > 0;
-    const double masses = a.inverseMass + b.inverseMass;
-    fixed.massNormal[lane] = group.row.massNormal[lane] = 1 / masses;
-    fixed.massTangent[lane] = group.row.massTangent[lane] =
-        1 / (masses + a.roundInverse * pair.radiusA * pair.radiusA +
-             b.roundInverse * pair.radiusB * pair.radiusB);
+    setMasses(group, lane, bodies, fixed);
+    group.row.massNormal[lane] = fixed.massNormal[lane];
+    group.row.massTangent[lane] = fixed.massTangent[lane];
+    group.held = false;
     const Wide3 n{wideOf(pair.normal.x()), wideOf(pair.normal.y()), wideOf(pair.normal.z())};
     const Wide3 t = tangentOf(n);
     const Vec3 tangent(t.x[0], t.y[0], t.z[0]);
@@ -386,8 +387,9 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
 
 void BallRows::copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane) {
     for (std::size_t k = 0; k < 3; ++k) to.place[k][toLane] = from.place[k][lane];
-    for (Wide Fixed::*value : {&Fixed::wall, &Fixed::massNormal, &Fixed::massTangent})
+    for (Wide Fixed::*value : {&Fixed::wall, &Fixed::massNormal, &Fixed::massTangent, &Fixed::isHeld})
         (to.*value)[toLane] = (from.*value)[lane];
+    for (std::size_t k = 0; k < 3; ++k) to.held[k][toLane] = from.held[k][lane];
     to.source[toLane] = from.source[lane];
 }
 
@@ -419,6 +421,7 @@ void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t imm
         copyFixed(m_fixedBefore[from], lane, m_fixed[place.group], place.lane);
         to.bounces = to.bounces || to.restitution[place.lane] > 0;
     }
+    markHeld();
     countGroups();
 }
 
@@ -437,7 +440,8 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
             if (fixed.source[lane] == noPair) {
                 copyLane(empty, lane, group, lane);
                 for (Wide& place : fixed.place) place[lane] = 0;
-                fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = 0;
+                for (Wide& impulse : fixed.held) impulse[lane] = 0;
+                fixed.wall[lane] = fixed.massNormal[lane] = fixed.massTangent[lane] = fixed.isHeld[lane] = 0;
                 continue;
             }
             group.a[lane] = bodies[group.a[lane]];
@@ -454,7 +458,56 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     }
     m_groups.resize(kept);
     m_fixed.resize(kept);
+    markHeld();
     countGroups();
+}
+
+// A pair of what has no mass at all is held.
+void BallRows::setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
+                         Fixed& fixed) {
+    const SolverBody &a = bodies[group.a[lane]], &b = bodies[group.b[lane]];
+    const double radiusA = group.radiusA[lane], radiusB = group.radiusB[lane];
+    const double masses = a.inverseMass + b.inverseMass;
+    fixed.massNormal[lane] = masses > 0 ? 1 / masses : 0;
+    fixed.massTangent[lane] =
+        masses > 0 ? 1 / (masses + a.roundInverse * radiusA * radiusA + b.roundInverse * radiusB * radiusB)
+                   : 0;
+}
+
+void BallRows::hold(std::span<const std::uint8_t> still, std::span<const SolverBody> bodies) {
+    m_heldDeepest = 0;
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        BallGroup& group = m_groups[i];
+        Fixed& fixed = m_fixed[i];
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            if (fixed.source[lane] == noPair) continue;
+            const bool isHeld = (still[group.a[lane]] & still[group.b[lane]]) != 0;
+            if (isHeld) m_heldDeepest = std::max(m_heldDeepest, -group.gap[lane]);
+            setMasses(group, lane, bodies, fixed);
+            if (isHeld == (fixed.isHeld[lane] > 0)) continue;
+            fixed.isHeld[lane] = isHeld ? 1 : 0;
+            Wide* const held[] = {&fixed.held[0], &fixed.held[1], &fixed.held[2]};
+            Wide* const solved[] = {&group.row.normal, &group.row.along1, &group.row.along2};
+            for (std::size_t k = 0; k < 3; ++k) {
+                Wide &from = *(isHeld ? solved : held)[k], &to = *(isHeld ? held : solved)[k];
+                to[lane] = from[lane];
+                from[lane] = 0;
+            }
+            if (isHeld) group.row.massNormal[lane] = group.row.massTangent[lane] = 0;
+        }
+    }
+    markHeld();
+    countGroups();
+}
+
+void BallRows::markHeld() {
+    for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        bool isHeld = true;
+        for (std::size_t lane = 0; lane < wideLanes; ++lane)
+            isHeld = isHeld && (m_fixed[i].source[lane] == noPair || m_fixed[i].isHeld[lane] > 0);
+        m_groups[i].held = isHeld;
+        if (isHeld) m_groups[i].idle = true, m_groups[i].watched = false;
+    }
 }
 
 void BallRows::countGroups() {

@@ -55,6 +55,7 @@ struct alignas(32) BallGroup {
     bool bounces = false;
     bool idle = false;    ///< no pair can meet
     bool watched = false; ///< some pair cannot
+    bool held = false;    ///< all pairs are held
 };
 
 /// A pair as it is given. A's centre, or a point of the wall, is `fixed` if A cannot move.
@@ -84,6 +85,10 @@ class BallRows {
               std::uint32_t immobile);
     /// The same pairs, in the order in which `sources` names them, as if they had been added so.
     void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile);
+    /// Pairs of which neither body moves, as `still` says by body, are held: they are not solved for, and
+    /// keep their impulses until one of them does. All others have the masses their bodies have now.
+    void hold(std::span<const std::uint8_t> still, std::span<const SolverBody> bodies);
+    double heldDeepest() const { return m_heldDeepest; } ///< overlap of those held [m]
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
     std::size_t activeGroups() const { return m_active; }
@@ -113,15 +118,6 @@ class BallRows {
     int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                 const StepSettings& settings, int passes, const ActiveBodies& active);
 
-    /// Impulses are part(a, b) of what they were.
-    template<class Part>
-    void scale(const Part& part) {
-        for (BallGroup& group : m_groups)
-            for (std::size_t lane = 0; lane < wideLanes; ++lane)
-                if (group.row.massNormal[lane] > 0)
-                    for (Wide BallRow::*impulse : {&BallRow::normal, &BallRow::along1, &BallRow::along2})
-                        (group.row.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
-    }
     /// visit(source) for every pair.
     template<class Visit>
     void forEachSource(const Visit& visit) const {
@@ -136,11 +132,36 @@ class BallRows {
             for (std::size_t lane = 0; lane < wideLanes; ++lane) {
                 const BallGroup& group = m_groups[i];
                 if (m_fixed[i].source[lane] == noPair) continue;
-                const Vec3 n = laneOf(group.normal, lane), t = laneOf(group.tangent, lane);
-                visit(m_fixed[i].source[lane], n,
-                      Vec3(group.row.normal[lane] * n + group.row.along1[lane] * t +
-                           group.row.along2[lane] * n.cross(t)));
+                visit(m_fixed[i].source[lane], laneOf(group.normal, lane), impulseOf(i, lane));
             }
+    }
+
+    /// visit(a, b) for every pair that is not held.
+    template<class Visit>
+    void forEachPair(const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i) {
+            if (m_groups[i].held) continue;
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (m_fixed[i].source[lane] != noPair && !(m_fixed[i].isHeld[lane] > 0))
+                    visit(m_groups[i].a[lane], m_groups[i].b[lane]);
+        }
+    }
+    struct Contact {
+        std::uint32_t a = 0, b = 0;
+        double radiusA = 0, radiusB = 0, restitution = 0;
+        Vec3 normal, impulse; ///< from A to B; on B [N s]
+        bool isSolved = false;
+    };
+    /// visit(Contact) for every pair with a body that stands still and with an impulse.
+    template<class Visit>
+    void forEachPressing(std::span<const std::uint8_t> still, const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i) visitStill(still, i, true, visit);
+    }
+    /// visit(Contact) for every pair with a body that stands still that is not held, with or without one.
+    template<class Visit>
+    void forEachBeside(std::span<const std::uint8_t> still, const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i)
+            if (!m_groups[i].held) visitStill(still, i, false, visit);
     }
 
   private:
@@ -148,18 +169,44 @@ class BallRows {
     struct alignas(32) Fixed {
         std::array<Wide, 3> place{};
         Wide wall{};                      ///< 1 for a wall, otherwise 0
-        Wide massNormal{}, massTangent{}; ///< [kg]; 0 in a lane that is not used
+        Wide massNormal{}, massTangent{}; ///< [kg]; 0 in a lane that is not used, or held
+        std::array<Wide, 3> held{};       ///< impulses of pairs that are held [N s]
+        Wide isHeld{};                    ///< 1 for these, otherwise 0
         std::array<std::uint32_t, wideLanes> source{noPair, noPair, noPair, noPair};
     };
+    Vec3 impulseOf(std::size_t group, std::size_t lane) const {
+        const BallRow& row = m_groups[group].row;
+        const Vec3 n = laneOf(m_groups[group].normal, lane), t = laneOf(m_groups[group].tangent, lane);
+        const std::array<Wide, 3>& held = m_fixed[group].held;
+        return (row.normal[lane] + held[0][lane]) * n + (row.along1[lane] + held[1][lane]) * t +
+               (row.along2[lane] + held[2][lane]) * n.cross(t);
+    }
     static BallGroup emptyGroup(std::uint32_t immobile);
     struct Refresh;
     static Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
         return {from[0][lane], from[1][lane], from[2][lane]};
     }
+    template<class Visit>
+    void visitStill(std::span<const std::uint8_t> still, std::size_t i, bool alsoHeld,
+                    const Visit& visit) const {
+        const BallGroup& group = m_groups[i];
+        const Fixed& fixed = m_fixed[i];
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            const bool isHeld = fixed.isHeld[lane] > 0;
+            if (fixed.source[lane] == noPair || (still[group.b[lane]] | still[group.a[lane]]) == 0) continue;
+            if (alsoHeld ? !((isHeld ? fixed.held[0] : group.row.normal)[lane] > 0) : isHeld) continue;
+            visit(Contact{group.a[lane], group.b[lane], group.radiusA[lane], group.radiusB[lane],
+                          group.restitution[lane], laneOf(group.normal, lane), impulseOf(i, lane),
+                          group.row.massNormal[lane] > 0});
+        }
+    }
     static void refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
     void countGroups();
+    void markHeld();
+    static void setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
+                          Fixed& fixed);
 
     static void copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::size_t toLane);
 
@@ -170,7 +217,7 @@ class BallRows {
     Scratch<std::vector<std::uint32_t>> m_laneOf; // by source
     LanePacker m_packer;
     std::size_t m_active = 0, m_watched = 0; // groups
-    double m_deepest = 0;
+    double m_deepest = 0, m_heldDeepest = 0;
 };
 
 } // namespace carom

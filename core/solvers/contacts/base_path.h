@@ -89,11 +89,28 @@ class BasePath {
         SteppedMotion& block = blockWith(body);
         block.mark(block.islandOf(body));
     }
+    /// Whether some body of the island of one that is here stands still.
+    bool hasStill(BodyIndex body) const {
+        const SteppedMotion& block = m_blocks[m_block[body] - 1u];
+        return block.hasStill(block.islandOf(body));
+    }
     /// Marks the islands of which `is(body)` holds for all bodies.
     template<class Is>
     void markIslands(const Is& is) {
         for (SteppedMotion& block : m_blocks)
             if (!block.isEmpty()) block.markIslands(is);
+    }
+    /// Bodies of which `is(body)` holds stand still from now on, if the forces on them balance
+    /// (still_bodies.h).
+    template<class Is>
+    void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
+        for (SteppedMotion& block : m_blocks)
+            if (!block.isEmpty()) block.hold(input, manifolds, is);
+    }
+    std::size_t stillBodies() const {
+        std::size_t sum = 0;
+        for (const SteppedMotion& block : m_blocks) sum += block.isEmpty() ? 0 : block.stillBodies();
+        return sum;
     }
     /// Marks islands that, as of the last substep, have so many contacts that they would enter another block,
     /// of a coarser division: they have grown since they entered. True if there are any.

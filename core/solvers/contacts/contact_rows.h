@@ -100,19 +100,6 @@ class ContactRows {
         for (RollingRow& row : m_rolling) row.torque *= duration;
     }
 
-    /// Impulses are part(a, b) of what they were.
-    template<class Part>
-    void scale(const Part& part) {
-        for (const RowGroup& group : m_groups)
-            for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-                if (group.source[lane] == noPair) continue;
-                for (RowPoint& point : std::span(m_points).subspan(group.firstPoint, group.points))
-                    for (Wide RowPoint::*impulse : {&RowPoint::normal, &RowPoint::along1, &RowPoint::along2})
-                        (point.*impulse)[lane] *= part(group.a[lane], group.b[lane]);
-            }
-        for (RollingRow& row : m_rolling) row.torque *= part(row.a, row.b);
-    }
-
     std::span<RowGroup> groups() { return m_groups; }
     std::span<RowPoint> points() { return m_points; }
     std::span<RollingRow> rolling() { return m_rolling; }

@@ -105,6 +105,8 @@ class Contacts final : public Solver {
                double skin);
     void leaveMarked(const SolverInput& input);
     void sleepWhatRests(const SolverInput& input);
+    template<class Is>
+    void sleepMarked(const SolverInput& input, const Is& isCalm);
     void moveRefined(const SolverInput& input, SolverReport& report);
     void moveStepped(const SolverInput& input, SolverReport& report);
     void stepIsland(const SolverInput& input, const Island& island, double duration, SolverReport& report);
@@ -209,7 +211,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     enterBase(input);
     report.searched = m_neighbours.searches() != searches;
     report.broadphase += watch.lap();
-    report.resting = m_sleeping.bodies().size();
+    report.resting = m_sleeping.bodies().size() + m_base.stillBodies();
     report.contacts = m_sleeping.contacts().pairs.size();
     for (const Refinement::Choice& choice : m_refinement.refined())
         report.contacts += m_islands[choice.island].pairs.size();
@@ -261,7 +263,7 @@ void Contacts::findMembers(const SolverInput& input) {
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
             for (const BodyIndex i : m_members)
-                if (m_base.has(i) && m_backOff[i] == 0) m_base.mark(i);
+                if (m_base.has(i) && m_backOff[i] == 0 && !m_base.hasStill(i)) m_base.mark(i);
             m_base.markOutgrown(m_found.manifolds());
         }
         if (!renewBase(input)) leaveMarked(input);
@@ -470,7 +472,13 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     };
     if (!(input.gravity.norm() > 0)) return;
     m_base.markIslands(isCalm);
-    if (!m_base.anyMarked()) return;
+    if (m_base.anyMarked()) sleepMarked(input, isCalm);
+    m_base.hold(stepped(input), m_found.manifolds(), isCalm);
+}
+
+// Those of marked islands sleep, if nothing else than these joins them.
+template<class Is>
+void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
     m_base.leaveMarked(stepped(input), m_found.manifolds(), m_leaving, m_left);
     m_sort.sort(m_left, m_bodies.count());

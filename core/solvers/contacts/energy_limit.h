@@ -14,10 +14,6 @@
 //     v + s Δv,   the largest s ≤ 1 with  T(v + s Δv) ≤ limit
 //
 // No contact closes by that: all separate at s = 0 and at s = 1.
-//
-// The same holds for impulses that are carried over from the step before, p: forces give no energy, since
-// pᵀu ≤ 0 for the velocities u that they lead to, so T(v + M⁻¹Jᵀp) ≤ T(v); where it is larger, p is not that
-// of forces, and s p is what is carried on.
 
 namespace carom {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
-#include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/dynamics/energy.h"
 #include "core/dynamics/free_rotation.h"
@@ -37,11 +36,6 @@ StepSettings forBalls(StepSettings settings) {
     return settings;
 }
 
-void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
-    const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
-    carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
-}
-
 } // namespace
 
 void SteppedMotion::begin(const Bodies& bodies, const Division& division, double substep) {
@@ -54,6 +48,10 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_moved.assign(1, {});
     m_places.assign(1, {});
     m_turning.begin();
+    m_still.begin();
+    m_areStillNoted = true;
+    m_heldContacts = 0;
+    m_heldDeepest = 0;
     m_island.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
@@ -76,16 +74,14 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
                               std::span<const std::uint32_t> springs) {
     const std::uint32_t island = static_cast<std::uint32_t>(m_groups.size());
     m_groups.push_back({.joined = island, .bodies = list.size()});
-    m_mayCarryImpact = true;
     for (const BodyIndex body : list) {
         m_local[body] = static_cast<std::uint32_t>(m_bodies.size());
         m_list.push_back(body);
         SolverBody& to = m_bodies.emplace_back();
         to.velocity = arrayOf(input.state.velocity[body]);
         to.spin = arrayOf(input.state.angularVelocity[body]);
-        to.inverseMass = input.bodies.inverseMass[body];
-        if (isSphere(input.bodies, body)) to.roundInverse = input.bodies.inverseInertia[body].x();
-        setInverseInertia(input.bodies.inverseInertia[body], input.state.pose[body].orientation, to);
+        m_still.add();
+        setMass(input, m_local[body]);
         m_moved.emplace_back();
         m_places.push_back({arrayOf(input.state.pose[body].position)});
         m_turning.add(input.bodies, body, input.state);
@@ -102,6 +98,7 @@ void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
     from.joined = one;
     into.bodies += from.bodies;
     into.leaves = into.leaves || from.leaves;
+    into.hasStill = into.hasStill || from.hasStill;
     into.isUnordered = into.isUnordered || from.isUnordered;
     ++m_joined;
     m_isSettled = false;
@@ -158,6 +155,7 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     if (from.place != Manifolds::none && manifolds[from.place].count > 0)
         pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
     m_balls.add(pair, entry, immobile, m_bodies);
+    m_areStillNoted = m_areStillNoted && !m_still.any();
 }
 
 // Passes solve for pairs as bodies are numbered, from the top to the ground, whenever each of them came: a
@@ -201,6 +199,7 @@ bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
     order(input);
+    if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
     Invariants before;
     if (input.ledger != nullptr) before = invariantsOf(input.bodies, m_list, input.state, input.gravity);
@@ -213,7 +212,10 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
         }
         turnBalls(input);
         storeForces(manifolds);
+        sampleLoads();
     }
+    if (m_still.any()) m_still.takeSamples();
+    if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
     if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
         const Invariants after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
         recordDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
@@ -222,109 +224,10 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     return report;
 }
 
-// Where the contacts are now.
-void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
-                         SteppedReport& report) {
-    noteTravel(input, duration);
-    std::fill(m_moved.begin(), m_moved.end(), Displacement{});
-    std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
-    m_balls.refresh(m_bodies, m_places, duration, input.gravity);
-    m_deepest = m_balls.deepest();
-    report.contacts = wideLanes * m_balls.activeGroups();
-    m_rows.begin(m_bodies.size(), immobile);
-    m_watched.clear();
-    reserveFor(m_general.size(), m_watched);
-    const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
-    const double fall = input.gravity.norm() * duration * duration;
-    for (std::uint32_t number = 0; number < m_general.size(); ++number) {
-        const std::uint32_t entry = m_general[number];
-        const double margin = m_entries[entry].margin;
-        OpenPair& open = m_open[number];
-        const bool isFresh = std::exchange(m_entries[entry].isFresh, false);
-        if (!isFresh && staysOpen(open, fall)) {
-            if (open.watched.gap <= margin) m_watched.push_back(open.watched);
-            report.contacts += open.hasPoints ? 1 : 0;
-            continue;
-        }
-        PersistentManifold& manifold = manifolds[m_entries[entry].place];
-        if (!isFresh) report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
-        open.watched.gap = 0;
-        if (manifold.open) {
-            open = openPairOf(here, number, manifolds);
-            if (manifold.gap <= margin) m_watched.push_back(open.watched);
-        }
-        if (manifold.count == 0) continue;
-        ++report.contacts;
-        if (manifold.open) continue;
-        const PlacedManifold contact = placed(here, manifold);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
-            m_deepest = std::max(m_deepest, -contact.points[k].separation);
-        addRow(input, entry, contact);
-    }
-    report.maxPenetration = std::max(report.maxPenetration, m_deepest);
-    m_rows.end(m_bodies);
-    m_rows.scaleImpulses(m_step);
-}
-
-void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact) {
-    const BodyPair pair = m_entries[entry].pair;
-    const ContactPair laws = pairOf(input.bodies, pair, 0);
-    m_rows.add({.a = m_local[pair.a],
-                .b = m_local[pair.b],
-                .normal = contact.normal,
-                .friction = laws.friction,
-                .restitution = laws.restitution,
-                .rolling = laws.rolling,
-                .torque = contact.torque,
-                .push = mostCorrection * laws.size / m_substep,
-                .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
-               entry, m_bodies);
-}
-
-void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
-    m_travel.assign(m_bodies.size(), {});
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
-        const BodyIndex body = m_list[i - 1];
-        const SolverBody& from = m_bodies[i];
-        const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
-        m_travel[i] = {vectorOf(m_moved[i].shift).norm() + radius * m_moved[i].angle,
-                       duration * (vectorOf(from.velocity).norm() + radius * vectorOf(from.spin).norm()) +
-                           input.bodies.forces.reach(body, duration)};
-    }
-}
-
-bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
-    double& gap = pair.watched.gap;
-    if (!(gap > 0)) return false;
-    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
-    gap -= a.came + b.came;
-    return gap > pair.slack + fall + a.comes + b.comes;
-}
-
-SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,
-                                                  const Manifolds& manifolds) const {
-    const std::uint32_t entry = m_general[number];
-    const PersistentManifold& manifold = manifolds[m_entries[entry].place];
-    const auto [a, b] = manifold.pair;
-    const auto turning = [&](BodyIndex i) {
-        return here.bodies.mobile[i] != 0 && !isSphere(here.bodies, i) ? here.bodies.boundingRadius[i] : 0;
-    };
-    return {.watched = {.entry = entry,
-                        .open = number,
-                        .a = m_local[a],
-                        .b = m_local[b],
-                        .normal = normalOf(here, manifold),
-                        .gap = manifold.gap,
-                        .radiusA = turning(a),
-                        .radiusB = turning(b)},
-            .slack = slackPart * smallerSize(here.bodies, manifold.pair),
-            .hasPoints = manifold.count > 0};
-}
-
 // How far each body that was struck comes until the end of the step, from where it was at the look.
 void SteppedMotion::foreseeStruck(double duration) {
-    m_coming.resize(m_bodies.size());
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    m_coming.assign(m_bodies.size(), {});
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const SolverBody& body = m_bodies[i];
         Coming& to = m_coming[i];
         to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i];
@@ -401,24 +304,24 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
                                 .resting = 2 * fall.norm()};
     const bool ballsBounce = m_balls.recordApproach(m_bodies, settings);
     const bool bounces = recordApproach(m_rows, m_bodies, settings) || ballsBounce;
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         add(m_bodies[i].velocity, fall);
         m_free[i] = m_bodies[i].velocity;
     }
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
     if (!m_links.empty()) rememberSprings(input, duration);
-    const bool carriesImpact = std::exchange(m_mayCarryImpact, bounces);
-    if (bounces || carriesImpact) m_energy.remember(m_bodies, m_island, m_groups.size());
-    if (carriesImpact) m_before = m_bodies;
+    if (bounces) {
+        findParts();
+        m_energy.remember(m_bodies, partOf(), parts());
+    }
     m_balls.warmStart(m_bodies);
     warmStart(m_rows, m_bodies);
-    if (carriesImpact && m_energy.keep(m_before, m_island, m_bodies)) weakenImpulses();
     sweep(settings, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), duration, m_bodies);
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
         report.loss = {m_list[i - 1], velocity.allFinite() ? "angular velocity" : "velocity"};
@@ -437,7 +340,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     if (bounces) rebound(settings, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     }
@@ -447,7 +350,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
 // Force terms as if nothing else but gravity acted: an impulse of its own before those of the contacts.
 void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     m_forced.clear();
-    for (std::size_t i = 1; i < m_bodies.size(); ++i)
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
         if (input.bodies.forces.actOn(m_list[i - 1]))
             m_forced.add(i, input.bodies, input.state, m_list[i - 1], duration);
     m_forced.solve(input.bodies.forces, input.gravity, duration);
@@ -470,15 +373,6 @@ void SteppedMotion::recordTerms(const SteppedInput& input) {
     contact.momentum -= given.momentum;
 }
 
-// As much as velocities have been taken back.
-void SteppedMotion::weakenImpulses() {
-    const auto partOf = [this](std::uint32_t a, std::uint32_t b) {
-        return m_energy.partOf(m_island[a != immobile ? a : b]);
-    };
-    m_balls.scale(partOf);
-    m_rows.scale(partOf);
-}
-
 void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
     m_active.assign(m_bodies.size(), 0);
     const ActiveBodies active{m_active, immobile};
@@ -486,14 +380,14 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     if (impacts == 0) return;
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
-        m_energy.allow(m_island[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
+        m_energy.allow(partOf()[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
     m_before = m_bodies;
     const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
     carom::rebound(m_rows, m_bodies, settings, m_division.passes, active);
-    m_energy.keep(m_before, m_island, m_bodies);
+    m_energy.keep(m_before, partOf(), m_bodies);
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
@@ -515,7 +409,7 @@ void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) 
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
     m_turns.clear();
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const BodyIndex body = m_list[i - 1];
         const SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
@@ -544,7 +438,7 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
 
 // Balls, by all that they have turned since the look: their contacts need no orientation.
 void SteppedMotion::turnBalls(const SteppedInput& input) {
-    for (std::size_t i = 1; i < m_bodies.size(); ++i) {
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 turn = vectorOf(m_moved[i].turn);
         if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) continue;
         Quat& orientation = input.state.pose[m_list[i - 1]].orientation;
@@ -582,7 +476,7 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 
 std::size_t SteppedMotion::bytes() const {
     return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_free, m_struck, m_links,
-                     m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups) +
+                     m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups, m_still) +
            m_turning.bytes();
 }
 

@@ -12,6 +12,7 @@
 #include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
+#include "core/solvers/contacts/still_bodies.h"
 #include "core/solvers/contacts/turning_bodies.h"
 #include "core/solvers/contacts/velocity_solve.h"
 
@@ -42,6 +43,9 @@
 // Pairs that do not meet as they move (open manifolds, idle balls) are no rows, but watched: where impulses
 // have changed the velocity of one so that the pair would close its gap within the step, its contact is
 // found, and the step is solved on with it; so up to a few times a step, for impulses that are passed on.
+//
+// Bodies that are at rest while others of their island move stand still (still_bodies.h): they are as what
+// cannot move until what acts on them changes.
 
 namespace carom {
 
@@ -169,6 +173,18 @@ class SteppedMotion {
         for (std::uint32_t island = 0; island < m_groups.size(); ++island)
             if (m_isChosen[island] != 0) mark(island);
     }
+    /// Bodies of which `is(body)` holds stand still from now on, if the forces on them balance; islands that
+    /// are marked are left alone.
+    template<class Is>
+    void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
+        settle();
+        m_candidates.clear();
+        for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
+            if (!m_still.is(i) && is(m_list[i - 1])) m_candidates.push_back(i);
+        holdStill(input, manifolds);
+    }
+    bool hasStill(std::uint32_t island) const { return m_groups[rootOf(island)].hasStill; }
+    std::size_t stillBodies() const { return m_still.count(); }
     /// visit(entry) for every pair.
     template<class Visit>
     void forEachEntry(const Visit& visit) {
@@ -228,6 +244,7 @@ class SteppedMotion {
         std::uint32_t joined = 0; ///< the island it is part of, its own number if it is one
         std::size_t bodies = 0;
         bool leaves = false;
+        bool hasStill = false; ///< bodies that stand still
         bool isUnordered = false;
     };
     std::uint32_t rootOf(std::uint32_t island) const {
@@ -251,6 +268,9 @@ class SteppedMotion {
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
+    void findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
+                      SteppedReport& report);
+    void findMoving();
     void noteTravel(const SteppedInput& input, double duration);
     bool staysOpen(OpenPair& pair, double fall) const;
     OpenPair openPairOf(const ManifoldInput& here, std::uint32_t number, const Manifolds& manifolds) const;
@@ -260,7 +280,6 @@ class SteppedMotion {
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
     void sweep(const StepSettings& settings, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void weakenImpulses();
     void rebound(const StepSettings& settings, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input, double duration);
@@ -271,6 +290,27 @@ class SteppedMotion {
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
     void turnBalls(const SteppedInput& input);
     void storeForces(Manifolds& manifolds) const;
+    void findParts();
+    std::uint32_t partWith(std::uint32_t number);
+    void joinParts(std::uint32_t a, std::uint32_t b);
+    /// Parts of islands that bodies which stand still divide, by number; islands where nobody does.
+    std::span<const std::uint32_t> partOf() const {
+        return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_island;
+    }
+    std::size_t parts() const { return m_still.any() ? m_bodies.size() : m_groups.size(); }
+    void setMass(const SteppedInput& input, std::uint32_t number);
+    void holdStill(const SteppedInput& input, const Manifolds& manifolds);
+    bool isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const;
+    void noteStill(const SteppedInput& input, const Manifolds& manifolds);
+    void holdPairs();
+    void addUpLoads(const SteppedInput& input, const Manifolds& manifolds);
+    void sampleLoads();
+    bool wakeUnbalanced(const SteppedInput& input, double part);
+    void moveOn(const SteppedInput& input, std::uint32_t number);
+    bool wakeStruck(const SteppedInput& input, const Manifolds& manifolds);
+    void strikeStill(const SteppedInput& input, std::uint32_t from, std::uint32_t to, double closing,
+                     double restitution);
+    void passOnStrikes(const SteppedInput& input, const Manifolds& manifolds);
 
     Division m_division;
     double m_substep = 0, m_step = 0; // [s]
@@ -281,6 +321,17 @@ class SteppedMotion {
     std::vector<Displacement> m_moved;
     std::vector<BodyPlace> m_places;
     TurningBodies m_turning;
+    StillBodies m_still;
+    bool m_areStillNoted = true;    // by all pairs
+    std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move
+    double m_heldDeepest = 0;       // overlap of these [m]
+    Scratch<std::vector<std::uint32_t>> m_candidates, m_awake; // numbers; m_awake: of those that move
+    Scratch<std::vector<std::uint32_t>> m_moving;              // into m_general: pairs of which one moves
+    Scratch<std::vector<BodyIndex>> m_stopped;
+    Scratch<std::vector<std::uint32_t>> m_part; // by number: the least number of its part
+    bool m_arePartsFound = false;               // since the last look
+    Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
+    Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
     std::vector<std::uint32_t> m_island;
     std::vector<std::array<double, 3>> m_free;   // velocities that only gravity and force terms have changed
     std::vector<std::uint8_t> m_struck;          // by anything since the last look
@@ -313,7 +364,6 @@ class SteppedMotion {
     Scratch<std::vector<Coming>> m_coming;       // by number
     Scratch<std::vector<std::uint32_t>> m_turns; // numbers of those that turn in the step
     Scratch<EnergyLimit> m_energy;
-    bool m_mayCarryImpact = true;  // impulses of the last step are not all of forces
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>
         m_halfWays; // by number: how far the velocity at the end is too far, with terms

@@ -115,6 +115,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
         m_bodies[kept] = m_bodies[i];
         m_places[kept] = m_places[i];
         m_turning.renumber(i, kept);
+        m_still.renumber(i, kept);
         m_island[kept] = island;
         numbers.bodies[i] = kept++;
     }
@@ -123,6 +124,8 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_moved.resize(kept);
     m_places.resize(kept);
     m_turning.resize(kept);
+    m_still.resize(kept);
+    m_areStillNoted = !m_still.any();
     m_island.resize(kept);
     m_free.resize(kept);
     m_struck.resize(kept);

@@ -12,9 +12,7 @@
 //
 //     v += g h
 //     approach     remembers how fast contacts without an impulse close
-//     warmStart    applies the impulses of the step before; after an impact as much of them as gives no
-//     kinetic energy:
-//                  true forces give none, what an impact has left in them would throw bodies about
+//     warmStart    applies the impulses of the step before
 //     solve        with feedback: contacts that overlap are made to part, open ones may close as far as they
 //                  are
 //     x += h v     by the caller, who adds to the displacements and has the gaps follow them

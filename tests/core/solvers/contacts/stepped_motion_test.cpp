@@ -41,9 +41,9 @@ Spring springBetween(BodyIndex from, BodyIndex to, double stiffness) {
 }
 
 /// A scene of few bodies, all pairs of which are kept.
-class BasePath {
+class FewBodies {
   public:
-    explicit BasePath(const Scene& scene) : bodies(bodiesOf(scene)), state(initialStateOf(scene)) {
+    explicit FewBodies(const Scene& scene) : bodies(bodiesOf(scene)), state(initialStateOf(scene)) {
         bodies.springs = springsOf(scene);
         for (BodyIndex b = 0; b < bodies.count(); ++b)
             for (BodyIndex a = 0; a < b; ++a) m_places.push_back(m_manifolds.add(BodyPair{a, b}));
@@ -96,7 +96,7 @@ class SteppedMotionTest : public QObject {
                 constexpr double speed = 5;
                 const double gap = (k + 0.5) / 20 * speed * test::substep; // in this substep or the next
                 Body wall = test::wall(Vec3::UnitY(), 0);
-                BasePath path(test::sceneOf({wall, ball({0, radius + gap, 0}, {0, -speed, 0}, elastic)}));
+                FewBodies path(test::sceneOf({wall, ball({0, radius + gap, 0}, {0, -speed, 0}, elastic)}));
                 for (int n = 0; n < 4; ++n) path.step();
                 const double separation = path.state.velocity[1].y();
                 QVERIFY2(std::abs(separation - elastic * speed) < roundingOfSteps,
@@ -112,7 +112,7 @@ class SteppedMotionTest : public QObject {
     void struckBallDoesNotEnterTheNextOne() {
         for (const double speed : {1.0, 5.0, 20.0, 50.0})
             for (const double gap : {0.002, 0.005, 0.01, 0.02, 0.05}) {
-                BasePath path(
+                FewBodies path(
                     test::sceneOf({ball({-2 * radius, 0, 0}, {speed, 0, 0}, 1), ball({0, 0, 0}, {0, 0, 0}, 1),
                                    ball({2 * radius + gap, 0, 0}, {0, 0, 0}, 1)}));
                 for (int n = 0; n < 8; ++n) {
@@ -137,7 +137,7 @@ class SteppedMotionTest : public QObject {
             Vec3 place(0.1, 0.02, 0), velocity(-0.03 * rate, 0, 0.1 * rate);
             Scene scene = test::sceneOf({ball(place, velocity, 1)});
             scene.springs = {springBetween(noBody, 0, rate * rate)};
-            BasePath path(scene);
+            FewBodies path(scene);
             for (int n = 0; n < 3; ++n) {
                 path.step();
                 for (int k = 0; k < steps; ++k) {
@@ -159,7 +159,7 @@ class SteppedMotionTest : public QObject {
             Body below = test::wall(Vec3::UnitY(), 0), round = ball({0, radius, 0}, Vec3::Zero(), 0);
             for (Body* body : {&below, &round}) body->friction = 1;
             round.rolling = resistance;
-            BasePath path(test::sceneOf({below, round}));
+            FewBodies path(test::sceneOf({below, round}));
             const double slope = std::atan(part * resistance / radius);
             path.gravity = 9.80665 * Vec3(std::sin(slope), -std::cos(slope), 0);
             for (int n = 0; n < 60; ++n) path.step(); // forces build up
@@ -180,7 +180,7 @@ class SteppedMotionTest : public QObject {
             Scene scene = test::sceneOf({test::wall(Vec3::UnitY(), 0)});
             for (int k = 0; k < 6; ++k)
                 scene.bodies.push_back(test::cuboid({0.2, 0.2, 0.2}, 8, {0, 0.1 + 0.2 * k, 0}));
-            BasePath path(scene);
+            FewBodies path(scene);
             path.gravity = -9.80665 * Vec3::UnitY();
             for (int n = 0; n < 400; ++n) path.step(); // they sink in to where they rest
             path.step(part);
@@ -215,10 +215,10 @@ class SteppedMotionTest : public QObject {
             Scene scene = test::sceneOf({body(Vec3::Zero()), body({random.uniform(0.5, 1.5), 0, 0})});
             const double closing = random.uniform(0, 12); // [m/s]
             scene.bodies[1].velocity = {-closing, 0, random.uniform(-1, 1)};
-            BasePath stays(scene), enters(scene);
+            FewBodies stays(scene), enters(scene);
             stays.gravity = enters.gravity = -9.80665 * Vec3::UnitY();
             stays.enter();
-            const auto isStruck = [](const BasePath& path) { return path.state.velocity[0].x() != 0; };
+            const auto isStruck = [](const FewBodies& path) { return path.state.velocity[0].x() != 0; };
             for (int n = 0; n < substeps && !isStruck(enters); ++n) {
                 stays.stepOn();
                 enters.step();
@@ -245,7 +245,7 @@ class SteppedMotionTest : public QObject {
             Scene scene = test::sceneOf({ball({0, 0, 0}, speed(), 1), ball({0.2, 0.05, 0}, speed(), 1),
                                          ball({0.35, -0.1, 0.1}, speed(), 1)});
             scene.springs = {springBetween(0, 1, rate * rate), springBetween(1, 2, rate * rate)};
-            BasePath path(scene);
+            FewBodies path(scene);
             const auto energy = [&] {
                 double sum = springEnergy(path.bodies.springs, path.state);
                 for (const Vec3& velocity : path.state.velocity) sum += 0.5 * velocity.squaredNorm();

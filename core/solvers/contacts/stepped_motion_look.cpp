@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/reserve.h"
+#include "core/dynamics/contact_memory.h"
+#include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/stepped_motion.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+// Where the contacts of the base path are, and which of its pairs need not be looked at.
+
+namespace carom {
+
+// Where the contacts are now.
+void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
+                         SteppedReport& report) {
+    findMoving();
+    noteTravel(input, duration);
+    std::fill(m_moved.begin(), m_moved.end(), Displacement{});
+    std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
+    findContacts(input, duration, manifolds, report);
+    if (wakeStruck(input, manifolds)) {
+        findMoving();
+        noteTravel(input, duration); // they have not moved since
+        findContacts(input, duration, manifolds, report);
+    }
+    m_arePartsFound = false;
+    report.contacts += m_heldContacts;
+    report.maxPenetration =
+        std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
+    m_rows.end(m_bodies);
+    m_rows.scaleImpulses(m_step);
+}
+
+// Those that do not stand still, and their pairs that are not of balls.
+void SteppedMotion::findMoving() {
+    m_awake.clear();
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
+        if (!m_still.is(i)) m_awake.push_back(i);
+    m_moving.clear();
+    for (std::uint32_t number = 0; number < m_general.size(); ++number) {
+        const auto [a, b] = m_entries[m_general[number]].pair;
+        if (!m_still.is(m_local[a]) || !m_still.is(m_local[b])) m_moving.push_back(number);
+    }
+}
+
+void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
+                                 SteppedReport& report) {
+    m_balls.refresh(m_bodies, m_places, duration, input.gravity);
+    m_deepest = m_balls.deepest();
+    report.contacts = wideLanes * m_balls.activeGroups();
+    m_rows.begin(m_bodies.size(), immobile);
+    m_watched.clear();
+    reserveFor(m_general.size(), m_watched);
+    const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
+    const double fall = input.gravity.norm() * duration * duration;
+    for (const std::uint32_t number : std::span<const std::uint32_t>(m_moving)) {
+        const std::uint32_t entry = m_general[number];
+        const double margin = m_entries[entry].margin;
+        OpenPair& open = m_open[number];
+        const bool isFresh = std::exchange(m_entries[entry].isFresh, false);
+        if (!isFresh && staysOpen(open, fall)) {
+            if (open.watched.gap <= margin) m_watched.push_back(open.watched);
+            report.contacts += open.hasPoints ? 1 : 0;
+            continue;
+        }
+        PersistentManifold& manifold = manifolds[m_entries[entry].place];
+        if (!isFresh) report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
+        open.watched.gap = 0;
+        if (manifold.open) {
+            open = openPairOf(here, number, manifolds);
+            if (manifold.gap <= margin) m_watched.push_back(open.watched);
+        }
+        if (manifold.count == 0) continue;
+        ++report.contacts;
+        if (manifold.open) continue;
+        const PlacedManifold contact = placed(here, manifold);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
+            m_deepest = std::max(m_deepest, -contact.points[k].separation);
+        addRow(input, entry, contact);
+    }
+}
+
+void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact) {
+    const BodyPair pair = m_entries[entry].pair;
+    const ContactPair laws = pairOf(input.bodies, pair, 0);
+    m_rows.add({.a = m_local[pair.a],
+                .b = m_local[pair.b],
+                .normal = contact.normal,
+                .friction = laws.friction,
+                .restitution = laws.restitution,
+                .rolling = laws.rolling,
+                .torque = contact.torque,
+                .push = mostCorrection * laws.size / m_substep,
+                .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
+               entry, m_bodies);
+}
+
+void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
+    m_travel.assign(m_bodies.size(), {});
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        const BodyIndex body = m_list[i - 1];
+        const SolverBody& from = m_bodies[i];
+        const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
+        m_travel[i] = {vectorOf(m_moved[i].shift).norm() + radius * m_moved[i].angle,
+                       duration * (vectorOf(from.velocity).norm() + radius * vectorOf(from.spin).norm()) +
+                           input.bodies.forces.reach(body, duration)};
+    }
+}
+
+bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
+    double& gap = pair.watched.gap;
+    if (!(gap > 0)) return false;
+    const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
+    gap -= a.came + b.came;
+    return gap > pair.slack + fall + a.comes + b.comes;
+}
+
+SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,
+                                                  const Manifolds& manifolds) const {
+    const std::uint32_t entry = m_general[number];
+    const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    const auto [a, b] = manifold.pair;
+    const auto turning = [&](BodyIndex i) {
+        return here.bodies.mobile[i] != 0 && !isSphere(here.bodies, i) ? here.bodies.boundingRadius[i] : 0;
+    };
+    return {.watched = {.entry = entry,
+                        .open = number,
+                        .a = m_local[a],
+                        .b = m_local[b],
+                        .normal = normalOf(here, manifold),
+                        .gap = manifold.gap,
+                        .radiusA = turning(a),
+                        .radiusB = turning(b)},
+            .slack = slackPart * smallerSize(here.bodies, manifold.pair),
+            .hasPoints = manifold.count > 0};
+}
+
+} // namespace carom

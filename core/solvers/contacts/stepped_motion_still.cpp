@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/dynamics/contact_memory.h"
+#include "core/dynamics/free_rotation.h"
+#include "core/solvers/contacts/calm.h"
+#include "core/solvers/contacts/stepped_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+// Which bodies of the base path stand still (still_bodies.h), and what makes them move on.
+
+namespace carom {
+namespace {
+
+void setInverseInertia(const Vec3& principal, const Quat& orientation, SolverBody& body) {
+    const Mat3 turn = isIsotropic(principal) ? Mat3(Mat3::Identity()) : orientation.toRotationMatrix();
+    carom::setInverseInertia(turn * principal.asDiagonal() * turn.transpose(), body);
+}
+
+} // namespace
+
+void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
+    const BodyIndex body = m_list[number - 1];
+    SolverBody& to = m_bodies[number];
+    const bool isStill = m_still.is(number);
+    to.inverseMass = isStill ? 0 : input.bodies.inverseMass[body];
+    to.roundInverse = isStill || !isSphere(input.bodies, body) ? 0 : input.bodies.inverseInertia[body].x();
+    const Vec3 principal = isStill ? Vec3(Vec3::Zero()) : input.bodies.inverseInertia[body];
+    setInverseInertia(principal, input.state.pose[body].orientation, to);
+}
+
+// Candidates on which the forces balance.
+void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifolds) {
+    if (m_candidates.empty()) return;
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_candidates)) m_still.set(i, true);
+    addUpLoads(input, manifolds);
+    m_stopped.clear();
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_candidates)) {
+        if (isUnbalanced(input, i, StillBodies::toStand)) {
+            m_still.set(i, false);
+            continue;
+        }
+        m_stopped.push_back(m_list[i - 1]);
+        setMass(input, i);
+        m_bodies[i].velocity = m_bodies[i].spin = {};
+    }
+    stop(input.bodies, m_stopped, input.state, input.ledger);
+    if (m_stopped.size() < m_candidates.size()) addUpLoads(input, manifolds);
+    holdPairs();
+}
+
+bool SteppedMotion::isUnbalanced(const SteppedInput& input, std::uint32_t number, double part) const {
+    const BodyIndex body = m_list[number - 1];
+    return m_still.isUnbalanced(number, input.bodies.mass[body] * input.gravity.norm(),
+                                input.bodies.boundingRadius[body], part);
+}
+
+// They have changed.
+void SteppedMotion::noteStill(const SteppedInput& input, const Manifolds& manifolds) {
+    addUpLoads(input, manifolds);
+    holdPairs();
+}
+
+void SteppedMotion::holdPairs() {
+    m_balls.hold(m_still.flags(), m_bodies);
+    m_areStillNoted = true;
+    for (Group& group : m_groups) group.hasStill = false;
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
+        if (m_still.is(i)) m_groups[m_island[i]].hasStill = true;
+}
+
+// Of gravity and of all contacts, as they are now.
+void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
+    m_still.beginLoads();
+    m_heldContacts = 0;
+    m_heldDeepest = 0;
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
+        if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
+    const auto loadOf = [this](std::uint32_t number, std::uint32_t other) -> StillBodies::Load& {
+        return m_still.is(other) ? m_still.lasting(number) : m_still.passing(number);
+    };
+    for (const std::uint32_t entry : m_general) {
+        const auto [first, second] = m_entries[entry].pair;
+        const std::uint32_t a = m_local[first], b = m_local[second];
+        if (m_entries[entry].isGone || (!m_still.is(a) && !m_still.is(b))) continue;
+        const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+        if (manifold.count == 0 || manifold.open) continue;
+        const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
+        if (m_still.is(a) && m_still.is(b)) ++m_heldContacts;
+        for (const PointInput& point :
+             std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
+            if (m_still.is(a) && m_still.is(b)) m_heldDeepest = std::max(m_heldDeepest, -point.separation);
+            if (a != immobile && m_still.is(a)) loadOf(a, b).add(point.armA, -point.impulse);
+            if (b != immobile && m_still.is(b)) loadOf(b, a).add(point.armB, point.impulse);
+        }
+        if (a != immobile && m_still.is(a)) loadOf(a, b).torque -= contact.torque;
+        if (b != immobile && m_still.is(b)) loadOf(b, a).torque += contact.torque;
+    }
+    const double perStep = 1 / m_step;
+    m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
+        const Vec3 force = perStep * contact.impulse;
+        const auto [a, b] = std::pair(contact.a, contact.b);
+        if (m_still.is(a) && m_still.is(b)) ++m_heldContacts;
+        if (a != immobile && m_still.is(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
+        if (b != immobile && m_still.is(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
+    });
+}
+
+// The forces of the last step between what stands still and what moves.
+void SteppedMotion::sampleLoads() {
+    if (!m_still.any()) return;
+    const double perStep = 1 / m_step;
+    m_still.beginSamples();
+    for (const RowGroup& group : m_rows.groups())
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            if (group.source[lane] == ContactRows::noPair) continue;
+            const std::uint32_t a = group.a[lane], b = group.b[lane];
+            for (std::uint32_t k = 0; k < group.points; ++k) {
+                const RowPoint& point = m_rows.points()[group.firstPoint + k];
+                const auto armOf = [lane](const std::array<Wide, 3>& arm) {
+                    return Vec3(arm[0][lane], arm[1][lane], arm[2][lane]);
+                };
+                const Vec3 force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
+                if (a != immobile && m_still.is(a)) m_still.sample(a).add(armOf(point.armA), -force);
+                if (b != immobile && m_still.is(b)) m_still.sample(b).add(armOf(point.armB), force);
+            }
+        }
+    for (const RollingRow& row : m_rows.rolling()) {
+        if (row.a != immobile && m_still.is(row.a)) m_still.sample(row.a).torque -= perStep * row.torque;
+        if (row.b != immobile && m_still.is(row.b)) m_still.sample(row.b).torque += perStep * row.torque;
+    }
+    m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
+        const auto [a, b] = std::pair(contact.a, contact.b);
+        const Vec3 force = perStep * contact.impulse;
+        if (a != immobile && m_still.is(a)) m_still.sample(a).add(contact.radiusA * contact.normal, -force);
+        if (b != immobile && m_still.is(b)) m_still.sample(b).add(-contact.radiusB * contact.normal, force);
+    });
+}
+
+// Those whose forces are out of balance by this part move on. True if there are any.
+bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
+    bool any = false;
+    if (!m_still.any()) return any;
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        if (!m_still.is(i) || !m_still.isPressed(i) || !isUnbalanced(input, i, part)) continue;
+        moveOn(input, i);
+        any = true;
+    }
+    return any;
+}
+
+// What stands still carries no motion from one contact to another, as what cannot move.
+void SteppedMotion::findParts() {
+    if (!m_still.any() || std::exchange(m_arePartsFound, true)) return;
+    m_part.resize(m_bodies.size());
+    for (std::uint32_t i = 0; i < m_bodies.size(); ++i) m_part[i] = i;
+    for (const RowGroup& group : m_rows.groups())
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) joinParts(group.a[lane], group.b[lane]);
+    for (const Watched& pair : m_watched) joinParts(pair.a, pair.b);
+    m_balls.forEachPair([this](std::uint32_t a, std::uint32_t b) { joinParts(a, b); });
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) m_part[i] = partWith(i);
+}
+
+std::uint32_t SteppedMotion::partWith(std::uint32_t number) {
+    while (m_part[number] != number) number = m_part[number] = m_part[m_part[number]];
+    return number;
+}
+
+void SteppedMotion::joinParts(std::uint32_t a, std::uint32_t b) {
+    if (m_still.is(a) || m_still.is(b)) return;
+    const std::uint32_t one = partWith(a), other = partWith(b);
+    m_part[std::max(one, other)] = std::min(one, other);
+}
+
+void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
+    m_still.set(number, false);
+    setMass(input, number);
+}
+
+// Those that are struck within the look move on, and others that are struck by these in turn. True if there
+// are any.
+bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manifolds) {
+    if (!m_still.any()) return false;
+    m_given.assign(m_bodies.size(), 0);
+    m_struckStill.clear();
+    const auto strike = [&](std::uint32_t a, std::uint32_t b, double closing, double restitution) {
+        if (m_still.is(a) == m_still.is(b)) return;
+        strikeStill(input, m_still.is(a) ? b : a, m_still.is(a) ? a : b, closing, restitution);
+    };
+    for (const RowGroup& group : m_rows.groups())
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            const std::uint32_t a = group.a[lane], b = group.b[lane];
+            if (group.source[lane] == ContactRows::noPair || m_still.is(a) == m_still.is(b)) continue;
+            const Vec3 normal(group.normal[0][lane], group.normal[1][lane], group.normal[2][lane]);
+            for (std::uint32_t k = 0; k < group.points; ++k) {
+                const RowPoint& point = m_rows.points()[group.firstPoint + k];
+                if (!(point.massNormal[lane] > 0)) continue;
+                const Vec3 armA(point.armA[0][lane], point.armA[1][lane], point.armA[2][lane]);
+                const Vec3 armB(point.armB[0][lane], point.armB[1][lane], point.armB[2][lane]);
+                const Vec3 speed = velocityAt(m_bodies[a], armA) - velocityAt(m_bodies[b], armB);
+                strike(a, b, normal.dot(speed), group.restitution[lane]);
+            }
+        }
+    m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
+        if (!contact.isSolved) return;
+        const auto [a, b] = std::pair(contact.a, contact.b);
+        strike(a, b, contact.normal.dot(vectorOf(m_bodies[a].velocity) - vectorOf(m_bodies[b].velocity)),
+               contact.restitution);
+    });
+    if (m_struckStill.empty()) return false;
+    passOnStrikes(input, manifolds);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_struckStill)) moveOn(input, i);
+    noteStill(input, manifolds);
+    return true;
+}
+
+// What moves at `closing` [m/s] towards one that stands still may give it a speed.
+void SteppedMotion::strikeStill(const SteppedInput& input, std::uint32_t from, std::uint32_t to,
+                                double closing, double restitution) {
+    if (to == immobile || from == immobile) return;
+    const double mass = input.bodies.mass[m_list[from - 1]], other = input.bodies.mass[m_list[to - 1]];
+    const double size = input.bodies.boundingRadius[m_list[to - 1]];
+    const double speed = (1 + restitution) * closing * mass / (mass + other);
+    if (!(speed > StillBodies::struckSpeed * std::sqrt(size * input.gravity.norm()))) return;
+    if (m_given[to] == 0) m_struckStill.push_back(to);
+    m_given[to] = std::max(m_given[to], speed);
+}
+
+// From contact to contact, for as far as it gives a speed that is not calm.
+void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& manifolds) {
+    std::size_t known = 0;
+    const auto passOn = [&](std::uint32_t a, std::uint32_t b, double restitution) {
+        if (m_given[a] > 0 && m_given[b] == 0) strikeStill(input, a, b, m_given[a], restitution);
+        if (m_given[b] > 0 && m_given[a] == 0) strikeStill(input, b, a, m_given[b], restitution);
+    };
+    while (known < m_struckStill.size()) {
+        known = m_struckStill.size();
+        for (const std::uint32_t entry : m_general) {
+            const auto [first, second] = m_entries[entry].pair;
+            const std::uint32_t a = m_local[first], b = m_local[second];
+            if (m_entries[entry].isGone || !m_still.is(a) || !m_still.is(b)) continue;
+            if ((m_given[a] > 0) == (m_given[b] > 0)) continue;
+            const PersistentManifold& manifold = manifolds[m_entries[entry].place];
+            if (manifold.count > 0 && !manifold.open)
+                passOn(a, b, pairOf(input.bodies, m_entries[entry].pair, 0).restitution);
+        }
+        m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
+            if (m_still.is(contact.a) && m_still.is(contact.b) && contact.impulse != Vec3::Zero())
+                passOn(contact.a, contact.b, contact.restitution);
+        });
+    }
+}
+
+} // namespace carom

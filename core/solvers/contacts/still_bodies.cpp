@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/still_bodies.h"
+
+namespace carom {
+namespace {
+
+/// Of a sample in the mean: four substeps a frame are usual. At twice as much the noise of the sweeps wakes
+/// bodies of a heap that lie still.
+constexpr double sampleWeight = 0.25;
+
+} // namespace
+
+void StillBodies::begin() {
+    m_is.assign(1, 1);
+    m_lasting.assign(1, {});
+    m_passing.assign(1, {});
+    m_count = 0;
+}
+
+void StillBodies::add() {
+    m_is.push_back(0);
+    m_lasting.emplace_back();
+    m_passing.emplace_back();
+}
+
+void StillBodies::renumber(std::size_t from, std::size_t to) {
+    m_is[to] = m_is[from];
+    m_lasting[to] = m_lasting[from];
+    m_passing[to] = m_passing[from];
+}
+
+void StillBodies::resize(std::size_t count) {
+    m_is.resize(count);
+    m_lasting.resize(count);
+    m_passing.resize(count);
+    m_count = 0;
+    for (std::size_t i = 1; i < count; ++i) m_count += m_is[i];
+}
+
+void StillBodies::beginLoads() {
+    m_lasting.assign(m_is.size(), {});
+    m_passing.assign(m_is.size(), {});
+}
+
+void StillBodies::beginSamples() { m_sample.assign(m_is.size(), {}); }
+
+void StillBodies::takeSamples() {
+    for (std::size_t i = 1; i < m_is.size(); ++i) {
+        if (m_is[i] == 0 || !(m_sample[i].borne > 0 || m_passing[i].borne > 0)) continue;
+        m_passing[i].force += sampleWeight * (m_sample[i].force - m_passing[i].force);
+        m_passing[i].borne += sampleWeight * (m_sample[i].borne - m_passing[i].borne);
+        m_passing[i].torque += sampleWeight * (m_sample[i].torque - m_passing[i].torque);
+    }
+}
+
+bool StillBodies::isUnbalanced(std::uint32_t number, double weight, double size, double part) const {
+    const Vec3 force = m_lasting[number].force + m_passing[number].force;
+    const Vec3 torque = m_lasting[number].torque + m_passing[number].torque;
+    const double most = part * (weight + 0.5 * (m_lasting[number].borne + m_passing[number].borne));
+    return force.norm() > most || torque.norm() > most * size;
+}
+
+} // namespace carom
