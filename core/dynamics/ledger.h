@@ -36,7 +36,8 @@ inline constexpr std::size_t ledgerAccounts = 0
 #undef CAROM_LEDGER_ACCOUNT
     ;
 
-/// "gravity", "restitution", ...: as columns name them.
+/// "gravity", "restitution", ...: as columns name them. Position correction is "parting": the name is kept
+/// because files of users have it.
 std::string_view nameOf(LedgerAccount account);
 
 struct LedgerEntry {

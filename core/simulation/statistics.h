@@ -50,7 +50,8 @@ struct FrameStatistics {
 };
 
 /// The columns that statisticsRow() fills, as a line of CSV without its end. Scripts depend on them: one may
-/// be added at the end, none changes.
+/// be added at the end, none changes. So `energy_by_parting`, the energy that position correction gives to
+/// bodies that overlap [J], keeps its name.
 std::string_view statisticsColumns();
 /// Figures in the shortest form that reads back exactly.
 std::string statisticsRow(const FrameStatistics& frame);
