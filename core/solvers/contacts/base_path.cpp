@@ -7,18 +7,28 @@
 namespace carom {
 namespace {
 
-/// Islands of so few contact points take more and shorter steps.
+/// Islands of up to so many contact points, but for balls with fewer than eight, make eight sweeps a substep
+/// or more, larger ones three or fewer. At twice, those in between cost nearly three times as much; at half,
+/// they rest deeper in each other.
 constexpr std::size_t fewPoints = 192;
-/// Balls with more than so many take one step a look: their contacts turn with them.
+/// Islands of balls with more contact points than this take one step a substep, smaller ones two. At twice,
+/// those in between make twice as many sweeps; at half, one in place of two.
 constexpr std::size_t manyPoints = 4 * fewPoints;
-/// So many times fewer points, so many times more looks in a substep.
+/// Contact points of an island, not one of balls alone, that is updated once a substep. With half or a
+/// quarter of them it is updated two or four times, each time with all its sweeps. At twice, islands of 17 to
+/// 64 points make twice as many sweeps; at half, those of 9 to 32 half as many.
 constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
-/// An island that needs so many times more sweeps than its block makes had better enter another.
+/// An island of few balls moves to another block if it needs this many times the sweeps that its block makes.
+/// At half, islands change blocks more often; at twice, an impact may pass on through fewer contacts.
 constexpr int tooFew = 4;
 
-/// Of so many bodies of an island one at most is renewed: where more are, it leaves.
+/// The neighbours of at most one body in so many of an island are found anew; where it would be more, the
+/// whole island leaves the base path. At half, more searches are made for single bodies; at twice, islands
+/// leave, and enter again, more often.
 constexpr std::size_t fewRenewed = 4;
-/// And only where one body in so many is here: the neighbours may have to search for all.
+/// And only where at least one mobile body in so many takes the base path, because the neighbours of all
+/// bodies may have to be found. At twice, a search for all is made for fewer bodies; at half, islands leave
+/// more often.
 constexpr std::size_t partHere = 4;
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have

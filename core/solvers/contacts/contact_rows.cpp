@@ -10,6 +10,8 @@
 namespace carom {
 namespace {
 
+/// Groups for which there is room from the start, with two points each. Twice or half changes memory only,
+/// and which islands allocate in a step.
 constexpr std::size_t fewGroups = 256;
 
 double largerEigenvalue(double xx, double xy, double yy) {

@@ -17,7 +17,8 @@
 namespace carom {
 namespace {
 
-/// A time of impact is found to a gap of this part of contactSlop.
+/// A time of impact is found to a gap of this part of contactSlop. At a thousand times, bodies would be
+/// stopped at the edge of what counts as touching; at a thousandth, below the rounding of their positions.
 constexpr double reached = 1e-3;
 /// What has come down earlier than after this part of the time touched already, and rolled on. Where that
 /// takes it deeper than this part of its size the time was too long: half of it will do, or less.
@@ -271,7 +272,11 @@ double IslandMotion::firstStop(const MotionInput& input, double duration) {
 }
 
 double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked, double duration) {
-    constexpr double stopped = 1e-9; // of the speed before
+    // Part of the speed before at which it has stopped. At a thousandth, it is near rounding; at a million
+    // times, contacts stick while they still slide.
+    constexpr double stopped = 1e-9;
+    // Each trial is a solve. At half, the time of a stop is less exact where the speed does not fall
+    // linearly; at twice, a stop that is not found costs twice as much.
     constexpr int mostTrials = 10;
     double low = 0, speedLow = braked.before, high = duration;
     double guess = 0.9 * std::min(1.0, braked.part) * duration;

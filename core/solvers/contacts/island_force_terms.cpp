@@ -10,7 +10,8 @@
 namespace carom {
 namespace {
 
-/// The change of a velocity, relative to the fastest, from which on terms need not be taken anew.
+/// The change of a velocity, relative to the fastest, below which force terms are not evaluated again. At a
+/// hundredth, rounding keeps the rounds from ending; at a hundred times, two digits are lost.
 constexpr double roundsEnd = 1e-14;
 
 } // namespace

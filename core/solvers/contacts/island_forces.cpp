@@ -10,14 +10,19 @@
 namespace carom {
 namespace {
 
-/// Forces are remembered from parts of at least this part of the substep.
+/// Forces are remembered from parts of a substep that are at least this part of it. At half, forces of
+/// shorter parts, which are larger, become the first guess of later ones; at twice, guesses are older.
 constexpr double shortestMemory = 0.1;
 /// A residual up to so many times the tolerance is near enough to go on with: the next substep begins there.
+/// At half, more islands are left to the base path; at twice, velocities may be wrong by twice as much.
 constexpr double nearlySolved = 1000;
-/// A friction force nearer to the edge of its cone than this part of it is at the edge: the contact slides.
+/// A friction force within this part of the edge of its cone is at the edge: the contact slides. At a
+/// thousandth, what the tolerance leaves lets sliding contacts count as stuck; at a thousand times, contacts
+/// that stick near the edge count as sliding.
 constexpr double coneEdge = 1e-6;
-/// How often force terms are taken where the velocities found last lead. Each round gains about six digits
-/// where a term changes a velocity by a thousandth in a part of the substep.
+/// How often force terms are evaluated at the velocities found last, at most. Each round gains about six
+/// digits where a term changes a velocity by a thousandth in a part of the substep. At half, terms that
+/// change it by about half may be left with an error; at twice, they cost up to twice as many solves.
 constexpr int mostRounds = 8;
 
 } // namespace

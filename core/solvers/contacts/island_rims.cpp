@@ -27,10 +27,15 @@ namespace {
 /// Points no further apart than this part of the smaller body are one; forces could not be told apart. Where
 /// it is the height that makes it large a disc of a tenth of that seems smaller by 5e-4 of its radius.
 constexpr double leastDistance = 0.01;
+/// Solves of a part at most, each with other points of rims. At half, a disc may be left that sinks in at a
+/// place of its rim; at twice, such a part costs up to twice as much.
 constexpr int mostRounds = 8;
-/// In units of the body's size: as good as a direction.
+/// A distance at which a place stands for a direction, in units of the body's size: the directions from two
+/// places of the body differ by a millionth. Twice or half changes that only.
 constexpr double farAway = 1e6;
-/// What bears no more than this part of what another does bears nothing.
+/// A point that bears up to this part of what another one of the contact bears may be replaced. At a tenth,
+/// there is less often a place for a new point; at ten times, points are replaced that bear a hundredth of
+/// the load.
 constexpr double idlePart = 1e-3;
 
 } // namespace

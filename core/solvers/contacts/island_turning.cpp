@@ -31,15 +31,21 @@
 namespace carom {
 namespace {
 
-/// Rounds at most. A disk that rolls round by a third of a radian needs 10 for seven digits.
+/// Rounds at most. A disk that rolls by a third of a radian needs 10 for seven digits. At half, discs that
+/// roll fast keep an error; at twice, rounds that do not converge cost twice as much.
 constexpr int mostRounds = 30;
 /// A point further from where it was than this part of the smaller body, seen from both bodies, is another.
+/// At half, discs that roll fast lose their point; at twice, it may become one on the other side of the body.
 constexpr double sameWithin = 0.5;
-/// What presses goes on to touch: a gap that it would have then counts as a way so many times as long.
+/// A point that bears a force still touches at the end: a gap that it would have there counts as a distance
+/// so many times as long. Twice or half matters only where gaps are a thousandth of the distances.
 constexpr double gapWeight = 1000;
-/// A normal that turned by more than this cosine is another face's.
+/// The smallest cosine between the normals of one point, at the start and at the end: beyond 60 degrees it is
+/// that of another face. At half, 76 degrees, corners of cuboids take points of two faces for one more often;
+/// at twice, none could turn.
 constexpr double sameFace = 0.5;
-/// The change of a round over that of the one before, beyond which rounds lead nowhere.
+/// The change of a round over that of the one before, beyond which rounds do not converge. At half, rounds
+/// end that would converge after one larger change; at twice, those that diverge go on longer.
 constexpr double mostGrowth = 2;
 
 /// A ball on a wall: neither normal nor arms ever turn.

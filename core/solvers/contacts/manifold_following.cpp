@@ -14,15 +14,20 @@ using Kind = DirectionSource::Kind;
 /// Relative poses within this part of the smaller body's size and this angle [rad] keep their points. At
 /// three times as much falling heaps overlap by half as much again.
 constexpr double followedWithin = 0.003, followedAngle = 0.005;
-/// A cap that leans less has no lowest point that could be followed: it goes round the rim ever faster.
+/// Sine of the least angle between the cap of a cylinder and the contact's plane at which its lowest point is
+/// followed: below, that point moves round the rim ever faster. At half, points are carried along that move
+/// too fast; at twice, more of them are found anew.
 constexpr double leastLean = 0.05;
 
 /// Whether a point of a solid, in its frame, is where the side or the rim of a cylinder is furthest along the
 /// normal or against it, so that it rolls on when the cylinder turns.
 bool doesRoll(const Solid& solid, const Vec3& point, const Vec3& normal) {
+    // Of the radius: points of the rim and of the side are this near to it. Twice or half is as far above
+    // rounding (1e-16).
     constexpr double rounding = 1e-6;
-    constexpr double sameDirection =
-        0.98; // lines that are nearly parallel touch beside where they are lowest
+    // A cosine, of 11 degrees: lines that are nearly parallel touch beside the lowest line. At half the angle
+    // more points are found anew; at twice, points are taken to roll that do not.
+    constexpr double sameDirection = 0.98;
     if (!solid.isCylinder) return false;
     const double lean = std::sqrt(normal.x() * normal.x() + normal.z() * normal.z());
     const double radius = std::sqrt(point.x() * point.x() + point.z() * point.z());

@@ -17,7 +17,8 @@
 namespace carom {
 namespace {
 
-/// A point within this part of the size of an old one has its force.
+/// A point within this part of the smaller body's size of an old one has its force. At half, more points
+/// begin with forces that shareOut estimates; at twice, forces go to points where their torque is another.
 constexpr double sameWithin = 0.05;
 /// Of B, seen from A.
 Quat relativeOrientation(const State& state, BodyPair pair) {
@@ -78,6 +79,8 @@ void reduce(Manifold& manifold) {
 /// Passes of shareOut. The error of a square of points falls to a hundredth in four.
 constexpr int sharePasses = 8;
 /// Points belong to the same contact where the middle of all has moved by no more than this part of the size.
+/// At twice, a contact at the opposite end of a body takes over forces; at half, more contacts begin without
+/// any.
 constexpr double sameContactWithin = 0.5;
 
 using Point = PersistentManifold::Point;

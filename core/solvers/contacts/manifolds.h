@@ -37,9 +37,12 @@
 namespace carom {
 
 inline constexpr std::size_t manifoldPoints = 4;
-/// Pairs within this part of the size of the smaller body may touch however slow they are.
+/// Pairs within this part of the size of the smaller body may touch however slow they are. At half, pairs are
+/// taken for open that errors of the motion can close; at twice, more pairs are looked at that do not touch.
 inline constexpr double slackPart = 0.01;
-/// A contact of balls counts as apart, and its normal is foreseen, beyond this part of their radii.
+/// Balls whose gap is more than this part of the sum of their radii count as apart, and their normal is that
+/// of the impact to come. At half, balls at rest against each other change between the two; at twice, the
+/// normal of a glancing impact may be wrong by more.
 inline constexpr double openBeyond = 1e-3;
 
 inline bool isSphere(const Bodies& bodies, BodyIndex i) {

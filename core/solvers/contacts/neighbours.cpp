@@ -11,14 +11,18 @@
 namespace carom {
 namespace {
 
-/// A skin is this many times what the body needs in one substep. Wider skins last longer and hold more pairs.
+/// A skin is this many times what the body needs in one substep. At twice, lists last longer and hold more
+/// pairs; near 1, the list is made anew in every substep.
 constexpr double roominess = 2;
-/// And at least this many times what was asked for beyond it before the list was made.
+/// And at least this many times what was asked for beyond it before the list was made: twice or half has the
+/// same effects.
 constexpr double lentAgain = 1.5;
 /// Up to so many bodies are compared with all others, a few instructions for each of these; a search for all
-/// costs some thousands for every body of the scene.
+/// costs some thousands for every body of the scene. At twice, the comparisons may cost as much as the
+/// search; at half, more searches are made.
 constexpr std::size_t fewOutrun = 128;
-/// A body has so many others around it, nearly always: room for them is there from the start.
+/// Others around a body for which there is room from the start; there are nearly always fewer. Twice or half
+/// changes memory only, and how often lists grow.
 constexpr std::size_t usualAround = 16;
 
 } // namespace

@@ -105,9 +105,11 @@ class Neighbours {
     std::size_t ends() const { return m_ends; }
 
     /// A body may come this many times as far as it would without impacts: an impact may speed it up on the
-    /// way.
+    /// way. At half, pairs are missed that meet after an impact within the substep; at twice, there are more
+    /// pairs to look at.
     static constexpr double reachFactor = 2.2;
-    /// And always this far, relative to its size, so that forces are remembered through small hops.
+    /// And always this far, relative to its size, so that forces are remembered through small hops. At half,
+    /// bodies that hop a little lose their forces; at twice, there are more pairs to look at.
     static constexpr double leastMargin = 0.01;
 
   private:

@@ -12,24 +12,36 @@ namespace carom {
 namespace {
 
 /// κ at a warm start, and its range. Above 1e5 the rounding of H shows in the solution; the factor 10 is the
-/// growth when the outer loop converges slowly.
+/// growth when the outer loop converges slowly. At twice or half the solution is the same: a smaller κ takes
+/// more rounds, a larger one more steps in each.
 constexpr double kappaWarm = 1e3, kappaLeast = 1e-2, kappaMost = 1e9, kappaGrowth = 10;
-/// A warm start is poor if the first inner problem takes more steps than this: begin again with κ = 1.
+/// A warm start is poor if the first inner problem takes more steps than this: begin again with κ = 1. At
+/// half, good guesses are given up; at twice, poor ones cost twice as many factorisations.
 constexpr int fewSteps = 6;
-/// Where the error no longer falls but is within this factor of the tolerance, rounding is what is left.
+/// Where the error no longer falls but is within this factor of the tolerance, rounding is what is left. At
+/// half, problems that are as good as solved go on to the limit of steps; at twice, larger errors are left.
 constexpr double stallNearby = 10;
-/// The inner problem is solved to this part of the tolerance.
+/// The inner problem is solved to this part of the tolerance. At half, rounding hinders it earlier; at twice,
+/// its error is a fifth of the tolerance, and more rounds are made.
 constexpr double innerPart = 0.1;
-/// Inner steps and outer rounds at most; the hardest problems met took 40 and 30.
+/// Inner steps and outer rounds at most; the hardest problems met took 40 and 30. At half of the first, these
+/// fail; at twice, a problem without a solution costs twice as much where its budget allows that.
 constexpr int mostSteps = 60, mostRounds = 80;
-/// The inner error should fall at least to this part in a step; else the coupled step is tried.
+/// The inner error should fall at least to this part in a step; else the coupled step is tried, at the cost
+/// of another factorisation. At half, it is tried more often in vain; at twice, slow convergence lasts
+/// longer.
 constexpr double slowFall = 0.3;
-/// The line search is exact enough when the slope along the step has fallen to this part.
+/// The line search is exact enough when the slope along the step has fallen to this part. Twice or half moves
+/// work between the search and the number of steps.
 constexpr double slopeFall = 0.1;
+/// Slopes that one line search evaluates at most in each of its two loops. At half, a search that rounding
+/// keeps from ending costs half as much.
 constexpr int mostSlopes = 40;
-/// Multipliers drift steadily if their drift changes by at most this part of it in a round.
+/// Multipliers drift steadily if their drift changes by at most this part of it in a round. At half, more
+/// rounds pass before a drift is followed; at twice, a change that bends is taken for a drift.
 constexpr double steadyPart = 0.05;
-/// A contact whose friction force is nearer to the edge of its cone than this part of it slips.
+/// A contact slips whose friction force is within this part of the edge of its cone. At a thousandth,
+/// rounding lets it count as stuck; at a thousand times, drifts end before the edge.
 constexpr double coneEdge = 1e-9;
 
 template<class Row>

@@ -9,16 +9,23 @@
 namespace carom {
 namespace {
 
-/// Operations that an island takes that is solved already: for each body, and each pair in contact.
+/// Operations that an island takes that is solved already: for each body, and each pair in contact. At twice,
+/// half as many islands find room in the budget; at half, frames take up to twice their income.
 constexpr double perBody = 300, perPair = 1500;
 /// Islands with springs may take so many times more: the base path takes energy out of springs, refinement
-/// does not.
+/// does not. At half, smaller networks in contact lose energy; at twice, a frame with springs may cost twice
+/// as much.
 constexpr double forSprings = 20;
-/// An island waits 2ᶠ − 1 substeps after f attempts in vain in a row, f at most this.
+/// An island waits 2ᶠ − 1 substeps after f failed attempts in a row, f at most this: 63 substeps. With one
+/// more it waits up to 127, and what has come to rest is refined later; with one less, failed attempts cost
+/// twice as much.
 constexpr std::uint8_t mostFailures = 6;
-/// What a run begins with is for what is put down then: this part of it is left after a substep.
+/// What is saved when a run begins is for bodies that the scene puts down then: this part of it is left after
+/// a substep, 1/e after nine. At half, scenes of large piles may use little of it; where nearly all of it is
+/// left, a later collapse may draw on it.
 constexpr double startFades = 0.9;
-/// An island is nearly at rest that is no faster than so many times |g| h.
+/// An island is nearly at rest that is no faster than so many times |g| h. At half, heaps are refined later;
+/// at twice, what is saved is spent on islands that still move.
 constexpr double nearlyResting = 10;
 
 } // namespace

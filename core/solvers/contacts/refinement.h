@@ -62,11 +62,14 @@ class Refinement {
         std::uint32_t island = 0;
         double budget = 0; ///< operations
     };
-    /// An island may take so many times what it was expected to.
+    /// An island may take so many times what it was expected to. At half, more attempts fail; at twice,
+    /// frames may exceed their budget by twice as much.
     static constexpr double mostOverrun = 4;
-    /// What a frame has left of so many floors is what an island may take at most.
+    /// An island may take at most what a frame has left of so many floors. At half, the second of two islands
+    /// may find nothing left; at twice, a frame may take two floors more.
     static constexpr double mostFloors = 2;
-    /// A frame takes so many floors at most, where all its islands come in one substep.
+    /// A frame takes so many floors at most, where all its islands come in one substep. Twice or half doubles
+    /// or halves the longest frame of many islands, and what each of them may take.
     static constexpr double mostShares = 16;
 
     explicit Refinement(std::size_t bodies)

@@ -37,7 +37,9 @@ class StillBodies {
     /// `part` above. At half of both, two or three times as many bodies of a heap move on each frame; at
     /// twice as much, what moves on does so with a jerk, and overlaps are a third deeper.
     static constexpr double toStand = 0.1, toMoveOn = 0.2;
-    /// Speed that an impact may give, in units of √(size |g|): three times what counts as calm.
+    /// Speed that an impact may give, in units of √(size |g|): three times what counts as calm. At half,
+    /// bodies wake that would be calm again soon; at twice, what strikes finds a body that cannot move up to
+    /// twice that speed.
     static constexpr double struckSpeed = 0.03;
 
     /// Force [N] and torque about the centre [N m].
