@@ -16,7 +16,8 @@
 namespace carom {
 namespace {
 
-// What a limit that is off by two costs is time near it, by the factors above; the pairs are the same.
+// At twice or half of a limit the scenes in between take longer, by the factors above; the pairs are the
+// same.
 constexpr std::size_t fewBoxes = 64;     // below: all pairs
 constexpr std::size_t smallScene = 1500; // boxes; below: one sweep rather than the grid
 constexpr double manySizes = 4;          // 95th over 5th percentile of the widths; above: the tree

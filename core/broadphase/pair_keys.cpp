@@ -7,7 +7,8 @@ namespace carom {
 namespace {
 
 void sortBin(PairKey* begin, PairKey* end) {
-    constexpr std::ptrdiff_t longBin = 24; // beyond it insertion would be slower than std::sort
+    // Keys; in more of them insertion would be slower than std::sort. Twice or half changes the time only.
+    constexpr std::ptrdiff_t longBin = 24;
     if (end - begin > longBin) return std::sort(begin, end);
     for (PairKey* p = begin; p < end; ++p) {
         const PairKey key = *p;

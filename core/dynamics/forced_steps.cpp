@@ -16,7 +16,8 @@ namespace {
 /// by more than a factor of 2^45 is not solved.
 constexpr int mostRounds = 100;
 /// The change of a velocity, relative to it, at which they end: the next one would be the square of it, below
-/// a double's rounding up to 1e-8.
+/// a double's rounding up to 1e-8. At half, an iteration more is made now and then, for nothing; at a hundred
+/// times, a change of 1e-14 is left out.
 constexpr double roundsEnd = 1e-9;
 
 /// θ; below `small` by its series, where the closed form cancels: it loses a factor of 2/z, one more bit at

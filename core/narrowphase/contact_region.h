@@ -11,6 +11,8 @@ namespace carom {
 /// The corners of the region in which two features overlap, projected along a normal.
 class ContactRegion {
   public:
+    /// Corners for which there is room; more are left out. At half, a part of a region could be missing; at
+    /// twice, a manifold is searched for on twice as much of the stack.
     static constexpr std::size_t capacity = 20;
 
     /// `slack` [m]: features apart by no more, across the normal, still touch.

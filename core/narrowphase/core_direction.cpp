@@ -43,7 +43,8 @@ Vec3 middleOfEdge(const Solid& solid, Eigen::Index edge, const Vec3& direction) 
 }
 
 /// Edges at a smaller angle [rad] count as parallel: the direction perpendicular to both would have a
-/// rounding error of more than 1e-7, and a face has nearly the same direction.
+/// rounding error of more than 1e-7, and a face has nearly the same direction. At half, that error is twice
+/// as large; at twice, more edges have no direction of their own.
 constexpr double smallestSine = 1e-9;
 
 /// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
@@ -296,7 +297,9 @@ Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, c
         if (const Vec3 direction = fromSideToRim(a, b, source.kind); direction != Vec3::Zero())
             now = direction;
     }
-    constexpr double sameDirection = 0.9; // a larger turn (26 degrees) is another direction
+    // A cosine, of 26 degrees: a larger turn is another direction. At half the angle the search begins with
+    // the direction of before more often; at twice, with that of another feature.
+    constexpr double sameDirection = 0.9;
     const double cosine = now.dot(before);
     if (!(std::abs(cosine) > sameDirection)) return before;
     return cosine < 0 ? Vec3(-now) : now;

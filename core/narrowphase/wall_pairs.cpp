@@ -11,7 +11,9 @@ namespace carom {
 namespace {
 
 // A lean that lowers the rim by less than this part of the radius counts as standing flat: far above rounding
-// (1e-16), far below any lean that matters, and the four fixed points are then as deep as the lowest.
+// (1e-16), far below any lean that matters, and the four fixed points are then as deep as the lowest. At a
+// millionth, rounding lets a cylinder that stands seem to lean; at a million times, the points of one that
+// leans visibly would not be its lowest.
 constexpr double flatLean = 1e-10;
 
 // A cylinder above a wall. Heights are signed distances from the wall.

@@ -11,7 +11,8 @@
 namespace carom {
 namespace {
 
-/// Warnings one effect gives at most; the last one says how many more there are.
+/// Warnings one effect gives at most; the last one says how many more there are. At half, places of others
+/// remain unnamed; at twice, the list of problems is twice as long.
 constexpr std::size_t mostWarnings = 50;
 
 void warnOfUnmet(const EffectRow& row, const EffectDecision& decision, std::vector<Diagnostic>& warnings) {
@@ -59,7 +60,8 @@ SmoothMotion motionFor(const Bodies& bodies, SmoothMotion motion) {
 
 Pipeline::Pipeline(const Scene& scene, const SimulationSettings& options, const WorkStage& stage)
     : m_scene(scene), m_settings(settledSettings(scene, options, m_warnings)) {
-    // What is done after each stage, as it is for 200,000 spheres in a gas.
+    // Part of the work that is done after each stage, as it is for 200,000 spheres in a gas. Other values
+    // change only how evenly the progress that is shown runs.
     constexpr double copied = 0.1, numbered = 0.35, started = 0.4, settled = 0.55, decided = 0.6;
     stage.reach(copied);
     m_bodies = bareBodiesOf(scene);

@@ -60,7 +60,9 @@ class Touches {
           m_leastLimit(limitFor(std::numeric_limits<std::size_t>::max()).most) {}
 
     void findAll(const Bodies& bodies, const WorkStage& stage) {
-        constexpr double besideWalls = 0.1, paired = 0.5; // the stages' shares of the time, in a gas
+        // Part of the work that is done after each stage, in a gas. Other values change only how evenly the
+        // progress that is shown runs.
+        constexpr double besideWalls = 0.1, paired = 0.5;
         againstWalls(bodies, stage.part(0, besideWalls));
 
         std::vector<Aabb> boxes;
@@ -143,7 +145,9 @@ class Touches {
              .fixIt = movedApart(later, (later == b ? depth : -depth) * m_manifold.normal)});
     }
 
-    // The centre moved by the overlap and a millionth more, which is what nine digits round away.
+    // The centre moved by the overlap and a millionth of the body's thickness more, for what nine digits
+    // round away. At a tenth of that an overlap can remain by rounding; at a thousand times, a gap would
+    // show.
     std::optional<FixIt> movedApart(BodyIndex body, const Vec3& overlap) const {
         constexpr double more = 1e-6;
         constexpr int digits = 9;

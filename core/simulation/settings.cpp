@@ -177,7 +177,9 @@ std::int64_t framesUntil(double time, double step) {
 }
 
 std::int64_t framesOf(const RunSettings& settings) {
-    constexpr std::int64_t withoutDuration = 600; // frames: ten seconds at the default step, by convention
+    // Frames: ten seconds at the default step, by convention. At twice or half, runs without a duration last
+    // twice or half as long.
+    constexpr std::int64_t withoutDuration = 600;
     if (!settings.duration) return withoutDuration;
     return std::max<std::int64_t>(1, framesUntil(*settings.duration, settings.step));
 }

@@ -46,7 +46,10 @@ std::vector<Aabb> World::broadphaseStructure() const {
 }
 
 bool ContactForce::slides() const {
-    constexpr double nearlyAll = 0.999; // the solver stops within its tolerance of the cone
+    // Part of the largest friction force: the solver stops within its tolerance of the cone. Twice as far
+    // from 1, contacts that stick near the limit are shown as sliding; half as far, fewer of those that
+    // slide.
+    constexpr double nearlyAll = 0.999;
     const double pressing = force.dot(normal), along = (force - pressing * normal).norm();
     return along >= nearlyAll * friction * pressing;
 }

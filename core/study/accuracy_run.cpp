@@ -20,7 +20,8 @@ constexpr double brokenInvariant = 0.01;
 /// microsecond, and whatever else the machine does lasts a millisecond. At half of it times scatter more.
 constexpr double leastTimed = 5;
 /// Frames between two readings of the clock: as many as last so long [ms], at most. Readings then take a
-/// thousandth of the time, at half twice that; cancelling is noticed after as many frames.
+/// thousandth of the time, at half twice that; cancelling is noticed after as many frames. Twice or half of
+/// the number matters only for frames of less than 3 µs.
 constexpr double longTogether = 0.05;
 constexpr std::int64_t mostTogether = 16;
 

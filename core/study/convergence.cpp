@@ -15,6 +15,8 @@ namespace {
 /// not dominate yet. A tenth of the one or twice the other lets errors in that follow no order, and no order
 /// is found.
 constexpr double leastError = 1e-12, mostError = 0.35;
+/// Slopes, between settings next to each other, that show an order at least. With one, any pair of errors has
+/// an order; with four, methods with few settings have none.
 constexpr std::size_t leastSlopes = 2;
 /// Slopes that differ from the median by less are of one order, and this part of them must be: where impacts
 /// fall between the steps, errors vary irregularly, and there is no order. At twice the first, irregular

@@ -12,11 +12,11 @@
 namespace carom {
 namespace {
 
-/// Balls of a crowd at least: an average over n balls has a deviation of 1/√n, with 50 of 14 %, with 25 of 20
-/// %.
+/// Balls of a crowd at least: an average over n balls has a deviation of 1/√n. It is 14 % with 50 balls, 20 %
+/// at half as many, and 10 % at twice as many.
 constexpr std::size_t leastBalls = 50;
-/// The part of a run in which copies must have nothing in common any more; with less of it a crowd's averages
-/// are those of its start.
+/// The least part of a run in which copies have nothing in common any more. At half, a crowd's averages are
+/// largely those of its start; at twice, no run would be long enough.
 constexpr double leastPart = 0.5;
 /// The histogram of speeds reaches to so many times the fastest at the start; faster ones share the last bin.
 /// At a third, a gas that heats up would be in that bin wholly; at twice, bins are twice as wide.

@@ -188,7 +188,9 @@ void Experiment::measureRegion() {
 // Three diameters from the walls the density has come within a thousandth of the bulk's at moderate packing;
 // a small box must do with less.
 void Experiment::chooseInnerBox() {
-    constexpr double reach = 3, shareAtMost = 0.25; // diameters; of the box
+    // Diameters, and part of the box. At half, the density near the walls is averaged in; at twice, fewer
+    // balls are counted, and in a small box none.
+    constexpr double reach = 3, shareAtMost = 0.25;
     if (!m_region.isClosed() || !m_up.isZero(0)) {
         m_study.remarks.push_back(m_up.isZero(0) ? "no closed box of upright walls: no pressure"
                                                  : "gravity: the pressure differs from height to height");
@@ -427,7 +429,9 @@ GasStudy Experiment::judged() {
                 m_study.alike ? theory::freeTimeOf(n, m_study.diameter, m_study.mass, m_study.temperature)
                               : nothing);
     }
-    constexpr double thin = 0.01; // packing, where pressure is 4 % above that of points
+    // Packing, at which the pressure is 4 % above that of points; twice or half as much at twice or half of
+    // it.
+    constexpr double thin = 0.01;
     if (!m_study.heights.empty() && m_study.packing > thin)
         m_study.remarks.push_back(
             "the gas is not thin: its balls keep each other higher than the formula says");

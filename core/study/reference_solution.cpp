@@ -29,16 +29,19 @@ constexpr int looksBetween = 8;
 /// time for one run less.
 constexpr int firstSubsteps = 8;
 /// How much finer than the finest setting the last run is: at half, its own error is a quarter of that
-/// setting's for a method of order two. And the difference of runs at which refinement ends: rounding.
+/// setting's for a method of order two. And the difference of runs at which refinement ends: rounding. At a
+/// tenth of that rounding keeps it from ending; at ten times, one digit of the reference may be lost.
 constexpr int finerThanFinest = 4;
 constexpr double convergedEnough = 1e-13;
 /// Refinement ends after so many runs in a row that neither diverge later nor agree better by these factors.
 /// At twice the first, chaotic scenes take twice as long for the same result; at half, a single unlucky run
-/// ends it.
+/// ends it. Factors nearer to 1 let chance count as progress; twice as far from it, that of a method of order
+/// one would not count.
 constexpr int mostStalls = 2;
 constexpr double furtherOn = 1.1, muchBetter = 0.7;
 /// Of the time for converging runs, the part that the first one may take: its copy takes as long, and a finer
-/// run twice.
+/// run twice. At twice, there may be no time for the finer run; at half, expensive scenes have no time for
+/// the first.
 constexpr double partOfFirst = 0.25;
 /// The part of the remaining time for copies that measure chance, and their number at most: with half as
 /// many, the largest difference among them is exceeded by another run twice as often.

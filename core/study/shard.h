@@ -26,7 +26,8 @@ struct Shard {
     bool isWhole() const { return count == 1; }
     friend bool operator==(const Shard&, const Shard&) = default;
 };
-/// Shards of a study at most: a typing mistake is reported; more than a cluster has.
+/// Shards of a study at most: a typing mistake is reported; more than a cluster has. Twice or half changes
+/// only which numbers are refused.
 inline constexpr int mostShards = 100'000;
 std::optional<Shard> shardIn(std::string_view text);
 std::string textOf(const Shard& shard); ///< "2/8"

@@ -63,7 +63,8 @@ ReadSweep readSweep(SweepDefinition definition, std::string text);
 
 class Sweep {
   public:
-    /// Runs at most: a typing mistake is reported. Ten times as many would take a table of ten gigabytes.
+    /// Runs at most: a typing mistake is reported. Ten times as many would take a table of ten gigabytes; at
+    /// half, more than 50 million runs need two sweeps.
     static constexpr std::size_t mostRuns = 100'000'000;
 
     const SweepDefinition& definition() const { return m_definition; }

@@ -15,8 +15,8 @@ namespace carom {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-/// Times nearer than this share of a frame are one: above the rounding of a frame's number times its length,
-/// which reaches 1e-9 of it after four million frames.
+/// Times nearer to each other than this share of a frame are equal. The rounding of a frame's number times
+/// its length reaches 1e-9 of it after four million frames: at half, after two; at twice, after eight.
 constexpr double sameMoment = 1e-9;
 constexpr std::string_view impact = "impact", impacts = "impacts";
 

@@ -26,14 +26,17 @@ constexpr std::size_t mostLevels = 20;
 constexpr double roundingOfPlaces = 1e-3;
 
 std::int32_t cellsAlong(double length, double side) {
-    constexpr double most = 1 << 20; // far beyond the budget of cells: so that no count overflows
+    // Far beyond the budget of cells, so that no count overflows: twice or half changes nothing.
+    constexpr double most = 1 << 20;
     return static_cast<std::int32_t>(std::clamp(std::ceil(length / side) + 1, double{fewestAlongAxis}, most));
 }
 
 /// The radius the finest cells are made for: the largest if nearly all balls are about as large, else the one
 /// that nine of ten do not exceed; twice as many crossings cost less than ten times as many pairs.
 double finestRadius(std::span<const TrajectoryOrigin> origins) {
-    constexpr double aboutEqual = 1.4; // cells have then up to 2.7 times the volume that most balls need
+    // Ratio of radii, at which cells have up to 2.7 times the volume that most balls need. At twice, 22
+    // times, and as many more pairs to look at; nearer to 1, the largest balls have cells of their own.
+    constexpr double aboutEqual = 1.4;
     std::vector<double> radii;
     radii.reserve(origins.size());
     for (const TrajectoryOrigin& origin : origins) radii.push_back(origin.radius);
@@ -50,7 +53,8 @@ double finestRadius(std::span<const TrajectoryOrigin> origins) {
 void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin> origins,
                          const Aabb& region) {
     // A cell takes five bytes and a bit: 160 bytes a ball. Where a region has more, cells repeat, and lists
-    // hold balls that are far away; that costs comparisons, and no ball is missed.
+    // hold balls that are far away; that costs comparisons, and no ball is missed. At half, thin gases
+    // compare twice as many balls that are far away; at twice, the cells take twice the memory.
     constexpr std::size_t cellsPerBall = 32, cellsAtLeast = 4096;
     const double finest = finestRadius(origins);
     const double ballCount = static_cast<double>(std::max<std::size_t>(1, origins.size()));
@@ -114,7 +118,9 @@ void EventCells::restart(EventRecords records, std::span<const TrajectoryOrigin>
 
 // Cells are numbered within one repetition, the one that begins at the origin; see wallsNear for the others.
 void EventCells::addWall(const Vec3& normal, double offset) {
-    constexpr double margin = 0.01; // of a cell: far more than rounding can put a ball beyond it
+    // Of a cell's side: far more than rounding can put a ball beyond it. At twice or half a few more or fewer
+    // cells ask for the wall.
+    constexpr double margin = 0.01;
     const unsigned bit = 1U << std::min(m_wallCount, wallBits - 1);
     ++m_wallCount;
     for (const Level& level : m_levels) {

@@ -51,6 +51,8 @@ class EventCells {
     /// Moves ball i one cell along an axis, in direction +1 or −1.
     void cross(EventRecords records, std::uint32_t i, int axis, int direction);
 
+    /// Bits of a cell's walls: one byte. With more walls the later ones share the last bit; at half, with
+    /// more than four; at twice, a cell takes one byte more.
     static constexpr unsigned wallBits = 8;
     /// One bit a wall that a ball can reach from its cell; the last one means all from there on. All where
     /// the cell is none that the tables were made for, but one they stand for too.
@@ -105,6 +107,8 @@ class EventCells {
     }
 
   private:
+    /// Number of a cell along an axis at most, in either direction, so that no sum of two overflows: it would
+    /// at twice this.
     static constexpr std::int32_t farthest = 1 << 29;
 
     struct Level {

@@ -88,7 +88,8 @@ void EventGas::loadBodies(const Bodies& bodies, const State& state) {
     if (dissipates) m_lastLosses.assign(count, -never);
     const double radius = count == 0 ? 1 : radii / static_cast<double>(count);
     const double speed = std::max(fastest, std::sqrt(m_gravity.norm() * radius));
-    constexpr double shortest = 1e-290; // so that rates are finite; no call is as short (advanceTo)
+    // [s], so that rates are finite; no call is as short (advanceTo). Twice or half changes nothing.
+    constexpr double shortest = 1e-290;
     if (speed > 0) m_typicalTime = std::max(radius / speed, shortest);
     m_clockTurn = std::ldexp(1.0, std::ilogb(m_typicalTime) + clockBits);
     m_tie = tieRounding * m_clockTurn;
@@ -98,7 +99,9 @@ void EventGas::loadBodies(const Bodies& bodies, const State& state) {
 // Balls that are near each other should be near each other in memory: order by Morton's curve. The upper half
 // of a word of m_order is the place on the curve, the lower half the ball's former row.
 void EventGas::sortByPlace() {
-    constexpr unsigned bits = 10; // an axis
+    // Of an axis: a thousand steps along the longest side. With one less, eight times as many balls share a
+    // place; with 11, three of them would not fit into 32 bits.
+    constexpr unsigned bits = 10;
     const Aabb region = regionOfCentres();
     const double scale = ((1U << bits) - 1) / std::max(region.size().maxCoeff(), 1e-300);
     const auto spread = [](std::uint64_t v) {
@@ -183,13 +186,17 @@ double EventGas::pendingRate(double now) const {
     if (pending.empty()) return 1 / m_clockTurn;
     const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(pending.size() / 2);
     std::nth_element(pending.begin(), pending.begin() + half, pending.end());
-    constexpr double soonest = 0.01; // of the typical time: a burst at the start is no rate
+    // Of the typical time: a burst at the start is no rate. At twice or half the length of a day may be off
+    // by as much until it is chosen again (keepDaysFitting).
+    constexpr double soonest = 0.01;
     return static_cast<double>(pending.size()) /
            std::max(pending[pending.size() / 2], soonest * m_typicalTime);
 }
 
 void EventGas::fillQueue(double eventsPerSecond) {
-    constexpr double most = 1e9; // days a turn of the clock: more would cost more to pass than their events
+    // Days a turn of the clock: more would cost more to pass than their events. Twice or half changes the
+    // time of runs with more events a turn only.
+    constexpr double most = 1e9;
     m_daysPerSecond = std::clamp(eventsPerSecond, 1 / m_clockTurn, most / m_clockTurn);
     m_queue.restart(m_records, m_daysPerSecond, m_now);
     m_handledAtFilling = m_handled;

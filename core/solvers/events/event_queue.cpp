@@ -6,7 +6,8 @@
 namespace carom {
 
 // Three days a body: with one or two events a day most of the tail of the distribution of waiting times falls
-// into the year.
+// into the year. At half, more events wait in the list of what is beyond it; at twice, the days take twice
+// the memory. With few bodies there are at least `fewest` days, of four bytes each.
 void EventQueue::restart(EventRecords records, double daysPerSecond, double now) {
     constexpr std::size_t daysPerBody = 3, fewest = 64;
     const std::size_t days = std::bit_ceil(std::max(fewest, daysPerBody * records.size()));

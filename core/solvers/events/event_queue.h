@@ -102,6 +102,8 @@ class EventQueue {
     std::size_t bytes() const { return heldBytes(m_days); }
 
   private:
+    /// Days ahead of which events are passed to `preview`. Twice or half changes the time only: at half what
+    /// is fetched may arrive late, at twice it may be evicted before it is used.
     static constexpr std::array<std::int64_t, 2> ahead = {4, 2};
 
     void sortBeyond(EventRecords records);

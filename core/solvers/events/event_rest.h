@@ -15,6 +15,7 @@ namespace carom {
 /// A ball that does not move freely: it rests on walls and slides along them, stands still on top of another
 /// ball, or is fixed. Its velocity has no part along the normals of its walls.
 struct Rest {
+    /// Walls that a ball rests on at most: three hold it still.
     static constexpr std::size_t mostWalls = 3;
     static constexpr std::uint32_t noBall = 0xffffffffU;
 

@@ -47,8 +47,9 @@ Roots quadraticRoots(std::span<const double> q, double bound) {
 /// halving it else. Ends when a step is no longer than rounding, not when the bracket is as narrow: Newton's
 /// steps come from one side.
 double bracketedRoot(std::span<const double> q, std::span<const double> derivative, double low, double high) {
-    constexpr double rounding =
-        4 * std::numeric_limits<double>::epsilon(); // of t: of the value over the slope
+    // Of t: the rounding of the value over the slope. At half, steps may not become as short, and the
+    // iteration goes on to its limit; at twice, one more bit of t is lost.
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     const double atLow = valueAt(q, low);
     const std::array near{atLow, valueAt(derivative, low), 0.5 * slopeAt(derivative, low)};
     const Roots ofParabola = quadraticRoots(near, high - low);
@@ -112,6 +113,8 @@ Roots positiveRoots(std::span<const double> q, double bound, Wanted wanted) {
 
 double pairTime(const TrajectoryOrigin& a, const Vec3& accelerationOfA, const TrajectoryOrigin& b,
                 const Vec3& accelerationOfB, double until) {
+    // The bound and the distance are rounded by far less. At a thousandth of what is above 1, an impact at
+    // the end of the time could be missed; at a thousand times, hardly more pairs are solved for.
     constexpr double rounding = 1 + 1e-12;
     const double later = std::max(a.time, b.time);
     const Vec3 D = positionAt(b, accelerationOfB, later) - positionAt(a, accelerationOfA, later);

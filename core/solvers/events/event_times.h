@@ -54,7 +54,9 @@ inline Vec3 velocityAt(const TrajectoryOrigin& origin, const Vec3& acceleration,
 /// How far a ball's surface is above the plane normal·x = offset at its origin [m]. `rest` [m] is what the
 /// origin's position rounded off: a gap that is small against the ball has a part in it.
 inline double gapTo(const TrajectoryOrigin& origin, const Vec3& rest, const Vec3& normal, double offset) {
-    constexpr double small = 0.01; // of the radius: up to there rounding takes two digits more
+    // Of the radius: below, the plain difference loses more than two digits, twice as much at half of it. At
+    // twice, the exact gap, which takes longer, is computed more often.
+    constexpr double small = 0.01;
     const double gap = normal.dot(origin.position) - offset - origin.radius;
     if (std::abs(gap) > small * origin.radius) return gap;
     return exactGap(normal, offset, origin.radius, origin.position, rest);

@@ -42,7 +42,7 @@ constexpr std::uint64_t mostPerBall = 16;
 /// it; at twice, a frame that is given up costs some milliseconds more.
 constexpr std::uint64_t mostOfFew = 6000;
 /// After f failed attempts in a row the next is made 2ᶠ frames later, f at most this: 2⁴⁰ frames, in effect
-/// never.
+/// never. At half, 2²⁰ frames, which long runs reach; at twice, 2⁸⁰ would overflow.
 constexpr int mostFailures = 40;
 
 bool mayLoseEnergy(const Bodies& bodies) {
