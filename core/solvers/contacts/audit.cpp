@@ -13,7 +13,7 @@ Vec3 meanVelocity(const Row& row, std::span<const Vec6> mean) {
     return u;
 }
 
-/// What an impulse on B, in the world, gives to the mobile bodies together.
+/// The momentum that an impulse on B, in world coordinates, gives to all mobile bodies together.
 template<class Row>
 Vec3 givenFromOutside(const Row& row, const Vec3& impulse) {
     if (row.a == immobile && row.b != immobile) return impulse;
@@ -55,7 +55,7 @@ void recordSprings(const ContactProblem& problem, std::span<const Vec6> mean, Le
     LedgerEntry& entry = ledger[LedgerAccount::Spring];
     for (const SoftRow& row : problem.springs) {
         entry.energy += row.impulse.dot(meanVelocity(row, mean));
-        // The momentum of a spring tied to the world, in the world: the linear part of its Jacobian.
+        // A spring tied to the world gives momentum, in world coordinates: the linear part of its Jacobian.
         if (row.a == immobile) entry.momentum += (row.jacobianB.transpose() * row.impulse).head<3>();
         if (row.b == immobile) entry.momentum += (row.jacobianA.transpose() * row.impulse).head<3>();
     }

@@ -18,7 +18,7 @@ CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& othe
     return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
 }
 
-/// What impulses along n, t1 and t2 do to both bodies.
+/// Applies impulses along n, t1 and t2 to both bodies.
 CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1, const Wide3& t2,
                         const Wide3& impulse, Motion& a, Motion& b) {
     const Wide3 p = impulse.x * n + impulse.y * t1 + impulse.z * t2;
@@ -29,7 +29,7 @@ CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1,
     b.spin = b.spin - (b.roundInverse * group.radiusB) * turning;
 }
 
-/// How B's point moves relative to A's.
+/// Velocity of B's contact point relative to A's.
 CAROM_INLINE Wide3 relativeVelocity(const BallGroup& group, const Wide3& n, const Motion& a,
                                     const Motion& b) {
     const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
@@ -56,8 +56,8 @@ CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displac
     scatter(bodies, group.b, b);
 }
 
-/// Takes back what an impact did to the velocities of a group: whatever added more to its impulses than what
-/// rests would.
+/// Removes from the velocities of a group the effect of contacts whose impulses have grown by more than a
+/// closing speed at rest explains: impacts, which are then treated by Newton's law.
 CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const ActiveBodies& active) {
     if (group.idle || !group.bounces) return;
     BallRow& row = group.row;
@@ -77,8 +77,9 @@ CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting,
     activateLanes(group, lanes, active);
 }
 
-/// Impacts of pairs that touch and close, with Newton's law, if one of their bodies was struck in the pass
-/// before or in this one. The fastest closing speed of those that bounce [m/s].
+/// Solves impacts of pairs that touch and close, with Newton's law, if an impact has changed the velocity of
+/// one of their bodies in the pass before or in this one. Returns the closing speeds of those that bounce
+/// [m/s].
 CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
                          const Wide& resting, int pass, const ActiveBodies& active) {
     const Wide zero{}, one = wideOf(1);
@@ -111,7 +112,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     return bounces ? closing : zero;
 }
 
-/// What parts faster than what rests holds no more force than when the step began.
+/// Reduces the force of pairs that separate faster than a contact at rest to what it was when the step began.
 CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, double resting) {
     if (group.idle || !group.bounces) return;
     Motion a, b;
@@ -230,12 +231,12 @@ struct BallRows::Refresh {
     std::size_t count;
     const SolverBody* bodies;
     const BodyPlace* places;
-    const Displacement* moved; ///< null: nobody has moved
+    const Displacement* moved; ///< null: no body has moved
     double duration;
     Vec3 gravity;
 };
 
-// Of all lanes, or of those that are `struck`. Always inlined into the wide versions below.
+// Updates all lanes, or those that are `struck`. Always inlined into the wide versions below.
 [[gnu::always_inline]] inline void BallRows::refreshGroup(const Refresh& with, std::size_t i,
                                                           const Wide* struck) {
     BallGroup& group = with.groups[i];
@@ -253,8 +254,8 @@ struct BallRows::Refresh {
     const Wide distance = isWall ? dot(old, d) : centres, radii = group.radiusA + group.radiusB;
     const Wide gap = distance - radii;
 
-    // The time of impact, or of the closest approach, within the time. Where one of them does not move, the
-    // other falls relative to it.
+    // The time of impact, or of the closest approach, within `duration`. If one of the bodies does not move,
+    // the other accelerates with gravity relative to it.
     Wide3 v = b.velocity - a.velocity;
     const Wide half = 0.5 * duration;
     const Wide falls = a.inverseMass == zero ? half : (b.inverseMass == zero ? -half : zero);
@@ -282,7 +283,7 @@ struct BallRows::Refresh {
     const Wide3 n = choose(turns, per * towards, old);
     const Wide3 t = tangentOf(n), t2 = cross(n, t);
     Wide now = dot(n, d) - radii;
-    if (with.moved != nullptr) // the law adds it again
+    if (with.moved != nullptr) // the contact law adds it again
         now = now - dot(n, gatherShift(with.moved, group.b) - gatherShift(with.moved, group.a));
 
     const Wide3 oldT = load(group.tangent);
@@ -376,7 +377,8 @@ void BallRows::add(const BallPair& pair, std::uint32_t source, std::uint32_t imm
     set(group.normal, pair.normal);
     set(group.tangent, tangent);
     const double pressing = pair.normal.dot(pair.impulse);
-    const Vec3 impulse = pressing > 0 ? pair.impulse : Vec3(Vec3::Zero()); // or they are on other sides now
+    const Vec3 impulse =
+        pressing > 0 ? pair.impulse : Vec3(Vec3::Zero()); // else the bodies have passed each other
     group.row.normal[lane] = std::max(pressing, 0.0);
     group.row.along1[lane] = tangent.dot(impulse);
     group.row.along2[lane] = pair.normal.cross(tangent).dot(impulse);
@@ -462,7 +464,7 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     countGroups();
 }
 
-// A pair of what has no mass at all is held.
+// A pair of two bodies that stand still or cannot move has no effective mass: it is 0 here.
 void BallRows::setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
                          Fixed& fixed) {
     const SolverBody &a = bodies[group.a[lane]], &b = bodies[group.b[lane]];

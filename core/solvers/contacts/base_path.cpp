@@ -32,11 +32,11 @@ constexpr std::size_t fewRenewed = 4;
 constexpr std::size_t partHere = 4;
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
-/// contacts, up to those of an island with few points; what turns comes down with another part of it, and is
-/// looked at the more often, the fewer its points are. Large islands of what turns take three steps of one
-/// pass: what they rest on each other by falls with the square of the step. Two steps of two passes cost
-/// more, heaps of a hundred bodies rest as late, and twice as deep in each other; with two of one pass three
-/// times as many frames of their fall have an overlap of more than a tenth of a body's half size.
+/// contacts, up to those of an island with few points. Bodies of other shapes turn and touch at other points,
+/// so their contacts are updated the more often, the fewer they are. Large islands of such bodies take three
+/// steps of one pass: overlaps at rest fall with the square of the step. With two steps of two passes, which
+/// cost more, heaps of a hundred bodies come to rest as late, with overlaps twice as deep; with two of one
+/// pass, three times as many frames of their fall have an overlap of more than a tenth of a body's half size.
 constexpr std::array<Division, 8> divisionsOfSubstep{Division{4, 4, 2}, {2, 4, 2}, {1, 4, 2}, {1, 2, 2},
                                                      {1, 1, 2},         {1, 2, 1}, {1, 1, 1}, {1, 3, 1}};
 
@@ -45,27 +45,27 @@ constexpr int sweepsOf(std::size_t number) {
     return division.looks * division.steps * division.passes;
 }
 
-/// Balls alone enter these when they are few: what they meet later may need more.
+/// Only islands of few balls use these; contacts that they get later may need more sweeps.
 constexpr bool isForFewBalls(std::size_t number) { return number == 3 || number == 4 || number == 6; }
 
-/// Which of them.
+/// The number of the division for an island.
 std::uint8_t divisionNumber(const ContactCount& count) {
     if (count.points > fewPoints) return !count.round ? 7 : count.points > manyPoints ? 6 : 5;
-    if (count.points == 0) return 2; // nobody knows yet
+    if (count.points == 0) return 2; // not known yet
     if (count.round) return count.points >= 8 ? 2 : count.points >= 4 ? 3 : count.points >= 2 ? 4 : 6;
     const std::size_t looks = std::clamp(pointsOfOneLook / count.points, std::size_t{1}, mostLooks);
     return looks >= 4 ? 0 : looks >= 2 ? 1 : 2;
 }
 
-/// Whether it makes more sweeps than such an island needs, or far fewer.
+/// Whether this division makes more sweeps than the island needs, or far fewer.
 bool isWrong(std::size_t number, const ContactCount& count) {
     if (count.points == 0) return false;
     const int sweeps = sweepsOf(number), needed = sweepsOf(divisionNumber(count));
     return needed < sweeps || (isForFewBalls(number) && needed >= tooFew * sweeps);
 }
 
-/// Whether that cannot wait for the next frame: what makes more sweeps than it needs may, while it has few
-/// points.
+/// Whether the island cannot keep this division until the next frame. Too many sweeps are accepted while it
+/// has few points.
 bool isFarWrong(std::size_t number, const ContactCount& count) {
     return isWrong(number, count) &&
            (count.points > fewPoints || sweepsOf(divisionNumber(count)) > sweepsOf(number));
@@ -96,7 +96,7 @@ std::size_t BasePath::islands() const {
     return sum;
 }
 
-// How far its surface comes within the time [m].
+// How far the surface of a body can move within `time` [m].
 double BasePath::pathOf(const SteppedInput& input, BodyIndex body, double time,
                         const Neighbours& neighbours) const {
     return Neighbours::surfaceSpeed(input.bodies, input.state, body) * time +
@@ -128,7 +128,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
         markIslands([](BodyIndex) { return true; });
         return false;
     }
-    while (!findStruck(input, neighbours)) { // what is found depends on nothing but where the bodies are
+    while (!findStruck(input, neighbours)) { // so that the pairs depend on the poses only
         neighbours.search(input.bodies, input.state, broadphase);
         forget();
         findOutrun(input, substep, time, skin, neighbours);
@@ -138,7 +138,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     return !anyMarked();
 }
 
-// Islands of which many bodies are to be renewed leave instead.
+// Marks islands to leave in which the neighbours of many bodies would have to be found anew.
 void BasePath::markWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
@@ -155,7 +155,7 @@ void BasePath::markWhereMany() {
     std::erase_if(m_renewed, leaves);
 }
 
-// Those that may outrun their reach, with a new one.
+// Finds the bodies that may move beyond their reach, and gives them a new one.
 void BasePath::findOutrun(const SteppedInput& input, double substep, double time, double skin,
                           const Neighbours& neighbours) {
     for (const SteppedMotion& block : m_blocks)
@@ -169,8 +169,8 @@ void BasePath::findOutrun(const SteppedInput& input, double substep, double time
         }
 }
 
-// Those that one of these may strike come as far as prepare() would let them. False if the neighbours must
-// search and this be asked again.
+// Extends the reach of bodies that one of these may strike, as prepare() would. False if the neighbours must
+// be searched and this function be called again.
 bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
     for (std::size_t n = 0, outrun = m_renewed.size(); n < outrun; ++n) {
         const auto [i, reach] = m_renewed[n];
@@ -194,8 +194,8 @@ bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
     return covered;
 }
 
-// Pairs of the renewed that are not here yet; those that can no longer meet go. Islands of different blocks
-// that one of them would join are marked.
+// Adds the missing pairs of bodies with a new reach and removes those that can no longer meet. Marks islands
+// of different blocks that such a pair would join.
 void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
     for (const auto& [body, reach] : m_renewed) {
         m_reach[body] = reach;
@@ -271,7 +271,7 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     return covered;
 }
 
-// How far its surface may still come [m]; of who enters or is renewed all of its reach.
+// How far the surface of a body may still move [m]; for bodies that enter or have a new reach, all of it.
 double BasePath::roomLeft(const SteppedInput& input, BodyIndex body) const {
     if (input.bodies.mobile[body] == 0) return 0;
     return isHere(m_block[body]) && m_renewal[body] == 0 ? std::max(0.0, roomOf(input, body)) : m_reach[body];
@@ -281,8 +281,8 @@ double BasePath::marginOf(const SteppedInput& input, BodyPair pair) const {
     return roomLeft(input, pair.a) + roomLeft(input, pair.b);
 }
 
-// A member that enters or is renewed gets its pairs with those that are here: the list must have all of them,
-// or which pairs are here would depend on when it was made.
+// Bodies that enter or have a new reach get pairs with bodies that are on the base path already. The
+// neighbour list must hold all of these, or the pairs would depend on when the list was made.
 bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const {
     bool covered = true;
     for (const SteppedMotion& block : m_blocks) {
@@ -293,7 +293,8 @@ bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours
     return covered;
 }
 
-// Pairs of those that enter with each other, with those that are here and with what cannot move, ascending.
+// Pairs of the bodies that enter: with each other, with bodies on the base path and with immobile ones,
+// ascending.
 void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> list,
                          const Neighbours& neighbours, std::span<Manifolds::Entry> known) {
     m_upward.clear();
@@ -348,7 +349,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                         substep);
         block.addIsland(input, island.bodies, island.links);
     }
-    // What touches side by side: the others are idle together.
+    // Pairs that touch come first, so that groups of four hold either active or idle pairs.
     for (const bool near : {true, false})
         for (std::size_t i = 0; i < m_islands.count(); ++i)
             for (const std::uint32_t index : m_islands[i].pairs)
@@ -359,7 +360,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
         for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
 }
 
-// The block of an island that enters: that of those it meets there, or by its contacts.
+// The block for an island that enters: that of the bodies it meets on the base path, else by its contacts.
 std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifolds) {
     ContactCount count = countOf(island, manifolds);
     for (const std::uint32_t index : island.pairs) {
@@ -375,13 +376,13 @@ std::uint8_t BasePath::numberFor(const Island& island, const Manifolds& manifold
     return static_cast<std::uint8_t>(divisionNumber(count) + 1);
 }
 
-// A pair of an island whose bodies are in the block already, `member` among them.
+// Adds a pair of an island whose bodies, `member` among them, are in the block already.
 void BasePath::loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                           Manifolds& manifolds) {
     SteppedMotion& block = m_blocks[number - 1u];
     const BodyIndex here = hereOf(entry.pair);
     if (here != noBody && m_block[here] != number) {
-        mark(here); // beyond the reach of this substep, or the solver would have begun anew
+        mark(here); // too far away for this substep, else findJoining() had marked it
         block.mark(block.islandOf(member));
         if (entry.place != Manifolds::none) manifolds.remove(entry.place);
         return;
@@ -406,7 +407,7 @@ SteppedReport BasePath::advance(const SteppedInput& input, Manifolds& manifolds)
     return report;
 }
 
-// Of the islands of a block, as of the last substep.
+// Counts the contacts of the islands of a block, as of the last substep.
 void BasePath::countContacts(std::size_t number, const Manifolds& manifolds) {
     std::array<std::vector<ContactCount>, divisions>& all = m_counts;
     std::vector<ContactCount>& counts = all[number];

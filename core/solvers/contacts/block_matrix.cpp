@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-/// An update of a diagonal block is told from one of a lower block by this bit.
+/// This bit marks an update of a diagonal block; without it the update is of a lower block.
 constexpr std::size_t onDiagonal = std::size_t{1} << 63;
 
 void insertSorted(std::vector<int>& sorted, int value) {
@@ -26,8 +26,8 @@ void eraseSorted(std::vector<int>& sorted, int value) {
     if (at != sorted.end() && *at == value) sorted.erase(at);
 }
 
-// The two below are plain loops over six: Eigen's Cholesky decomposition and triangular solve handle such a
-// block as one of any size, pack it anew for each product, and take twice the time.
+// The two functions below are plain loops over six rows. Eigen's Cholesky decomposition and triangular solve
+// treat such a block as one of any size, pack it for each product, and take twice the time.
 
 /// Overwrites the lower half of H = L Lᵀ by L; false if H is not positive definite.
 bool takeRoot(Mat6& h) {
@@ -80,7 +80,7 @@ bool BlockMatrix::analyse(int blocks, std::span<const BlockEdge> edges, std::siz
 }
 
 void BlockMatrix::reserve(std::size_t blocks) {
-    constexpr std::size_t couplings = 16; // of a block, with what fills in
+    constexpr std::size_t couplings = 16; // of a block, fill-in included; only memory depends on it
     m_edges.reserve(couplings * blocks);
     m_place.reserve(blocks);
     m_block.reserve(blocks);
@@ -123,7 +123,7 @@ bool BlockMatrix::eliminate(std::span<const BlockEdge> edges, std::size_t mostUp
     std::size_t updates = 0;
     for (std::size_t position = 0; position < count; ++position) {
         std::size_t best = count;
-        while (best == count) { // an entry whose degree has changed since is passed over
+        while (best == count) { // skips entries whose degree has changed since
             const auto [degree, block] = m_heap.front();
             std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
             m_heap.pop_back();

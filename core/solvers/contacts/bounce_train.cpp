@@ -18,7 +18,7 @@ Bounce bounceTrain(double gap, double speed, double pull, double restitution, do
     const double discriminant = speed * speed + 2 * pull * gap;
     if (discriminant < 0) return {.gap = gap + h * (speed - 0.5 * pull * h), .speed = speed - pull * h};
     const double impact = std::sqrt(discriminant);
-    // Without a pull towards the plane the body touches only if it comes towards it, and at most once.
+    // Without a force towards the plane the body touches it only if it moves towards it, and at most once.
     const bool touches = pull > 0 || speed < 0;
     const double first = !touches      ? h
                          : speed > 0   ? (speed + impact) / pull

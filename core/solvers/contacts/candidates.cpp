@@ -24,7 +24,7 @@ Candidates::Candidates(const Bodies& bodies)
     }
 }
 
-// boundingGap, of a member and what it is near, without looking at what shapes they have.
+// The same as boundingGap() for a member and a neighbour, from stored radii, without reading their shapes.
 double Candidates::gapOf(const Bodies& bodies, const State& state, BodyPair pair) const {
     const Ball &a = m_ball[pair.a], &b = m_ball[pair.b];
     const double radii = a.radius + b.radius;
@@ -78,8 +78,8 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near
     return neighbours.covers(slower, roomFor(bodies, slower, reach));
 }
 
-// Members and their others ascend: so do all but the few pairs with something immobile or placed of smaller
-// index.
+// Members and their neighbours are in ascending order, and so are all pairs but the few with an immobile or a
+// base-path body of smaller index.
 std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state) {
     const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
         chosen.clear();

@@ -27,7 +27,8 @@ Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
     return {from[0][lane], from[1][lane], from[2][lane]};
 }
 
-/// Adds what an impulse of 1 N s along each axis of the frame does along each, with `arm` from the centre.
+/// Response of a contact point, with `arm` from the centre of a body: the change of its velocity along each
+/// axis of the frame by an impulse of 1 N s along each axis. Adds one body at a time.
 struct Response {
     Wide nn, n1, n2, aa, ab, bb; ///< of W: n, t1 and t2 are the axes; a and b stand for t1 and t2 [1/kg]
 
@@ -44,8 +45,8 @@ struct Response {
     }
 };
 
-// The masses and tangents of rows whose pairs are all there, and their impulses, given in the world, along
-// these axes.
+// Computes effective masses and tangents of rows once all pairs are there, and converts their impulses from
+// world coordinates to these axes.
 CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const SolverBody* bodies) {
     const Wide zero{}, one = wideOf(1);
     for (RowGroup& group : groups) {
@@ -70,7 +71,7 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
             row.coupling2 = response.n2;
             const Wide3 impulse{row.normal, row.along1, row.along2};
             const Wide normal = dot(n, impulse);
-            const auto presses = normal > zero; // or the bodies are on other sides of each other now
+            const auto presses = normal > zero; // else the bodies have passed each other
             row.normal = presses ? normal : zero;
             row.along1 = presses ? dot(t1, impulse) : zero;
             row.along2 = presses ? dot(t2, impulse) : zero;
@@ -104,7 +105,7 @@ RowGroup& ContactRows::addGroup(std::uint32_t points) {
     group.friction = group.restitution = group.push = group.hard = Wide{};
     group.firstPoint = static_cast<std::uint32_t>(m_points.size());
     group.points = points;
-    m_points.resize(m_points.size() + points, RowPoint{}); // zero masses: an empty lane does nothing
+    m_points.resize(m_points.size() + points, RowPoint{}); // zero masses: empty lanes have no effect
     return group;
 }
 
@@ -131,7 +132,7 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
         setLane(to.armA, lane, from.armA);
         setLane(to.armB, lane, from.armB);
         to.start[lane] = to.gap[lane] = from.separation;
-        to.massNormal[lane] = 1; // it is used
+        to.massNormal[lane] = 1; // marks the lane as used
         to.normal[lane] = from.impulse.x();
         to.along1[lane] = from.impulse.y();
         to.along2[lane] = from.impulse.z();

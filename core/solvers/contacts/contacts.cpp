@@ -32,13 +32,13 @@
 //
 //     neighbours   the pairs that can touch within it (neighbours.h, candidates.h)
 //     contacts     where they touch: carried along where they can be (manifolds.h)
-//     islands      bodies that contacts or springs join; they know nothing of each other (islands.h)
+//     islands      bodies that contacts or springs join; solved independently (islands.h)
 //     refinement   which islands the budget allows to be solved to the tolerance, with impacts located
 //                  (refinement.h, island_motion.h)
-//     base path    all others, as long as their pairs serve: sweeps at a cost known beforehand
+//     base path    all others, as long as their pairs are valid: sweeps at a cost known beforehand
 //                  (base_path.h); and what refinement has left of its substep where the budget ended
 //     sleeping     islands at rest are left alone until something may touch them (sleeping_bodies.h)
-//     the rest     bodies that touch nothing, and what springs join them to, move as the integrator has it
+//     the rest     bodies that touch nothing, and those on springs among them: the integrator moves them
 //
 // Order and determinism: pairs ascend by (smaller index, larger index) with walls among them, islands by
 // their first body, contact points as the narrow phase gives them, and indices are canonical
@@ -135,7 +135,7 @@ class Contacts final : public Solver {
     }
     void take(const SteppedReport& stepped, SolverReport& report);
     double baseOperations() const;
-    /// An impact may speed bodies up in the last substep of `time` [s].
+    /// `time` [s] and what an impact in its last substep may add, because it can speed bodies up.
     static double reachTime(const SolverInput& input, double time) {
         return time + (Neighbours::reachFactor - 1) * input.substep;
     }
@@ -150,13 +150,13 @@ class Contacts final : public Solver {
     Candidates m_candidates;
     ImpulseReach m_reach;
     Refinement m_refinement;
-    BasePath m_base;                     // for as long as it holds
-    std::vector<std::uint8_t> m_backOff; // by body of it: how long that may be [substeps]
-    BasePath m_brief;                    // for the substep
+    BasePath m_base;                     // for many frames, while its pairs are valid
+    std::vector<std::uint8_t> m_backOff; // by body of m_base: substeps until its island is tried again
+    BasePath m_brief;                    // for one substep
     Calm m_calm;
-    std::vector<std::uint8_t> m_isOnSpring; // by body: it never counts as calm
-    std::vector<BodyIndex> m_members;       // mobile bodies that do not rest
-    std::vector<BodyIndex> m_free;          // members that did not take the base path when the substep began
+    std::vector<std::uint8_t> m_isOnSpring; // by body: such a body never counts as calm
+    std::vector<BodyIndex> m_members;       // mobile bodies that do not sleep
+    std::vector<BodyIndex> m_free;          // members that were not on the base path when the substep began
     std::vector<BodyIndex> m_entering, m_passing, m_woken, m_leaving;
     std::vector<BodyPair> m_links;     // the ends of springs
     ContactSet m_contacts;             // of refined islands, from the last substep
@@ -175,7 +175,8 @@ class Contacts final : public Solver {
     WorkCounters m_work; // of this substep
 };
 
-// A later part of a frame in which everything rests: nothing gives anybody a velocity until it ends.
+// A later substep of a frame in which all bodies sleep: nothing can give one a velocity before the frame
+// ends.
 SolverReport Contacts::rest(const SolverInput& input) {
     SolverReport report;
     report.resting = m_sleeping.bodies().size();
@@ -197,7 +198,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
 
     m_work = {};
     findContacts(input);
-    while (!findJoining(input)) { // an island touches two blocks: all is found anew
+    while (!findJoining(input)) { // an island touches two blocks: contacts are found again
         m_found.dropDistant();
         m_found.carryOn({});
         leaveMarked(input);
@@ -251,7 +252,7 @@ void Contacts::recall(const SolverMemory& memory) {
     m_brief.clear();
 }
 
-// The mobile bodies that do not rest, with all that they may touch.
+// Finds the mobile bodies that do not sleep, and wakes those that they may touch.
 void Contacts::findMembers(const SolverInput& input) {
     wakeMoved(input);
     m_members.clear();
@@ -262,7 +263,7 @@ void Contacts::findMembers(const SolverInput& input) {
                             (input.part == 0 ? (input.parts + Neighbours::reachFactor - 1) : 1) *
                                 input.substep,
                             input.broadphase);
-    if (input.part == 0) followMembers(input); // later parts of a frame were followed just now
+    if (input.part == 0) followMembers(input); // in later substeps update() has just followed them
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
             for (const BodyIndex i : m_members)
@@ -279,7 +280,7 @@ void Contacts::findMembers(const SolverInput& input) {
     m_sleeping.exchange(input.bodies, m_contacts);
 }
 
-// False if some must leave the base path.
+// False if some bodies must leave the base path.
 bool Contacts::renewBase(const SolverInput& input) {
     return m_base.renew(stepped(input), input.substep, reachTime(input, input.parts * input.substep),
                         lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
@@ -298,7 +299,7 @@ void Contacts::coverMembers(const SolverInput& input) {
         if (!m_base.has(i)) m_free.push_back(i);
 }
 
-// Those at rest that somebody gave a velocity.
+// Wakes sleeping bodies that have been given a velocity.
 void Contacts::wakeMoved(const SolverInput& input) {
     m_woken.clear();
     for (const BodyIndex i : m_sleeping.bodies())
@@ -307,7 +308,8 @@ void Contacts::wakeMoved(const SolverInput& input) {
     m_calm.forget(m_woken);
 }
 
-// Those at rest that a member may touch within the substep become members. False if there are none.
+// Wakes sleeping bodies that a member may touch within the substep and makes them members. False if there are
+// none.
 bool Contacts::wakeTouched(const SolverInput& input) {
     if (m_sleeping.bodies().empty()) return false;
     m_woken.clear();
@@ -328,8 +330,8 @@ void Contacts::findContacts(const SolverInput& input) {
                  m_contacts, m_work);
 }
 
-// The islands of those that do not take the base path, and which of them touch some that do. False if one
-// touches two blocks: what it touches there must leave.
+// Finds the islands of bodies that are not on the base path, and which of them touch bodies that are. False
+// if one touches two blocks: the bodies that it touches there must then leave.
 bool Contacts::findJoining(const SolverInput& input) {
     m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
                   m_found.canMeet(), m_isOnSpring, m_base.blockOf()});
@@ -347,7 +349,7 @@ bool Contacts::findJoining(const SolverInput& input) {
     return !m_base.anyMarked();
 }
 
-// Bodies of islands that are not refined take the base path, for as long as it holds or for this substep.
+// Puts bodies of islands that are not refined on the base path, for many frames or for this substep only.
 void Contacts::enterBase(const SolverInput& input) {
     const double time = input.parts * input.substep;
     m_entering.clear();
@@ -400,7 +402,7 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
     m_sleeping.exchange(input.bodies, m_contacts);
 }
 
-// Who takes the base path; then, one by one, what refinement left.
+// Moves the bodies on the base path; then, one by one, the islands that refinement has not finished.
 void Contacts::moveStepped(const SolverInput& input, SolverReport& report) {
     for (const Refinement::Choice& spent : m_scheduler.spent())
         m_refinement.spend(m_islands[spent.island], spent.budget);
@@ -463,7 +465,8 @@ void Contacts::stepIsland(const SolverInput& input, const Island& island, double
     m_rest.end(stepping, manifolds, m_unused);
 }
 
-// At the end of a frame. Who is calm leaves the base path; what does not rest then enters it again.
+// At the end of a frame: islands of calm bodies leave the base path and are put to sleep; those that turn out
+// to be larger enter it again.
 void Contacts::sleepWhatRests(const SolverInput& input) {
     m_entering.clear();
     for (const BodyIndex i : m_members)
@@ -479,7 +482,7 @@ void Contacts::sleepWhatRests(const SolverInput& input) {
     m_base.hold(stepped(input), m_found.manifolds(), isCalm);
 }
 
-// Those of marked islands sleep, if nothing else than these joins them.
+// Puts islands to sleep that are marked, if the other bodies of the island are calm too.
 template<class Is>
 void Contacts::sleepMarked(const SolverInput& input, const Is& isCalm) {
     m_left.clear();
@@ -513,7 +516,7 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
     m_refinement.forget(island.bodies);
 }
 
-// About what the base path took, in the unit of refinement's work.
+// An estimate of the work of the base path, in the unit of refinement's work.
 double Contacts::baseOperations() const {
     return work::swept * static_cast<double>(m_work.rowsSwept) +
            work::carried * static_cast<double>(m_found.manifolds().entries().size());
@@ -539,8 +542,8 @@ ContactSet Contacts::contacts(const State& state) const {
 /// at half the reserve it falls. At half the effort steps of the pyramid overlap; at twice as much a pile
 /// takes 50 times what it takes by default.
 constexpr double accurateEffort = 12, accurateReserve = 100;
-/// Ratio of masses in contact up to which sweeps over an island too large to be solved exactly hold. At twice
-/// that the heavy body sinks in twice as far.
+/// Ratio of masses in contact up to which sweeps support a body in an island that is too large to be solved
+/// exactly. At twice that a heavy body sinks in twice as far.
 constexpr double mostMassRatio = 1000;
 
 MassRatioLimit massRatioLimit(const SolverSettings& settings, std::size_t points) {

@@ -11,7 +11,8 @@
 namespace carom {
 namespace {
 
-/// ½ v · M v' of a body with two motions, one body in each lane. Of what does not turn there is no spin.
+/// ½ v · M v' for two motions of a body, one body in each lane. For bodies that do not turn the spin's part
+/// is 0.
 CAROM_INLINE Wide halfProduct(const Motion& one, const Motion& other) {
     const Wide zero{}, half = wideOf(0.5);
     // Cofactors of the inverse inertia: its inverse times its determinant.

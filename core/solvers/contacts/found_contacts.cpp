@@ -11,7 +11,7 @@ namespace carom {
 
 namespace {
 
-/// Their gap is that of the balls about them.
+/// Whether the gap of a pair is that of its bounding balls.
 bool areBalls(const Bodies& bodies, BodyPair pair) {
     const auto isBall = [&](BodyIndex i) { return isSphere(bodies, i) || isWall(bodies.shape[i]); };
     return isBall(pair.a) && isBall(pair.b);
@@ -142,7 +142,7 @@ void FoundContacts::removeManifolds(std::span<const std::uint32_t> pairs) {
             m_manifolds.remove(std::exchange(m_place[index], Manifolds::none));
 }
 
-// Found and apart, ascending.
+// Lists pairs in contact and pairs that are apart, ascending.
 void FoundContacts::list() {
     m_listed.clear();
     auto apart = m_apart.begin();
@@ -163,7 +163,7 @@ std::span<Manifolds::Entry> FoundContacts::known() {
     return m_known;
 }
 
-// Removes the manifolds of some of the known entries, ascending, but for those that were taken over.
+// Removes the manifolds of some known entries, in ascending order, except those that have been taken over.
 void FoundContacts::drop(std::span<const Manifolds::Entry> entries) {
     auto known = m_known.begin();
     for (const Manifolds::Entry& entry : entries) {

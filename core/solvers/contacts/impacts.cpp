@@ -44,7 +44,7 @@ Vec6 inverseMassTimes(const ContactBody& body, const Vec6& impulse) {
     return change;
 }
 
-// One entry of W: how fast contact i parts under a unit normal impulse at contact k.
+// One entry of W: the separating speed of contact i by a unit normal impulse at contact k.
 double couplingOf(const ContactProblem& problem, const ContactRow& i, const ContactRow& k) {
     double sum = 0;
     const auto add = [&](int bodyI, const Mat36& ji, int bodyK, const Mat36& jk) {
@@ -73,7 +73,7 @@ Mat3 responseOf(const ContactProblem& problem, const ContactRow& row) {
     return response;
 }
 
-/// Whether pushes along the normal and across it do not mix, and all directions across are alike: spheres.
+/// Whether normal and tangential impulses do not couple, and all tangential directions are equal: spheres.
 bool isIsotropic(const Mat3& response) {
     const double mixed = std::max({std::abs(response(0, 1)), std::abs(response(0, 2)),
                                    std::abs(response(1, 2)), std::abs(response(1, 1) - response(2, 2))});
@@ -90,8 +90,8 @@ void applyNormal(ContactProblem& problem, const ContactRow& row, double impulse)
     apply(row.b, row.jacobianB);
 }
 
-// The largest part of all impulses, at most 1, at which the impact gains no kinetic energy. It is 1 but for a
-// group whose solution was not reached. Momentum does not care: the impulses stay equal and opposite.
+// The largest part of all impulses, at most 1, at which the impact gains no kinetic energy. It is 1 except
+// for a group that was not solved. Momentum is kept, because the impulses stay equal and opposite.
 double lossyPart(const ContactProblem& problem) {
     double linear = 0, quadratic = 0; // energy gained = part · linear + part² · quadratic
     for (const ContactBody& body : problem.bodies) {
@@ -158,7 +158,7 @@ void ImpactSolver::measure(const ContactProblem& problem, std::span<const Impact
     if (rows[i].touching) m_closing[i] = -relativeVelocity(problem, problem.rows[i]).x();
 }
 
-// The rows of each body.
+// Lists the rows of each body.
 void ImpactSolver::linkRows(const ContactProblem& problem) {
     m_firstRow.assign(problem.bodies.size() + 1, 0);
     const auto eachEnd = [&](const auto& visit) {
@@ -173,7 +173,7 @@ void ImpactSolver::linkRows(const ContactProblem& problem) {
     eachEnd([&](std::size_t body, std::size_t i) { m_rowOf[m_nextRow[body]++] = i; });
 }
 
-// The last group changed the velocities of its bodies, and so what their rows see.
+// The last group has changed the velocities of its bodies: computes the closing speeds of their rows again.
 void ImpactSolver::remeasure(const ContactProblem& problem, std::span<const ImpactRow> rows) {
     for (const std::size_t member : m_group)
         for (const int body : {problem.rows[member].a, problem.rows[member].b}) {
@@ -184,7 +184,8 @@ void ImpactSolver::remeasure(const ContactProblem& problem, std::span<const Impa
         }
 }
 
-// The largest with its ties, and with the other points of the same pairs; grown over shared bodies.
+// Gathers the fastest closing row, rows equally fast, and the other points of the same pairs, as far as they
+// share bodies.
 void ImpactSolver::gather(const ContactProblem& problem, std::span<const ImpactRow> rows,
                           std::size_t largest) {
     m_group.assign(1, largest);
@@ -212,8 +213,8 @@ void ImpactSolver::solveGroup(ContactProblem& problem, std::span<const ImpactRow
     if (!solveDirectly(problem, rows) && !solveLone(problem, rows)) solveByNewton(problem, rows);
 }
 
-// One contact with friction: u' = (−e uₙ, 0) if the impulse for that is within the cone; else on its edge
-// against the slip, which keeps its direction where the response has none.
+// One contact with friction: u' = (−e uₙ, 0) if the impulse for that is within the cone; else the impulse is
+// on the cone's edge, against the slip. For an isotropic response the slip keeps its direction.
 bool ImpactSolver::solveLone(ContactProblem& problem, std::span<const ImpactRow> rows) {
     if (m_group.size() != 1) return false;
     const std::size_t index = m_group.front();
@@ -281,7 +282,7 @@ void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const Impact
     applyGroup(problem);
 }
 
-// The group as a problem by itself, without impulses.
+// Copies the group into a problem of its own, without impulses.
 void ImpactSolver::takeGroup(const ContactProblem& problem) {
     m_groupProblem.clear();
     m_local.assign(problem.bodies.size(), immobile);
@@ -305,7 +306,7 @@ void ImpactSolver::takeGroup(const ContactProblem& problem) {
     }
 }
 
-// Takes over the velocities of the group.
+// Applies the velocities of the solved group.
 void ImpactSolver::applyGroup(ContactProblem& problem) {
     const double part = lossyPart(m_groupProblem);
     for (std::size_t body = 0; body < m_local.size(); ++body) {

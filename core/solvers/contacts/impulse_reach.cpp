@@ -18,7 +18,8 @@ constexpr double worthANewLook = 0.25;
 constexpr std::size_t lookedAt = 4;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// How far a pair is apart at least after `time` if nothing strikes it, less what counts as touching [m].
+/// The least distance of a pair after `time` if nothing strikes it, less the slack within which bodies may
+/// touch [m].
 double gapAfter(const ManifoldInput& here, BodyPair pair, double gap, double speeds, double time) {
     const Bodies& bodies = here.bodies;
     const double radii = bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b];
@@ -32,7 +33,7 @@ double gapAfter(const ManifoldInput& here, BodyPair pair, double gap, double spe
     return std::max(0.0, then - slackPart * radii);
 }
 
-/// How fast its surface comes while nothing strikes it [m/s]; of what cannot move 0.
+/// Speed of a body's surface while nothing strikes it [m/s]; 0 for immobile bodies.
 double freeSpeed(const ImpulseReach::Input& input, BodyIndex body) {
     if (input.here.bodies.mobile[body] == 0) return 0;
     return input.neighbours.reach(body) / (Neighbours::reachFactor * input.here.duration);
@@ -42,8 +43,8 @@ double massOf(const ImpulseReach::Input& input, BodyIndex body) {
     return 1 / input.here.bodies.inverseMass[body];
 }
 
-/// How fast a body of mass `mass` that came at `own` can be after one of mass `striker` that came at `speed`
-/// has struck it: by what momentum and energy allow, and by what all searches count on.
+/// The largest speed of a body of mass `mass` and speed `own` after a body of mass `striker` and speed
+/// `speed` has struck it: limited by momentum, by energy, and by the reach that all searches assume.
 double speedAfter(double mass, double own, double striker, double speed) {
     const double byMomentum = Neighbours::momentumLimit(striker / (striker + mass), own, speed);
     const double byEnergy = std::sqrt(own * own + striker / mass * speed * speed);
@@ -59,7 +60,7 @@ void ImpulseReach::reach(BodyIndex body, double time, double speed) {
     m_queue.push_back(body);
 }
 
-// The pairs of each body, by counting sort.
+// Lists the pairs of each body, by counting sort.
 void ImpulseReach::listAround(const Input& input) {
     std::fill(m_first.begin(), m_first.end(), 0);
     const auto forEachEnd = [&](const auto& visit) {
@@ -87,7 +88,7 @@ void ImpulseReach::spread(const Input& input, BodyIndex body, std::uint32_t p) {
         reach(other, time, speedAfter(massOf(input, other), others, massOf(input, body), m_speed[body]));
 }
 
-// A pair that meets as it moves.
+// Handles a pair whose bodies meet as they move.
 void ImpulseReach::meet(const Input& input, std::uint32_t p) {
     const auto [a, b] = input.pairs[p].bodies();
     const double ofA = freeSpeed(input, a), ofB = freeSpeed(input, b);

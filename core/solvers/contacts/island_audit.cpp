@@ -2,10 +2,10 @@
 #include "core/solvers/contacts/audit.h"
 #include "core/solvers/contacts/island_motion.h"
 
-// What an island's motion did, for the ledger; called only where somebody keeps one. Everything is recorded
-// from velocities at the island's present poses, or where contacts turn, at those of the part's end: the
-// impulses of a part of the substep lead from m_start to the velocities of m_problem. Turning comes behind,
-// and what it changes in the energy of bodies with unequal moments is recorded apart, as the difference.
+// Records an island's motion in the ledger; called only if there is one. Everything is recorded from
+// velocities at the island's present poses, or if contacts turn, at those of the part's end: the impulses of
+// a part of the substep lead from m_start to the velocities of m_problem. The rotation follows, and its
+// change of the energy of bodies with unequal moments is recorded separately, as the difference.
 
 namespace carom {
 
@@ -33,7 +33,7 @@ void IslandMotion::recordForces(const MotionInput& input, double duration) {
     if (!m_forced.isEmpty()) recordTerms(input);
 }
 
-// Rows and what their impulses act along.
+// Exchanges the Jacobians of rows with those along which their impulses act.
 void IslandMotion::swapPushes() {
     for (std::size_t i = 0; i < m_pushes.size(); ++i) {
         ContactRow& row = m_problem.rows[i];
@@ -53,7 +53,7 @@ void IslandMotion::recordTurning(const MotionInput& input, const Island& island)
         spinEnergy(input.bodies, island.bodies, input.state) - before;
 }
 
-// Positions are corrected without velocities: only height and the attitude of what turns can matter.
+// Positions are corrected without velocities: only heights and orientations can change the energy.
 void IslandMotion::recordPositionCorrection(const MotionInput& input, const Island& island,
                                             double spinBefore) {
     Ledger& ledger = *input.ledger;
@@ -64,8 +64,8 @@ void IslandMotion::recordPositionCorrection(const MotionInput& input, const Isla
         spinEnergy(input.bodies, island.bodies, input.state) - spinBefore;
 }
 
-// The closed form of a lone ball: along the normal gravity did its part on the way from gap to gap and the
-// wall the rest; across it friction and gravity acted over the whole substep.
+// Records the closed form of a lone ball. Along the normal, gravity did the work of the change of height, and
+// the wall the rest; tangentially, friction and gravity acted over the whole substep.
 void IslandMotion::recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal,
                                 double rise) {
     Ledger& ledger = *input.ledger;

@@ -24,9 +24,11 @@ constexpr double reached = 1e-3;
 /// takes it deeper than this part of its size the time was too long: half of it will do, or less.
 constexpr double rolledOn = 0.01, deepRoll = 1e-4;
 constexpr int mostLooks = 4;
-/// Comparisons of shapes that finding the time of one impact takes, about.
+/// About how many comparisons of shapes one time of impact takes. At half or twice, the budget counts such
+/// searches as half or twice as much work.
 constexpr int comparisonsAnImpact = 6;
-/// Newton's steps for it.
+/// Newton's steps for it at most: at half, some times are less exact; at twice, searches that do not converge
+/// take twice as long.
 constexpr int mostSteps = 20;
 
 /// The first t in (0, duration] at which gap + u0 t + (u1 − u0) t²/(2 duration) vanishes; infinite if none.
@@ -42,7 +44,7 @@ double closingTime(double gap, double u0, double u1, double duration) {
 
 } // namespace
 
-// When the first contact that is open closes hard, or `duration` if none does.
+// Time of the first impact of an open contact, or `duration` if there is none.
 double IslandMotion::firstImpact(const MotionInput& input, double duration) {
     markHeld();
     double first = duration;
@@ -53,14 +55,14 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
             if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
         if (!(gap <= first * fastestApproach(input, pair))) continue;
         m_work += comparisonsAnImpact * collideWork(input.bodies, pair);
-        if (remaining(input) <= 0) return first; // what has been found so far
+        if (remaining(input) <= 0) return first; // the first one found so far
         first = m_held[p] != 0 ? std::min(first, nextCorner(input, pair, first, duration))
                                : std::min(first, nextContact(input, pair, first, duration));
     }
     return first;
 }
 
-// Pairs that a contact force acts in, or that touch and neither close nor part.
+// Marks pairs that a contact force acts in, or that touch and neither close nor separate.
 void IslandMotion::markHeld() {
     m_held.assign(m_contacts.pairs.size(), 0);
     m_pushed.assign(m_problem.bodies.size(), m_problem.springs.empty() ? 0 : 1);
@@ -78,7 +80,7 @@ void IslandMotion::markHeld() {
     }
 }
 
-// No point of A comes nearer to B by more than this times the time [m/s].
+// An upper bound of the speed at which any point of A approaches B [m/s].
 double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair& pair) const {
     Vec3 before = Vec3::Zero(), after = Vec3::Zero();
     double turning = 0;
@@ -117,7 +119,8 @@ double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pa
         const Vec3 velocityA = velocityAt(pair.a, near.onA - poseA.position, t, duration);
         const Vec3 velocityB = velocityAt(pair.b, near.onB - poseB.position, t, duration);
         const double closing = near.normal.dot(velocityA - velocityB);
-        // A gentle contact of bodies that were open to a force all along has been dealt with by it.
+        // An impact at low speed between bodies whose contact could take a force has been treated by that
+        // force.
         const bool waits =
             std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
                         [](std::uint8_t wait) { return wait != 0; });
@@ -128,7 +131,7 @@ double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pa
     return t;
 }
 
-// When the first of the waiting points of a pair that touches elsewhere comes down.
+// Time at which the first open point of a pair that touches at another point closes.
 double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pair, double first,
                                 double duration) const {
     for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) {
@@ -151,9 +154,9 @@ double IslandMotion::nextCorner(const MotionInput& input, const ContactPair& pai
     return first;
 }
 
-// When something of a pair that touches elsewhere comes down hard that was no point of it at the start: of a
-// disk that falls flat some place of the rim, seldom one of those it was found by. Infinite if nothing has by
-// `time`; a part of it where a contact rolled on too far.
+// Time of an impact of a pair, which touches elsewhere, at a place that was no contact point at the start. It
+// is needed for a disc that falls flat, whose rim meets the floor at any of its places. Infinite if there is
+// none by `time`; a part of `time` if a contact has rolled too far.
 double IslandMotion::impactTime(const MotionInput& input, const ContactPair& pair, double time,
                                 double duration) const {
     const Pose poseA = poseAt(input, pair.a, time, duration), poseB = poseAt(input, pair.b, time, duration);
@@ -213,7 +216,7 @@ double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pai
     return t;
 }
 
-// A body's path as a ballistic one: a parabola, and the mean spin.
+// Approximates a body's path by a parabola and a constant mean spin.
 MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, double duration) const {
     MovingShape moving{.start = {&input.bodies.shape[i], &input.state.pose[i]}};
     const int local = localOf(i);
@@ -221,7 +224,7 @@ MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, dou
     const Start& start = m_start[at(local)];
     const ContactBody& end = m_problem.bodies[at(local)];
     moving.velocity = start.velocity.head<3>();
-    // Without rounding where nothing pushes: two balls in the same field have a closed form.
+    // Without rounding if only gravity acts: two balls in the same field have a closed form.
     moving.acceleration =
         m_pushed[at(local)] == 0 ? input.gravity : Vec3((end.velocity - start.velocity).head<3>() / duration);
     moving.angularVelocity = 0.5 * (start.velocity + end.velocity).tail<3>();
@@ -241,7 +244,7 @@ Pose IslandMotion::poseAt(const MotionInput& input, BodyIndex i, double t, doubl
     return pose;
 }
 
-// Of the point of the body that is `arm` from its centre at time t.
+// Velocity at time t of the point of the body that is at `arm` from its centre.
 Vec3 IslandMotion::velocityAt(BodyIndex i, const Vec3& arm, double t, double duration) const {
     const int local = localOf(i);
     if (local == immobile) return Vec3::Zero();
@@ -250,24 +253,24 @@ Vec3 IslandMotion::velocityAt(BodyIndex i, const Vec3& arm, double t, double dur
     return v.head<3>() + v.tail<3>().cross(arm);
 }
 
-// A slide or a roll that friction brakes, as a row of the problem shows it.
+// A sliding or rolling contact that friction slows down, as seen in a row of the problem.
 struct IslandMotion::Braked {
     std::uint32_t point = 0; // of m_contacts
     bool rolling = false;
     double before = 0;             // its speed at the start of the part [m/s] or [rad/s]
     Vec2 direction = Vec2::Zero(); // of that speed
-    double part = 0;               // of the friction there may be, what stopped it
+    double part = 0;               // share of the largest possible friction that stopped it
 };
 
-// When the first sliding contact comes to stick, or a rolling one to a stop, or `duration`. The speed falls
-// linearly under constant forces: the force that stopped it, as a part of what the law allows, tells about
-// when; a solve shortly before gives the slope.
+// Time at which the first sliding contact sticks, or a rolling one stops; `duration` if none does. Under
+// constant forces the speed falls linearly: the force that stopped it, as a part of what the law allows, is
+// the first guess of the time; a solve shortly before that gives the slope.
 double IslandMotion::firstStop(const MotionInput& input, double duration) {
     Braked braked;
     if (!findStop(braked)) return duration;
     const double stop = findStopTime(input, braked, duration);
     if (stop < (1 - shortestPart) * duration) return stop;
-    solveVelocities(input, duration, true); // back from the trials
+    solveVelocities(input, duration, true); // undoes the trials
     return duration;
 }
 
@@ -299,7 +302,7 @@ double IslandMotion::findStopTime(const MotionInput& input, const Braked& braked
     return high;
 }
 
-// The one that took the smallest part of the friction it might have had.
+// Finds the contact that took the smallest part of the friction that its law allows.
 bool IslandMotion::findStop(Braked& first) const {
     bool found = false;
     const auto look = [&](const Braked& braked, double after, double fastest) {
@@ -313,7 +316,7 @@ bool IslandMotion::findStop(Braked& first) const {
         const double normal = row.impulse.x();
         // Where a body turns about a corner that sticks, the corner's speed over a part is that of turning.
         if (!(normal > 0) || m_stuck[i] != 0) continue;
-        // Before: of the contact as it was then.
+        // The speed before is that of the contact as it was then.
         ContactRow start = row;
         if (!m_pushes.empty()) placeRow(m_rowPoint[i], start);
         Vec3 slip = Vec3::Zero();

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-// Force terms within an island (dynamics/forced_steps.h). Over a part of the substep they are linear about a
-// guess of the velocities, which makes of each body one of another mass m̃ and another free velocity v̂: the
-// problem is solved for contacts and springs as it stands. The first guess is the motion without them.
+// Force terms within an island (dynamics/forced_steps.h). Over a part of the substep they are linearised
+// about a guess of the velocities. Each body then has another mass m̃ and another free velocity v̂, and the
+// problem is solved for contacts and springs as usual. The first guess is the motion without contacts and
+// springs.
 
 namespace carom {
 namespace {
@@ -40,7 +41,7 @@ void IslandMotion::applyTerms() {
     }
 }
 
-// Whether the problem is another one with the terms where its velocities lead.
+// Evaluates the terms at the velocities found. True if that changes the problem.
 bool IslandMotion::followTerms(const MotionInput& input) {
     double fastest = 0;
     for (ForcedSteps::Step& step : m_forced.steps()) {
@@ -52,7 +53,7 @@ bool IslandMotion::followTerms(const MotionInput& input) {
     return true;
 }
 
-// Bodies have their own mass again.
+// Gives bodies their own masses again.
 void IslandMotion::endTerms(const MotionInput& input) {
     for (ForcedSteps::Step& step : m_forced.steps()) {
         ContactBody& body = m_problem.bodies[step.owner];

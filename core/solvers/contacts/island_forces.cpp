@@ -50,7 +50,7 @@ void IslandMotion::keepForces(double duration) {
     }
 }
 
-// Bodies as they are at the start of a part.
+// Stores the bodies as they are at the start of a part.
 void IslandMotion::beginPart(const MotionInput& input, double duration) {
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         ContactBody& body = m_problem.bodies[i];
@@ -65,8 +65,8 @@ void IslandMotion::beginPart(const MotionInput& input, double duration) {
     if (!input.bodies.forces.empty()) beginTerms(input, duration);
 }
 
-// Velocities at the end of the part: by the springs and contacts about where force terms are taken, and these
-// where they lead.
+// Velocities at the end of the part: alternately solves springs and contacts for given force terms, and
+// evaluates the terms at the result.
 void IslandMotion::solveForces(const MotionInput& input, double duration) {
     for (int round = 0; round < mostRounds; ++round) {
         if (m_springs.empty())
@@ -77,27 +77,26 @@ void IslandMotion::solveForces(const MotionInput& input, double duration) {
     }
 }
 
-// Angular momentum of a body at the end of the part; where no impulse turns it the one of the start, to the
-// bit.
+// Angular momentum of a body at the end of the part; without an angular impulse exactly that of the start.
 Vec3 IslandMotion::endMomentum(std::size_t i) const {
     const ContactBody& body = m_problem.bodies[i];
     return m_start[i].angularMomentum + body.inertia * (body.velocity - body.freeVelocity).tail<3>();
 }
 
-// Closing speeds up to this are a matter for the contact force: the bound uₙ + gap/T >= 0 stops them at the
-// surface [m/s].
+// Closing speeds up to this are stopped by the contact force, not by an impact: the bound uₙ + gap/T >= 0
+// stops them at the surface [m/s].
 double IslandMotion::gentleClosing(const ContactPair& pair) const {
     return (pair.restitution < 1 ? 1 : restingClosing) * m_scale;
 }
 
-// What parts faster than gravity alone can bring back within a substep is free until it has come back: a
-// force that held it while it moves away would do work on it [m/s].
+// A contact that opens faster than gravity alone can reverse within a substep has no force until it closes
+// again: a force during the separation would do work [m/s].
 double IslandMotion::gentleOpening(const ContactPair& pair) const {
     return std::max(gentleClosing(pair), 10 * m_tolerance);
 }
 
-// Contacts that touch take part; so do open ones that could only close gently. Those that may close hard are
-// left to firstImpact, if `findsImpacts`.
+// Rows are made for contacts that touch, and for open ones that can close at low speed only. Those that may
+// close faster are left to firstImpact(), if `findsImpacts`.
 void IslandMotion::chooseRows(const MotionInput& input, double duration, bool findsImpacts) {
     m_problem.rows.clear();
     m_rowPoint.clear();
@@ -125,8 +124,8 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool fi
             m_waits[i] = 1;
             continue;
         }
-        // Springs turn velocities round within a part, and a normal force that uses the gap up works at the
-        // mean of the speeds at both ends. It gives no energy if u₁ >= −u₀, too.
+        // Springs can reverse velocities within a part, and a normal force over a closing gap does work at
+        // the mean of the speeds at both ends. With u₁ >= −u₀ as well it adds no energy.
         if (!m_springs.empty()) row.bound = std::max(row.bound, opening - m_tolerance);
         row.impulse = duration * point.force;
         row.rollingImpulse = duration * point.rollingTorque;
@@ -138,7 +137,7 @@ void IslandMotion::chooseRows(const MotionInput& input, double duration, bool fi
     }
 }
 
-// A second attempt without remembered impulses, if that leads further than the first.
+// A second attempt without remembered impulses; its result is taken if it is better than the first.
 NewtonReport IslandMotion::solveCold(const MotionInput& input, const NewtonReport& warm) {
     std::swap(m_warmRows, m_problem.rows);
     m_problem.rows = m_warmRows;

@@ -47,8 +47,8 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         const bool findsImpacts = events < most;
         m_rattles = 2 * events > most;
         m_left = left;
-        // What is not finished has not happened: bodies that are parted again and again, and sink again on
-        // the base path in between, would never come to rest.
+        // A part that is not finished is undone: bodies whose overlap is corrected here again and again, and
+        // which sink in again on the base path in between, would never come to rest.
         const Ledger recorded = input.ledger != nullptr ? *input.ledger : Ledger{};
         m_uncorrected.clear();
         for (const BodyIndex i : island.bodies)
@@ -89,17 +89,17 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         m_left = left;
         if (left > 0 || accurate || events > 0) recollide(input);
     }
-    // No overlap is shown in an accurate run, nor where impacts turned a body whose rim came down unseen.
-    // Parting is linear in the displacement: what turns far overlaps a little again. Deep overlaps are left
-    // to the substeps to come, or bodies would part faster than they may.
+    // Accurate runs end without overlap, and so do substeps in which an impact may have turned a rim into
+    // another body. Position correction is linear in the displacement, so after a large turn a small overlap
+    // remains. Deep overlaps are left to later substeps, or the correction would be too fast.
     for (int round = 0; (accurate || events > 0) && !report.loss && round < mostCorrectionRounds; ++round) {
         if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostCorrection) break;
         correctPositions(input, island);
     }
 }
 
-// The way of a body on a spring depends on how long it is followed at once, so the time at which it meets
-// something is found again on the shorter way, until it is that of its end.
+// The path of a body on a spring depends on the duration of the part, so the time of impact is found again on
+// the shorter path, until it is the end of the part.
 double IslandMotion::relocated(const MotionInput& input, double duration) {
     const double shortest = shortestPart * input.substep;
     for (int round = 0; round < mostRelocations && !m_unsolved && remaining(input) > 0; ++round) {
@@ -111,7 +111,7 @@ double IslandMotion::relocated(const MotionInput& input, double duration) {
     return duration;
 }
 
-// So that islands of the usual size allocate nothing, whatever they begin to do.
+// Reserves memory, so that islands of the usual size never allocate in a step.
 void IslandMotion::reserve() {
     constexpr std::size_t points = pointsRefined, bodies = points / 2;
     if (m_presses.capacity() >= points) return;
@@ -173,7 +173,7 @@ void IslandMotion::recollide(const MotionInput& input) {
         m_work += collideWork(input.bodies, pair);
         ++report.work.pairsCollided;
         collideInto(input.bodies, input.state, pair, m_before.pointsOf(pair), m_contacts);
-        // A pair that has no points now keeps its place: it may have some later in the substep.
+        // A pair without contact points stays in the list: it may have some later in the substep.
         if (m_contacts.pairs.size() == count) m_contacts.append(pair, {});
     }
 }
@@ -225,7 +225,7 @@ ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
     return row;
 }
 
-// The deepest overlap that is to be parted, relative to the smaller body; 0 if there is none.
+// The deepest overlap to be corrected, relative to the smaller body; 0 if there is none.
 double IslandMotion::relativeOverlap() const {
     double deepest = 0;
     for (const ContactPair& pair : m_contacts.pairs)
@@ -235,8 +235,8 @@ double IslandMotion::relativeOverlap() const {
     return deepest;
 }
 
-// Parts bodies that overlap by the least displacement, in the sense of kinetic energy, that opens the gaps:
-// the contact problem with lengths for velocities.
+// Separates bodies that overlap by the smallest displacement, in the norm of the kinetic energy, that closes
+// the overlaps: the contact problem with lengths in place of velocities.
 void IslandMotion::correctPositions(const MotionInput& input, const Island& island) {
     const double overlap = relativeOverlap();
     m_overlap = std::max(m_overlap, overlap);
@@ -283,8 +283,9 @@ double IslandMotion::storedInSprings(const MotionInput& input) const {
     return energy;
 }
 
-// What position correction has added to springs is taken from the motion, as far as there is any: of bodies
-// that touch or hang on what is fixed all of it, of others that about their centre of mass.
+// The energy that position correction has added to springs is taken from the kinetic energy, as far as there
+// is any: from all of it if the bodies touch or are tied to something immobile, else from that relative to
+// their centre of mass.
 void IslandMotion::takeEnergy(const MotionInput& input, const Island& island, double energy) {
     if (!(energy > 0)) return;
     const auto isFixed = [&](BodyIndex i) { return i == noBody || input.bodies.mobile[i] == 0; };
@@ -352,7 +353,7 @@ void IslandMotion::impacts(const MotionInput& input, double duration, bool finds
     }
 }
 
-// Whether no body was or is faster than so many times the tolerance.
+// Whether no body was or is faster than `factor` times the tolerance.
 bool IslandMotion::isWithin(double factor) const {
     if (m_problem.rows.empty() || !m_problem.springs.empty() || m_scale == 0) return false;
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
@@ -363,8 +364,8 @@ bool IslandMotion::isWithin(double factor) const {
     return true;
 }
 
-// A ball that lies still on one point and turns about its normal has nothing that slows it: a real contact
-// has an area. It stops once its rim is slow enough for a body of the base path to count as calm.
+// No force slows a ball that rests on one point and spins about its normal, because only a real contact has
+// an area. Its spin is stopped once its surface is as slow as a calm body of the base path.
 void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) {
     const double gravity = input.gravity.norm();
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -392,7 +393,7 @@ void IslandMotion::stopPivoting(const MotionInput& input, const Island& island) 
     }
 }
 
-// A body within the tolerance of rest is at rest: the forces balance as well as they are known.
+// A body whose speed is within the tolerance is set to rest: its forces balance as well as they are known.
 void IslandMotion::settle(const MotionInput& input, const Island& island) {
     stopPivoting(input, island);
     if (!isWithin(1)) return;
@@ -404,7 +405,7 @@ void IslandMotion::settle(const MotionInput& input, const Island& island) {
     }
 }
 
-// Velocities that are no numbers are found before they make places that are none.
+// Finds velocities that are not finite before they are used to move bodies.
 Loss IslandMotion::findLoss(const Island& island) const {
     for (std::size_t i = 0; i < m_problem.bodies.size(); ++i) {
         const Vec6& velocity = m_problem.bodies[i].velocity;
