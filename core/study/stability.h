@@ -14,14 +14,14 @@
 #include <vector>
 
 // The hard cases: scenes that are hard to simulate and have a right answer in closed form, or a quantity that
-// must be kept. Each is run in up to three columns, measured, and judged by the limits of its column. Nothing
-// in the simulation knows of them. A case that does not hold stays in the list, failing, with its figure.
+// must be kept. Each is run in up to three columns, measured, and compared with the limits of its column. The
+// simulation has no code for any of them. A case that fails stays in the list, with its figure.
 //
-// What declarations can say is a scene: scenes/hard/NN_name.sdl, a text in the program (hard_scenes.h), whose
-// `expect` declarations are the figures. What they cannot (families of random members, statistics, oracles)
-// is one file's function and a row of constants, listed in cases/cases.def; what it may use while it runs is
-// a Trial (trial.h). What is asked of a scene's case beyond declarations (repetition to the bit, orders of
-// convergence) is a function of cases/members.def; no figure stands in both.
+// A case that declarations can express is a scene: scenes/hard/NN_name.sdl, compiled into the program as text
+// (hard_scenes.h); its `expect` declarations are the figures. Other cases (families of random members,
+// statistics, oracles) are a function and a row of constants in a file of their own, listed in
+// cases/cases.def; the function works on a Trial (trial.h). Further figures of a scene's case (repetition to
+// the bit, orders of convergence) come from a function of cases/members.def; no figure is in both.
 
 namespace carom {
 
@@ -36,10 +36,11 @@ enum class StudyColumn : std::uint8_t {
 inline constexpr std::array studyColumns = {StudyColumn::Default, StudyColumn::Accurate, StudyColumn::Exact};
 std::string_view nameOf(StudyColumn column); ///< "default"
 
-/// Short forms last a second or two each; long forms are the cases as published, hours of them.
+/// In the short form a case takes a second or two; the long form is the case as published, and all of them
+/// take hours.
 enum class StudyLength : std::uint8_t { Short, Long };
 
-/// One measured number and what it may be at most. Counts of what must not happen are figures too.
+/// One measured number and its upper limit. Counts of events that must not happen are figures, too.
 struct Figure {
     std::string name;        ///< "energy error"
     double value = 0;        ///< in `unit`; not a number where it could not be measured
@@ -49,7 +50,7 @@ struct Figure {
     bool holds() const { return value <= limit; }
 };
 
-/// Which columns a case has a right answer in.
+/// The columns in which a case has a right answer.
 using StudyColumns = std::array<bool, 3>;
 inline constexpr StudyColumns everyColumn = {true, true, true};
 inline constexpr StudyColumns steppingColumns = {true, true, false};
@@ -59,10 +60,10 @@ struct HardCase {
     int number = 0;
     std::string_view name;      ///< "elastic_ball"
     std::string_view title;     ///< "an elastic ball dropped from 5 m, 20 s"
-    std::string_view answer;    ///< what is right, one sentence
+    std::string_view answer;    ///< the right answer, one sentence
     std::string_view byDefault; ///< the limit of the default column, for people; "–" where there is none
-    std::string_view accurate;  ///< of the two others
-    std::string_view aim;       ///< what we want in the end
+    std::string_view accurate;  ///< the same for the two other columns
+    std::string_view aim;       ///< the limit that we aim at
     StudyColumns columns = steppingColumns;
     /// A scene of the case, without a `simulation` declaration.
     std::string (*declarations)() = nullptr;
@@ -75,12 +76,13 @@ struct HardCase {
 
 /// Every case, ascending by number.
 std::span<const HardCase> hardCases();
-/// By name, also as spokenName() says it, or number ("13"), or null.
+/// Finds a case by its name, by its spokenName(), or by its number ("13"); null if there is none.
 const HardCase* findHardCase(std::string_view nameOrNumber);
-/// As a reader says it: "Euler's disk"; commands and files call it `eulers_disk`.
+/// The name as written in text: "Euler's disk" for `eulers_disk`, which commands and files use.
 std::string spokenName(const HardCase& hardCase);
 
-/// The case as a scene to open: a comment with the right answer, the declarations, the column's `simulation`.
+/// The text of the case as a scene: a comment with the right answer, the declarations, and the `simulation`
+/// declaration of the column.
 std::string sceneOf(const HardCase& hardCase, StudyColumn column);
 
 enum class Verdict : std::uint8_t { Holds, Fails, NotApplicable };
@@ -94,7 +96,8 @@ struct TrialResult {
     std::vector<Figure> figures;
     double seconds = 0; ///< wall time
 
-    /// The figure that decides: the one furthest beyond its limit, or nearest to it. Null without figures.
+    /// The figure that decides the verdict: the one furthest beyond its limit, or if all hold, the one
+    /// nearest to it. Null without figures.
     const Figure* decisive() const;
 };
 
@@ -102,7 +105,7 @@ struct StabilityPlan {
     std::vector<const HardCase*> cases;
     std::vector<StudyColumn> columns{studyColumns.begin(), studyColumns.end()};
     StudyLength length = StudyLength::Short;
-    Shard shard = {}; ///< of the list of cases, each in its columns
+    Shard shard = {}; ///< a part of the list of cases, each with its columns
 
     /// The cases and columns that are run, in order.
     std::vector<std::pair<const HardCase*, StudyColumn>> trials() const;
@@ -111,7 +114,7 @@ struct StabilityPlan {
 struct StabilityStudy {
     StabilityPlan plan;
     std::vector<TrialResult> results; ///< by case, then column, as in the plan
-    bool complete = false;            ///< false: it was told to stop; what is there is whole
+    bool complete = false;            ///< false: it was stopped; the results up to then are complete
 
     std::size_t count(StudyColumn column, Verdict verdict) const;
     bool allHold() const;
@@ -124,7 +127,7 @@ struct StabilityListener {
     std::function<void(const TrialResult&)> ends;
 };
 
-/// One case in one column; nothing where `goOn` ended it.
+/// Runs one case in one column; nothing if `goOn` ended it.
 std::optional<TrialResult> runTrial(const HardCase& hardCase, StudyColumn column, StudyLength length,
                                     const StabilityListener& listener = {});
 

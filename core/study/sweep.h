@@ -14,8 +14,9 @@
 #include <string_view>
 #include <vector>
 
-// A scene, run again and again with other numbers in its text: what is varied, what is measured, and the list
-// of runs that follows from it. The list is never held: run number k is computed from k.
+// A sweep runs a scene many times with other numbers in its text. This is its definition: what is varied,
+// what is measured, and the list of runs that follows. The list is not stored: run number k is computed from
+// k.
 //
 //     axes, outermost first      values                                   run
 //     cue.vel.z                  4:12:3      4       8       12
@@ -24,18 +25,19 @@
 
 namespace carom {
 
-/// What is asked for, as it is written.
+/// The definition as the user writes it.
 struct SweepDefinition {
     /// Each "PATH=VALUES" (core/language/parameter_change.h); values are `4:12:17` (first, last, how many),
     /// `log 1e-3:1:7`, a list `1,4,16` of numbers or words, or, with `random`, `uniform 4:12` or
     /// `normal 8:0.5` (mean and deviation).
     std::vector<std::string> vary;
     std::vector<std::string> measures;
-    bool zip = false;             ///< lists go together, value by value, instead of each with each
-    std::int64_t random = 0;      ///< draws from the laws; 0: there are none
+    bool zip = false;             ///< lists are combined value by value; otherwise each value with each
+    std::int64_t random = 0;      ///< number of draws from the distributions; 0: there are none
     std::uint64_t randomSeed = 1; ///< of the draws
-    std::int64_t seeds = 0; ///< runs a point, each with the next seed of its generated scene; 0: one run
-    std::optional<std::int64_t> frames; ///< of each run; absent: what its text says
+    /// Runs of each point, each with the next seed of its generated scene; 0: one run.
+    std::int64_t seeds = 0;
+    std::optional<std::int64_t> frames; ///< frames of each run; absent: as its text says
     std::string generate;               ///< "pile --n 400": the scene is made by a generator; else empty
 
     friend bool operator==(const SweepDefinition&, const SweepDefinition&) = default;
@@ -45,20 +47,21 @@ struct SweepDefinition {
 struct SweepAxis {
     std::vector<std::size_t> parameters; ///< by number
     std::size_t count = 1;               ///< of values
-    bool isReplication = false;          ///< draws and seeds: what a summary is taken over
+    bool isReplication = false;          ///< draws and seeds: a summary is taken over them
 };
 
-/// What a `sweep` declaration asks for.
+/// The definition that a `sweep` declaration gives.
 SweepDefinition definitionOf(const SweepRequest& request);
 
 class Sweep;
 
 struct ReadSweep {
     std::shared_ptr<const Sweep> sweep;
-    std::string objection; ///< where there is none: what was seen, and what would be right
+    std::string objection; ///< if there is no sweep: what was found, and what would be right
 };
-/// `text` is the scene's; ignored where a generator makes it. Runs that a value makes faulty are found when
-/// they are run, but each listed value must be one that its parameter can have, and the first run must build.
+/// `text` is the scene's; it is ignored if a generator makes the scene. Errors that a value causes in the
+/// scene are found when its run is made, but each listed value must be valid for its parameter, and the scene
+/// of the first run must build.
 ReadSweep readSweep(SweepDefinition definition, std::string text);
 
 class Sweep {
@@ -68,26 +71,26 @@ class Sweep {
     static constexpr std::size_t mostRuns = 100'000'000;
 
     const SweepDefinition& definition() const { return m_definition; }
-    const std::vector<SweptParameter>& parameters() const {
-        return m_parameters;
-    }                                                             ///< seeds, if any, the last
-    const std::vector<SweepAxis>& axes() const { return m_axes; } ///< outermost first; draws, then seeds last
+    /// Seeds, if any, come last.
+    const std::vector<SweptParameter>& parameters() const { return m_parameters; }
+    /// Outermost first; draws, then seeds come last.
+    const std::vector<SweepAxis>& axes() const { return m_axes; }
     const std::vector<SweepMeasure>& measures() const { return m_measures; }
     /// The text of the first scene, before any change.
     const std::string& baseText() const { return m_base->analysis.text; }
 
     std::size_t runs() const { return m_runs; }
-    /// How many runs, one behind the other, are of one point: those a summary is taken over.
+    /// How many successive runs belong to one point: a summary is taken over these.
     std::size_t runsOfPoint() const;
     /// The parameters' values in a run, in their order.
     std::vector<std::string> valuesOf(std::size_t run) const;
-    /// The text of a run; nothing where a draw is an option that the generator does not take.
+    /// The text of a run; nothing if a drawn value is no valid option of the generator.
     std::optional<std::string> textOf(std::size_t run) const;
-    /// The runs' work, relative to each other: bodies that move × substeps × frames, as far as the varied
-    /// settings and generators say it before any run.
+    /// The work of each run, relative to that of others: mobile bodies × substeps × frames, as far as they
+    /// are known from the varied settings and generators before any run.
     std::vector<double> weights() const;
 
-    /// A 64-bit hash of definition and base text, in hexadecimal: two sweeps with the same one have the same
+    /// A 64-bit hash of definition and base text, in hexadecimal: two sweeps with the same hash have the same
     /// rows.
     std::string hash() const;
 
@@ -105,11 +108,12 @@ class Sweep {
     std::vector<SweepMeasure> m_measures;
     std::size_t m_runs = 1;
     std::shared_ptr<const Build> m_base;
-    const GeneratorRow* m_generator = nullptr; ///< null: the scene is a text
+    const GeneratorRow* m_generator = nullptr; ///< null: the scene is given as text
     GeneratorRequest m_request;
 };
 
-/// The definition as lines `vary cue.vel.z=4:12:3`; what a folder of results keeps to know its own.
+/// The definition as lines `vary cue.vel.z=4:12:3`; a folder of results stores it, to recognise the sweep it
+/// belongs to.
 std::string textOf(const SweepDefinition& definition);
 
 } // namespace carom

@@ -21,22 +21,22 @@ namespace carom {
 /// The bodies that an owner names: one by its label or number, or a family; empty where there are none.
 std::vector<BodyIndex> bodiesNamed(const Scene& scene, const std::string& owner);
 
-/// Why this scene has no such figure, or nothing.
+/// The reason why this scene has no such figure; nothing if it has.
 std::optional<std::string> objectionToMeasure(const SweepMeasure& measure, const Pipeline& pipeline);
 
 /// Takes the figures of one run, frame by frame.
 class MeasureWatch {
   public:
-    /// Measures that objectionToMeasure has nothing against.
+    /// Takes measures to which objectionToMeasure() has no objection.
     MeasureWatch(std::span<const SweepMeasure> measures, std::shared_ptr<const Pipeline> pipeline);
 
     /// Whether the world must keep a ledger.
     bool needsLedger() const;
-    /// The world stands where its run begins.
+    /// Begins with the world at the start of its run.
     void begin(const World& world);
-    /// After each step, in order.
+    /// To be called after each step, in order.
     void look(const World& world);
-    /// One a measure; NaN where there was nothing to measure.
+    /// One figure for each measure; NaN if there was nothing to measure.
     std::vector<double> figures() const;
 
   private:
@@ -57,8 +57,9 @@ class MeasureWatch {
     std::vector<double> measured(const Followed& followed, const Moment& moment, double part,
                                  double time) const;
     double impactsOf(BodyIndex body, double time) const;
-    /// Of a body that met another in the frame that ends now [s]: on the paths that all had at its beginning,
-    /// under gravity alone; where these do not meet, as for bodies struck through others, when it was struck.
+    /// Time at which a body met another in the frame that ends now [s]: by the paths from the start of the
+    /// frame, under gravity alone. If these do not meet, as for a body that is struck by way of others, the
+    /// time at which it was struck.
     double momentOfImpact(const Followed& followed, const World& world) const;
 
     std::shared_ptr<const Pipeline> m_pipeline;

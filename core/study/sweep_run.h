@@ -11,28 +11,28 @@
 #include <string_view>
 #include <vector>
 
-// The runs of a sweep, on as many threads as there are; each run has one thread, so that its bits do not
-// depend on how many others there are.
+// Makes the runs of a sweep on as many threads as are given. Each run has one thread, so that its result does
+// not depend, to the bit, on the number of threads.
 
 namespace carom {
 
 enum class SweepOutcome : std::uint8_t {
     Done,
-    Lost,   ///< the state was not finite any more; figures are those up to then
+    Lost,   ///< the state was not finite any more; the figures are those up to that time
     Faulty, ///< its values make a text with errors; nothing was run
 };
 std::string_view nameOf(SweepOutcome outcome); ///< "done", "lost", "faulty"
 std::optional<SweepOutcome> outcomeNamed(std::string_view name);
 
-/// What one run gave.
+/// The result of one run.
 struct SweepResult {
     std::size_t run = 0;
     SweepOutcome outcome = SweepOutcome::Done;
     std::vector<double> figures; ///< one a measure; NaN where there was nothing to measure
-    std::uint64_t stateHash = 0; ///< at the end of what is done
+    std::uint64_t stateHash = 0; ///< at the end of the frames that were run
     std::int64_t frames = 0;
-    /// What was done, counted: bodies × substeps, pairs compared, rows swept, events, and operations of
-    /// refinement, over all frames.
+    /// The work counted over all frames: bodies × substeps, pairs compared, rows swept, events, and
+    /// operations of refinement.
     double work = 0;
     double seconds = 0; ///< processor time of reading, building and running
 };
@@ -40,7 +40,7 @@ struct SweepResult {
 /// Told between frames, from the threads that run; false ends the run.
 using SweepGoOn = std::function<bool()>;
 
-/// One run; nothing where it was ended.
+/// Makes one run; nothing if it was ended.
 std::optional<SweepResult> runOf(const Sweep& sweep, std::size_t run, const SweepGoOn& goOn);
 
 /// The receiver of results. Both are called from the threads that run; `ended` by one at a time, as they end,
@@ -54,8 +54,8 @@ struct SweepListener {
 /// At a tenth, fast runs wait for a slow one on a machine of many cores; at ten times, rows take megabytes.
 inline constexpr std::size_t mostRunsAhead = 4096;
 
-/// Makes the runs of a stretch but those that `isKnown` names. False where it was ended before all were made.
-/// What a listener throws ends it, and is thrown from here.
+/// Makes the runs of a range, except those that `isKnown` names. False if it was ended before all were made.
+/// An exception from a listener ends it and is thrown again from here.
 bool runSweep(const Sweep& sweep, const ItemRange& part, int threads,
               const std::function<bool(std::size_t run)>& isKnown, const SweepListener& listener);
 

@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// How one measure is spread over the runs of a point. All NaN where no run gave a figure.
+/// The distribution of one measure over the runs of a point. All NaN if no run gave a figure.
 struct FigureSpread {
     std::size_t runs = 0;           ///< that gave a figure
     double mean = 0, deviation = 0; ///< of a sample; the deviation of one run is NaN
@@ -22,28 +22,29 @@ struct FigureSpread {
 };
 FigureSpread spreadOf(std::vector<double> figures);
 
-/// A point of a sweep: runs with the same values of what is listed, over draws and seeds.
+/// A point of a sweep: the runs with the same listed values, over all draws and seeds.
 struct SweepPoint {
     std::size_t firstRun = 0;
     std::size_t runs = 0, lost = 0, faulty = 0;
     std::vector<FigureSpread> spreads; ///< one a measure
 };
 
-/// What is said of all runs together.
+/// Totals over all runs.
 struct SweepTotals {
     std::size_t runs = 0, lost = 0, faulty = 0;
     double seconds = 0; ///< processor time
     double longest = 0; ///< run [s]
 };
 
-/// Takes results in the order of the runs and hands on point after point. It holds the runs of one point.
+/// Takes results in the order of the runs and passes on one point after the other. It stores the runs of one
+/// point only.
 class SweepSummary {
   public:
     using Sink = std::function<void(const SweepPoint& point)>;
     SweepSummary(const Sweep& sweep, Sink sink);
 
     void add(const SweepResult& result);
-    /// No run follows.
+    /// To be called after the last run.
     void finish();
     const SweepTotals& totals() const { return m_totals; }
 
@@ -55,16 +56,16 @@ class SweepSummary {
     SweepTotals m_totals;
 };
 
-/// The names of the parameters that tell points apart, by their numbers.
+/// The numbers of the parameters by which points differ.
 std::vector<std::size_t> pointParameters(const Sweep& sweep);
 
-/// The table of points, a row a point and measure: the parameters, then
-/// `measure,runs,lost,faulty,mean,deviation,mean_low,mean_high,least,q05,q25,median,q75,q95,most`. Where a
-/// point is one run its figure is the mean, and the others are empty.
+/// The table of points, with a row for each point and measure: the parameters, then
+/// `measure,runs,lost,faulty,mean,deviation,mean_low,mean_high,least,q05,q25,median,q75,q95,most`. If a point
+/// has one run, its figure is the mean, and the other cells are empty.
 std::string summaryColumns(const Sweep& sweep);
 std::string summaryRows(const Sweep& sweep, const SweepPoint& point);
 
-/// What a sweep costs, in a few lines: "400 runs ...", runs an hour against cores.
+/// The cost of a sweep, in a few lines: "400 runs ...", and runs an hour by number of cores.
 std::string summaryOf(const SweepTotals& totals, std::size_t allRuns);
 
 } // namespace carom

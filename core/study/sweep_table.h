@@ -18,28 +18,29 @@
 
 namespace carom {
 
-/// The first line, with its end.
+/// The first line, with its line end.
 std::string sweepColumns(const Sweep& sweep);
-/// The line of a run, with its end.
+/// The line of a run, with its line end.
 std::string sweepRow(const Sweep& sweep, const SweepResult& result);
 
-/// The run of a line; nothing where it does not begin with a whole number below `runs`.
+/// The number of a line's run; nothing if it does not begin with a whole number below `runs`.
 std::optional<std::size_t> runOfRow(std::string_view line, std::size_t runs);
-/// What a line says, its values apart; nothing where it is no line of this sweep.
+/// The result in a line, without its parameter values; nothing if it is no line of this sweep.
 std::optional<SweepResult> resultOfRow(const Sweep& sweep, std::string_view line);
 
-/// Puts lines that come in any order into that of the runs. It holds those that wait for an earlier one.
+/// Sorts lines that arrive in any order into the order of the runs. It stores those that wait for an earlier
+/// one.
 class RowSorter {
   public:
     using Sink = std::function<void(std::size_t run, std::string_view line)>;
-    /// The first line handed on is that of run `first`.
+    /// The first line passed on is that of run `first`.
     RowSorter(std::size_t first, Sink sink) : m_next(first), m_sink(std::move(sink)) {}
 
-    /// A run that was there before is left out.
+    /// A run that has been added before is ignored.
     void add(std::size_t run, std::string_view line);
-    /// Hands on what waits, over the gaps.
+    /// Passes on all lines that still wait, although earlier ones are missing.
     void finish();
-    /// The first run that has not come.
+    /// The first run that has not been added.
     std::size_t next() const { return m_next; }
 
   private:
@@ -48,10 +49,10 @@ class RowSorter {
     std::map<std::size_t, std::string> m_waiting;
 };
 
-/// What a folder of results says of itself, so that nothing else is added to it: the definition, and what the
-/// rows depend on besides.
+/// The record in a folder of results, so that no results of another sweep are added: the definition, and what
+/// else the rows depend on.
 std::string sweepRecord(const Sweep& sweep, std::string_view version);
-/// The definition of such a record; nothing where it is none.
+/// The definition in such a record; nothing if the text is none.
 std::optional<SweepDefinition> definitionInRecord(std::string_view record);
 
 } // namespace carom

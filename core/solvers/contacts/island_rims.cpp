@@ -40,7 +40,7 @@ constexpr double idlePart = 1e-3;
 
 } // namespace
 
-// Solves again with points of rims that the solution lets come down.
+// Solves again with points of rims added that the solution lets move into the other body.
 void IslandMotion::holdRims(const MotionInput& input, double duration, bool findsImpacts) {
     const double tolerance = m_tolerance;
     for (int round = 0; round < mostRounds && !m_unsolved && remaining(input) > 0; ++round) {
@@ -58,8 +58,8 @@ void IslandMotion::holdRims(const MotionInput& input, double duration, bool find
     m_tolerance = tolerance;
 }
 
-// How fast the slowest of them closes [m/s]; 0 if there is none. One that is there already counts where the
-// body nearly rests: then it is the tolerance that lets it turn.
+// Adds such points. Returns the closing speed of the slowest one [m/s]; 0 if there is none. A point that is
+// in the contact already counts if the body is nearly at rest: then the tolerance of the solve lets it turn.
 double IslandMotion::addRimPoints(const MotionInput& input, bool fastest) {
     const auto spinOf = [&](BodyIndex body) -> Vec3 {
         const int local = localOf(body);
@@ -96,7 +96,7 @@ double IslandMotion::addRimPoints(const MotionInput& input, bool fastest) {
     return slowest;
 }
 
-// Of a pair, from the centre of its first body that can move [m].
+// The centre of pressure of a pair, relative to the centre of its first mobile body [m].
 Vec3 IslandMotion::centreOfPressure(const Bodies& bodies, std::uint32_t index) const {
     const ContactPair& pair = m_contacts.pairs[index];
     Vec3 sum = Vec3::Zero();
@@ -120,7 +120,7 @@ bool IslandMotion::insertPoint(std::uint32_t index, const ContactConstraint& poi
         for (std::uint32_t k = index + 1; k < m_contacts.pairs.size(); ++k) ++m_contacts.pairs[k].first;
         return true;
     }
-    // In place of the nearest one that bears next to nothing: it was between others that do no longer.
+    // Replaces the nearest point that bears next to nothing.
     double most = 0;
     for (const ContactConstraint& old : m_contacts.pointsOf(pair)) most = std::max(most, old.force.x());
     ContactConstraint* idle = nullptr;

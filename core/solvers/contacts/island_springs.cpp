@@ -74,7 +74,7 @@ double leastGap(const Bodies& bodies, BodyIndex a, const Vec3& placeA, BodyIndex
 
 } // namespace
 
-// An island that springs hold together, through a substep in which no two bodies meet. False if two may, and
+// Moves an island on springs through a substep in which no two bodies meet. False if two may meet; then
 // nothing has moved.
 bool IslandMotion::integrateSprings(const MotionInput& input, const Island& island) {
     if (m_springs.empty()) return false;
@@ -106,7 +106,8 @@ bool IslandMotion::integrateSprings(const MotionInput& input, const Island& isla
     return true;
 }
 
-// A gap shrinks no faster than the bodies move: it stays open where it could not close from either end.
+// Whether all gaps stay open: a gap shrinks no faster than the bodies move, so it suffices that it cannot
+// close from its values at both ends.
 bool IslandMotion::staysApart(const MotionInput& input) const {
     const auto placeAfter = [&](BodyIndex i) {
         return localOf(i) == immobile ? input.state.pose[i].position
@@ -127,8 +128,8 @@ bool IslandMotion::staysApart(const MotionInput& input) const {
 }
 
 void IslandMotion::solveSprings(const MotionInput& input, double duration) {
-    // A spring too stiff for the step ends the part about where it began it: that guess is near the solution,
-    // where the one that goes on as before may be metres off.
+    // A spring too stiff for the step ends the part about where it began: that guess is near the solution,
+    // while one with unchanged velocities may be metres off.
     linkSprings(input, duration);
     bool stiff = false;
     for (const SoftRow& row : m_problem.springs) stiff = stiff || row.rate.maxCoeff() > row.effectiveMass;
@@ -151,7 +152,7 @@ void IslandMotion::solveSprings(const MotionInput& input, double duration) {
     solveSpringsAlone(input, duration);
 }
 
-// Whether the rounds have led to a solution.
+// True if the rounds have converged.
 bool IslandMotion::solveSpringsAlone(const MotionInput& input, double duration) {
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < mostNewtonRounds; ++round) {
@@ -174,7 +175,8 @@ void IslandMotion::rememberVelocities() {
     for (std::size_t i = 0; i < m_lastVelocity.size(); ++i) m_lastVelocity[i] = m_problem.bodies[i].velocity;
 }
 
-// Since they were remembered [m/s]; and how fast the fastest was then.
+// Change of velocities since they were stored [m/s]; stores the largest speed of that time, and of the start
+// of the part, in m_fastest.
 double IslandMotion::changeOfVelocities() {
     double change = 0;
     m_fastest = 0;
@@ -187,7 +189,7 @@ double IslandMotion::changeOfVelocities() {
     return change;
 }
 
-// The mean of both ends, which is not where the body is at half time if it is accelerated.
+// The mean of the poses at both ends. An accelerated body is not there at half time.
 Pose IslandMotion::middlePose(const MotionInput& input, BodyIndex i, double duration) const {
     const std::size_t local = at(localOf(i));
     const Start& start = m_start[local];
@@ -199,7 +201,7 @@ Pose IslandMotion::middlePose(const MotionInput& input, BodyIndex i, double dura
     return pose;
 }
 
-// One end of a spring at both ends of the part as the present velocities give them.
+// Places of one end of a spring at the start and the end of the part, by the present velocities.
 IslandMotion::SpringEnd IslandMotion::springEnd(const MotionInput& input, BodyIndex i, const Vec3& point,
                                                 double duration) const {
     SpringEnd end;
@@ -217,7 +219,7 @@ IslandMotion::SpringEnd IslandMotion::springEnd(const MotionInput& input, BodyIn
     return end;
 }
 
-// The rows of the island's springs, linear about the way that the present velocities give.
+// Makes the rows of the island's springs, linearised about the path that the present velocities give.
 void IslandMotion::linkSprings(const MotionInput& input, double duration) {
     m_problem.springs.clear();
     m_springSlopes.clear();
@@ -248,7 +250,7 @@ void IslandMotion::linkSprings(const MotionInput& input, double duration) {
             prepareRow(m_problem, Mat3::Identity(), from.arm, to.arm, row);
             row.impulse = (-duration * tension) * along;
             row.rate = Vec3::Constant(stretching + turning); // how stiff it is, for the guess
-            // Lengths are rounded, and so are the forces that they give.
+            // The rounding of lengths becomes an error of forces.
             pulled = std::max(pulled, std::abs(duration) * spring.stiffness * length / row.effectiveMass);
             m_springSlopes.push_back(turning * Mat3::Identity() + stretching * along * grows.transpose());
         } else {
@@ -266,7 +268,8 @@ void IslandMotion::linkSprings(const MotionInput& input, double duration) {
             row.offset.x() += duration * tension * part;
             const Vec3 yielded = row.rate.cwiseProduct(after);
             row.impulse = -(row.offset + yielded);
-            // Of a stiff spring both parts are large and cancel: what is left is rounded as they are.
+            // For a stiff spring both terms are large and cancel: their difference has the rounding error of
+            // the terms.
             pulled = std::max(pulled, (row.offset.norm() + yielded.norm()) / row.effectiveMass);
         }
         m_problem.springs.push_back(row);

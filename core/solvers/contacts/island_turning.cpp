@@ -9,7 +9,7 @@
 #include <limits>
 
 // Contacts turn while bodies do: a disk that rolls on its rim touches elsewhere at the end of a part of the
-// substep than at its start, and a block that rocks has its arm turned. Taken as they are at the start they
+// substep than at its start, and a block that rocks has its arm turned. Contacts as they are at the start
 // make a method of order one. Here the velocities at the end obey the contacts as they are at the end, and
 // the impulses that lead there act as the contacts are in the middle,
 //
@@ -64,13 +64,13 @@ struct PairPoint {
     const Pose &poseA, &poseB;
 };
 
-/// How far a point is from another of the same pair: seen from the body that sees less of it [m²]. What
-/// slides stays where it is on one body, what rolls on a wall on none.
+/// Squared distance of two points of one pair [m²], the smaller of those in the frames of both bodies: a
+/// point that slides keeps its place on one body; one that rolls on a wall keeps it on none.
 double distanceBetween(const Bodies& bodies, const ContactPair& pair, const PairPoint& one,
                        const PairPoint& other) {
     const auto onA = [](const PairPoint& p) { return p.poseA.directionToBody(p.contact.armA); };
     const auto onB = [](const PairPoint& p) { return p.poseB.directionToBody(p.contact.armB); };
-    const auto inWorld = [&](const PairPoint& p) { // immobile bodies have no arms
+    const auto inWorld = [&](const PairPoint& p) { // arms of immobile bodies are not set
         return bodies.mobile[pair.a] != 0 ? Vec3(p.poseA.position + p.contact.armA)
                                           : Vec3(p.poseB.position + p.contact.armB);
     };
@@ -82,7 +82,7 @@ double distanceBetween(const Bodies& bodies, const ContactPair& pair, const Pair
 
 } // namespace
 
-// Whether contacts that press turn by more than the tolerance shows.
+// Whether contacts with a force turn by so much that it exceeds the tolerance.
 bool IslandMotion::contactsTurn(const MotionInput& input, double duration) const {
     if (!m_springs.empty()) return false;
     const bool accurate = input.settings.tolerance < accurateTolerance;
@@ -96,8 +96,8 @@ bool IslandMotion::contactsTurn(const MotionInput& input, double duration) const
             const ContactBody& end = m_problem.bodies[at(body)];
             const double speed = std::max(fastestPart(end.velocity, end.gyration),
                                           fastestPart(m_start[at(body)].velocity, end.gyration));
-            // A body turns its contact by duration · speed/size. Velocities turn along; so do impulses, which
-            // only an accurate run follows: a slow body under a heavy load is their one case.
+            // A contact turns by duration · speed/size. Velocities turn with it, and so do impulses. These
+            // matter only for a slow body under a heavy load, and are considered in accurate runs only.
             const double load = accurate ? m_problem.rows[i].impulse.norm() / end.mass : 0;
             if (duration * speed * std::max(speed, load) > m_tolerance * pair.size) return true;
         }
@@ -105,7 +105,7 @@ bool IslandMotion::contactsTurn(const MotionInput& input, double duration) const
     return false;
 }
 
-// From the solution for the contacts as they are at the start to that for those at the end.
+// Starts from the solution with the contacts of the start and iterates to that with those of the end.
 void IslandMotion::turnContacts(const MotionInput& input, double duration) {
     m_presses.assign(m_contacts.points.size(), 0);
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
@@ -128,7 +128,7 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
             change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
         }
         if (change <= m_tolerance) return;
-        if (!(change <= mostGrowth * before)) { // they jump to and fro: as they were at the start
+        if (!(change <= mostGrowth * before)) { // the rounds diverge: uses the contacts of the start
             beginPart(input, duration);
             for (std::size_t i = 0; i < m_rowPoint.size(); ++i) placeRow(m_rowPoint[i], m_problem.rows[i]);
             solve(input);
@@ -138,7 +138,8 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
     }
 }
 
-// Poses in the middle and at the end of the part as the present velocities give them, and inertia at the end.
+// Computes, from the present velocities, poses in the middle and at the end of the part, and the inertia at
+// the end.
 void IslandMotion::predictPoses(const MotionInput& input, double duration) {
     const std::size_t count = m_problem.bodies.size();
     m_middlePose.resize(count);
@@ -156,7 +157,7 @@ void IslandMotion::predictPoses(const MotionInput& input, double duration) {
     }
 }
 
-// Rows to the end of the part, what their impulses act along to its middle.
+// Moves the rows to the end of the part, and the directions along which their impulses act to its middle.
 void IslandMotion::moveRows(const MotionInput& input) {
     m_pushes.resize(m_problem.rows.size());
     m_inMiddle.resize(m_contacts.points.size());
@@ -181,7 +182,7 @@ void IslandMotion::moveRows(const MotionInput& input) {
     }
 }
 
-// Where the points of a pair are with its bodies at these poses: the nearest first, each at most once.
+// Finds the points of a pair again with the bodies at these poses: the nearest first, each at most once.
 void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
                               const std::vector<Pose>& poses, std::vector<Place>& places) {
     for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i) places[i].found = false;
@@ -218,7 +219,7 @@ void IslandMotion::followPair(const MotionInput& input, const ContactPair& pair,
         if (best == found.size()) return;
         const Vec3 from = points[point].frame.row(0).transpose(), to = found[best].frame.row(0).transpose();
         if (from.dot(to) < sameFace) return;
-        // Tangents turn along with the normal, no more: impulses keep their meaning.
+        // Tangents turn only as the normal does, so that tangential impulses keep their directions.
         const Mat3 turn = from == to ? Mat3(Mat3::Identity()) : shortestRotation(from, to).toRotationMatrix();
         places[pair.first + point] = {true, points[point].frame * turn.transpose(), found[best].armA,
                                       found[best].armB};
@@ -234,7 +235,7 @@ void IslandMotion::placeRow(const Place& place, ContactRow& row) const {
     prepareRow(m_problem, row);
 }
 
-// As the point was found at the start.
+// Sets the row as the point was found at the start.
 void IslandMotion::placeRow(std::uint32_t point, ContactRow& row) const {
     const ContactConstraint& start = m_contacts.points[point];
     placeRow({true, start.frame, start.armA, start.armB}, row);
@@ -244,7 +245,7 @@ void IslandMotion::placeRow(std::uint32_t point, ContactRow& row) const {
 void IslandMotion::solveTurned(const MotionInput& input) {
     m_free.clear();
     for (const ContactBody& body : m_problem.bodies) m_free.push_back(body.freeVelocity);
-    const auto addPushes = [&](double minus) { // of J½, less J₁ where they are solved for
+    const auto addPushes = [&](double minus) { // impulses along J½; with `minus`, less those along J₁
         const auto add = [&](int index, const Vec6& impulse) {
             if (index == immobile) return;
             ContactBody& body = m_problem.bodies[at(index)];
@@ -267,7 +268,7 @@ void IslandMotion::solveTurned(const MotionInput& input) {
     };
     addPushes(1);
     solve(input);
-    // What the impulses found give: momentum is exact whatever the rounds have reached.
+    // Velocities follow from the impulses found: so momentum is exact even if the rounds have not converged.
     for (std::size_t i = 0; i < m_free.size(); ++i) m_problem.bodies[i].freeVelocity = m_free[i];
     addPushes(0);
     for (std::size_t i = 0; i < m_free.size(); ++i) {

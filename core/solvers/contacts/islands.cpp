@@ -13,7 +13,8 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 } // namespace
 
-// Union by smaller index with path halving: the root of an island is its first body, whatever the order.
+// Union by smaller index with path halving: the root of an island is its first body, in any order of the
+// unions.
 std::uint32_t Islands::rootOf(std::uint32_t body) {
     while (m_parent[body] != body) body = m_parent[body] = m_parent[m_parent[body]];
     return body;
@@ -47,7 +48,7 @@ void Islands::find(const Bodies& bodies, std::span<const BodyIndex> members, con
     });
     for (const BodyPair& link : links) join(link.a, link.b);
 
-    // Counting sort by island: sizes, starts, places.
+    // Counting sort by island: sizes, then starts, then bodies.
     m_first.assign(1, {});
     for (const BodyIndex body : members) {
         std::uint32_t& island = m_island[rootOf(body)];

@@ -9,8 +9,8 @@
 #include <cmath>
 
 // A lone ball that bounces on a lone wall has a closed form (bounce_train.h), however many bounces a substep
-// holds. Along the normal it is exact; across it friction has μ times the whole normal impulse of the
-// bounces.
+// holds. Along the normal it is exact; the friction impulse is at most μ times the whole normal impulse of
+// the bounces.
 
 namespace carom {
 
@@ -30,7 +30,7 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     const double noise = std::max(elasticClosing, 10 * input.settings.tolerance) * m_scale;
     const bool touching = std::abs(point.separation) <= touchingWithin(pair);
     if (touching && std::abs(speed) <= std::max(noise, speedRounding * velocity.norm())) return false;
-    if (point.separation < -touchingWithin(pair)) return false; // to be parted first
+    if (point.separation < -touchingWithin(pair)) return false; // the overlap must be corrected first
 
     loadBodies(input, island);
     const double h = input.substep;
@@ -44,7 +44,8 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
     body.velocity.head<3>() += h * input.gravity;
     body.freeVelocity = body.velocity;
     if (impulse > 0 && (pair.friction > 0 || pair.rolling > 0)) {
-        // Momentum gives the whole normal impulse of the bounces; friction has μ times that to stop the slip.
+        // The change of momentum is the whole normal impulse of the bounces; friction can take up to μ times
+        // that.
         ContactRow row = rowOf(input.bodies, pair, point);
         const double arm = input.bodies.boundingRadius[ball];
         const double mass = 1 / (1 / body.mass + arm * arm * body.inverseInertia(0, 0));
@@ -56,7 +57,7 @@ bool IslandMotion::bounce(const MotionInput& input, const Island& island) {
         m_problem.rows.assign(1, row);
         velocitiesFromImpulses(m_problem);
     }
-    // Along the normal the closed form; across it the mean of both ends.
+    // Along the normal the closed form; tangentially the mean of both ends.
     Vec3 end = body.velocity.head<3>();
     end += (after.speed - normal.dot(end)) * normal;
     Vec3 across = 0.5 * h * (before.head<3>() + end);

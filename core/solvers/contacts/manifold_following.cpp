@@ -36,7 +36,8 @@ bool doesRoll(const Solid& solid, const Vec3& point, const Vec3& normal) {
            along >= sameDirection * radius * lean;
 }
 
-/// The turn about y that takes the part of one vector across y to that of another.
+/// The rotation about y that turns one vector into the direction of another, both projected on the plane
+/// across y.
 struct TurnAboutY {
     double cosine = 1, sine = 0;
 
@@ -64,7 +65,7 @@ void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold&
         rollsA |= doesRoll(a, point.onA, manifold.normal) ? 1U << k : 0U;
         rollsB |= doesRoll(b, point.onB, manifold.normalInB) ? 1U << k : 0U;
     }
-    if (manifold.source.kind == Kind::SideA) rollsA &= ~rollsB; // a rim leads the side that it rolls on
+    if (manifold.source.kind == Kind::SideA) rollsA &= ~rollsB; // the side's point follows that of the rim
     if (manifold.source.kind == Kind::SideB) rollsB &= ~rollsA;
     manifold.rollsA = static_cast<std::uint8_t>(rollsA);
     manifold.rollsB = static_cast<std::uint8_t>(rollsB);
@@ -94,7 +95,8 @@ void follow(const Solids& solids, PersistentManifold& manifold) {
     manifold.normalInB = inB;
 }
 
-// Not how far the centre of one has come, seen from the other: that of a large body comes far.
+// Compares the places at the contact, not the centres: the centre of a large body moves far when it turns a
+// little.
 bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation, double size) {
     const bool follows = manifold.source.kind != Kind::Other;
     const double within = (follows ? followedWithin : PersistentManifold::keptWithin) * size;

@@ -20,12 +20,12 @@ namespace {
 /// A point within this part of the smaller body's size of an old one has its force. At half, more points
 /// begin with forces that shareOut estimates; at twice, forces go to points where their torque is another.
 constexpr double sameWithin = 0.05;
-/// Of B, seen from A.
+/// Orientation of B in the frame of A.
 Quat relativeOrientation(const State& state, BodyPair pair) {
     return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
 }
 
-/// B seen from A.
+/// Pose of B in the frame of A.
 Pose relativePose(const State& state, BodyPair pair) {
     return {state.pose[pair.a].toBody(state.pose[pair.b].position), relativeOrientation(state, pair)};
 }
@@ -36,14 +36,15 @@ bool isKept(const PersistentManifold& manifold, const Pose& now, double size) {
            !isTurned(manifold, now.orientation, PersistentManifold::keptAngle);
 }
 
-/// A point that is further apart than the deepest counts as so many times nearer to the others. At less than
-/// half of it bodies that stand on two points of an edge get one of them, and others that are a hundredth of
-/// their size away, where the faces lean against each other; at twice it the points left after a tilt of .004
-/// rad can no longer take over what others bore.
+/// When points are chosen, the difference of a point's separation from the deepest one counts so many times
+/// against its distance from the others. At less than half of it, bodies that stand on two points of an edge
+/// keep one of these, and points that are open by a hundredth of their size, where faces are inclined to each
+/// other; at twice it, the points left after a tilt of .004 rad can no longer take over the forces of the
+/// others.
 constexpr double gapCounts = 50;
 
-// Of more than four points the deepest, the one furthest from it, the one furthest from the line of both, and
-// the one furthest on the other side of that line; less for what they are apart.
+// Keeps four of more points: the deepest, the one furthest from it, the one furthest from the line of both,
+// and the one furthest on the other side of that line; separations count against these distances.
 void reduce(Manifold& manifold) {
     const std::size_t count = static_cast<std::size_t>(manifold.count);
     if (count <= manifoldPoints) return;
@@ -51,7 +52,7 @@ void reduce(Manifold& manifold) {
     const ContactPoint deepest = manifold.deepest();
     std::array<bool, Manifold::capacity> isChosen{};
     std::array<std::size_t, manifoldPoints> chosen{};
-    // The one that is best by distanceOf(place).
+    // Chooses the point with the largest distanceOf(place).
     const auto choose = [&](std::size_t n, const auto& distanceOf) {
         double most = -std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < count; ++k) {
@@ -95,15 +96,15 @@ Vec3 middleOf(std::span<const Point> points) {
     return sum / static_cast<double>(points.size());
 }
 
-// What old points bore and no new one has taken over: the new ones share it so that the pair's force and its
-// moment stay what they were, by projected Gauss–Seidel on
+// Distributes the force of old points that no new one has taken over among the new ones, so that the pair's
+// force and moment stay the same. Projected Gauss–Seidel on
 //
 //     Σ fₖ = N      Σ fₖ yₖ = M₁      Σ fₖ zₖ = M₂      fₖ ≥ 0
 //
 //     legend   fₖ  normal force of a new point      yₖ, zₖ  its place across the normal, in the frame of B
 //
-// Friction goes with the normal forces. Points change where edges line up or more than four cover each other;
-// a heap in which forces went with them would never come to rest.
+// Friction is distributed like the normal forces. Points change where edges are parallel or where regions
+// have more than four corners; a heap that lost forces with them would never come to rest.
 void shareOut(std::span<const Point> old, const Vec3& normal, const Tangents& across, double size,
               std::span<Point> fresh) {
     const Vec3 middle = middleOf(fresh);
@@ -149,8 +150,8 @@ void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Point> 
     shareOut(old, normal, across, smallerSize(input.bodies, pair), fresh);
 }
 
-// Opposite points are solved one after the other: a stack rocks less than where neighbours are
-// (velocity_solve.h).
+// Orders points so that opposite ones are solved one after the other: a stack rocks less than with neighbours
+// in sequence (velocity_solve.h).
 void putOppositesFirst(Manifold& manifold) {
     if (manifold.count < 3) return;
     std::size_t furthest = 1;
@@ -162,10 +163,10 @@ void putOppositesFirst(Manifold& manifold) {
     std::swap(manifold.points[1], manifold.points[furthest]);
 }
 
-// Forces of old points to the new ones nearest to them. False if some of them found none.
+// Gives forces of old points to the nearest new ones. False if a force is left.
 bool inherit(std::span<const Point> old, double within, std::span<Point> fresh) {
     std::array<bool, manifoldPoints> taken{};
-    const bool alone = old.size() == 1 && fresh.size() == 1; // the same one, however far it rolled
+    const bool alone = old.size() == 1 && fresh.size() == 1; // the same point, however far it has rolled
     for (Point& point : fresh) {
         double nearest = within * within;
         std::size_t best = manifoldPoints;
@@ -189,7 +190,7 @@ bool inherit(std::span<const Point> old, double within, std::span<Point> fresh) 
 /// Where two spheres will be when they meet within the substep, or when they are nearest.
 struct ClosestApproach {
     Vec3 between = Vec3::Zero(); ///< from the centre of A to that of B [m]
-    double gap = 0;              ///< then [m]; not negative
+    double gap = 0;              ///< at that time [m]; not negative
 };
 
 ClosestApproach closestApproachOf(const ManifoldInput& input, BodyPair pair, double radii) {
@@ -202,7 +203,7 @@ ClosestApproach closestApproachOf(const ManifoldInput& input, BodyPair pair, dou
     const double excess = between.squaredNorm() - radii * radii;
     if (!(closing < 0)) return {between, between.norm() - radii};
     const double discriminant = closing * closing - square * excess;
-    double time = -closing / square; // of the nearest approach
+    double time = -closing / square; // of the closest approach
     if (discriminant > 0) time = excess / (-closing + std::sqrt(discriminant));
     const Vec3 then = between + std::min(time, input.duration) * velocity;
     return {then, std::max(0.0, then.norm() - radii)};
@@ -212,9 +213,9 @@ bool areSpheres(const Bodies& bodies, BodyPair pair) {
     return isSphere(bodies, pair.a) && isSphere(bodies, pair.b);
 }
 
-// Spheres that are apart meet with another normal than they have now, or pass each other by: the normal is
-// that of the time of impact, or of their closest approach, within the substep. So is the normal of
-// a sphere and another round contact, which is left as it is.
+// Spheres that are apart will meet with another normal than the present one, or pass each other. Their normal
+// is that of the time of impact, or of the closest approach, within the substep. Contacts of a sphere with
+// other shapes keep their normal.
 void foresee(const ManifoldInput& input, BodyPair pair, double& separation, Vec3& normal) {
     if (!areSpheres(input.bodies, pair)) return;
     const double radii = input.bodies.boundingRadius[pair.a] + input.bodies.boundingRadius[pair.b];
@@ -237,7 +238,7 @@ void collideNow(const ManifoldInput& input, BodyPair pair, double margin, Manifo
             {&input.bodies.shape[pair.b], &input.state.pose[pair.b]}, margin, found);
 }
 
-// Fresh points have the forces of the old ones.
+// Gives new points the forces of the old ones.
 void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
               std::span<Point> fresh) {
     if (old.empty()) return;
@@ -247,7 +248,7 @@ void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> 
 
 using OldPoints = FixedList<Point, manifoldPoints>;
 
-// The points of a pair with cores whose poses have changed, with the forces of the old ones.
+// Finds the points of a pair of solids with cores anew, and gives them the forces of the old ones.
 void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
                 PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
@@ -284,7 +285,7 @@ void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
     takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
-// Of a round contact: one point, with the force of the old one.
+// Sets the single point of a contact with a sphere, with the force of the old one.
 void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& force,
               PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
@@ -293,7 +294,7 @@ void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& for
     manifold.open = !canMeet(input, pair, separation);
     manifold.gap = separation;
     if (!manifold.open) foresee(input, pair, separation, normal);
-    manifold.normal = normal; // in the world, as are the points, relative to the centres
+    manifold.normal = normal; // in world axes, as the points, which are relative to the centres
     Point& point = manifold.points[0];
     if (normal != found.normal) {
         point.onA = input.bodies.boundingRadius[pair.a] * normal;
@@ -306,7 +307,7 @@ void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& for
     if (manifold.open) manifold.torque.setZero();
 }
 
-// The same of a pair one of which is a sphere or a wall.
+// The same for a pair with a sphere or a wall.
 void findPoints(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     Manifold found;
@@ -332,8 +333,8 @@ void findPoints(const ManifoldInput& input, double margin, PersistentManifold& m
     takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
-// Whether the balls about two bodies show that these cannot touch within the substep: then the manifold is
-// open.
+// Whether the bounding balls of two bodies show that these cannot touch within the substep: then the manifold
+// is open.
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
     const auto [a, b] = manifold.pair;
     const Vec3 between = input.state.pose[b].position - input.state.pose[a].position;
@@ -374,14 +375,14 @@ bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
 
 namespace {
 
-// Of a pair that has cores.
+// Updates the manifold of a pair of solids with cores.
 bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     if (!manifold.hasNormal && manifold.count == 0 && openByBalls(input, manifold)) return false;
     const Solids solids = solidsOf(input, pair);
     if (manifold.hasNormal) {
         if (manifold.count > 0) follow(solids, manifold);
-        // How far they are apart at least, seen along the normal there was.
+        // A lower bound of the gap, along the normal of before.
         const double gap = gapAlong(solids.a.turn * manifold.normal, solids.a, solids.b);
         manifold.open = gap > margin || !canMeet(input, pair, gap);
         if (manifold.open) {
@@ -463,8 +464,8 @@ PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& mani
         const Vec3 gap = between + onB - onA;
         PointInput& to = result.points[k];
         to.separation = result.normal.dot(gap);
-        // Equal and opposite impulses act at one point: the middle, or the surface of the one that moves.
-        // Of two spheres it is where they will touch: their centres and the point are on one line.
+        // Equal and opposite impulses act at one point: in the middle, or on the surface of the body that
+        // moves. For two spheres it is where they will touch: their centres and the point are on one line.
         const Vec3 half = spheres ? Vec3(Vec3::Zero()) : Vec3(0.5 * gap);
         to.armA = !movesA ? Vec3(Vec3::Zero()) : !movesB ? onA : Vec3(onA + half);
         to.armB = !movesB ? Vec3(Vec3::Zero()) : !movesA ? onB : Vec3(onB - half);
@@ -482,7 +483,7 @@ void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pa
     const Tangents tangents = tangentsOf(here.normal);
     const bool anchorA = isWall(input.bodies.shape[pair.b]);
     const Pose& anchorPose = input.state.pose[anchorA ? pair.a : pair.b];
-    double load = 0; // the points share the torque of rolling resistance as they do the load [N]
+    double load = 0; // rolling torques are shared like the load [N]
     for (const PointInput& from : std::span(here.points).first(static_cast<std::size_t>(here.count)))
         load += here.normal.dot(from.impulse);
     for (std::size_t k = 0; k < static_cast<std::size_t>(here.count); ++k) {
@@ -508,7 +509,7 @@ PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pai
     PersistentManifold manifold;
     manifold.pair = pair.bodies();
     manifold.round = isSphere(input.bodies, pair.a) || isSphere(input.bodies, pair.b);
-    // No pose that would let the points be kept: they are found anew, and take over the forces.
+    // With this position the points cannot be kept: they are found anew, and take over the forces.
     manifold.position = Vec3::Constant(std::numeric_limits<double>::infinity());
     const Pose &poseA = input.state.pose[pair.a], &poseB = input.state.pose[pair.b];
     const bool movesB = input.bodies.mobile[pair.b] != 0;

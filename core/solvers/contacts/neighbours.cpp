@@ -41,7 +41,7 @@ bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, dou
     const Shape &a = bodies.shape[pair.a], &b = bodies.shape[pair.b];
     if (isWall(a) || isWall(b)) return true;
     if (std::holds_alternative<Sphere>(a) && std::holds_alternative<Sphere>(b))
-        return true; // so are their balls
+        return true; // their bounding balls are within it, too
     return overlap(grown(bodies.boxAt(pair.a, state.pose[pair.a]), margin),
                    bodies.boxAt(pair.b, state.pose[pair.b]));
 }
@@ -65,7 +65,8 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
                         const Vec3& gravity, double duration, Broadphase& broadphase) {
     if (follow(bodies, state, list, gravity, duration)) return;
     noteTypical(bodies, list);
-    // Neighbours lend each other their reach: who was asked for more than he needs will be again.
+    // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
+    // asked for again.
     const auto renew = [this](BodyIndex i) {
         m_skin[i] = lentAgain * m_asked[i];
         m_asked[i] = 0;
@@ -100,9 +101,9 @@ double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose
     return shift + 2 * bodies.boundingRadius[body] * std::sqrt(std::max(0.0, 1 - cosine * cosine));
 }
 
-// A spring moves its ends by no more than s (ωh)²/2, with s how far it is stretched now or will be if they go
-// on as they do, and by no more than twice the amplitude. A damper moves them by no more than they move
-// anyway; force terms say themselves how far they take a body.
+// A spring moves its ends by at most s (ωh)²/2, where s is the larger of its present stretch and that at
+// unchanged velocities, and by at most twice the amplitude. A damper moves them by at most the distance that
+// they move without it. Force terms give their own bound.
 void Neighbours::notePulls(const Bodies& bodies, const State& state, double duration) {
     if (bodies.springs.empty() && bodies.forces.empty()) return;
     std::fill(m_pull.begin(), m_pull.end(), 0.0);
@@ -128,7 +129,7 @@ void Neighbours::notePulls(const Bodies& bodies, const State& state, double dura
             const double amplitude = phase > 1 ? stretch - way + way / phase : stretch;
             const double more = std::min(0.5 * phase * phase * stretch, 2 * amplitude) +
                                 way * std::min(1.0, duration * spring.damping * compliance);
-            m_pull[i] += std::isfinite(more) ? more : 0; // the step is lost anyway
+            m_pull[i] += std::isfinite(more) ? more : 0; // a step with such values is stopped anyway
         };
         pull(spring.from, spring.fromAt.norm());
         pull(spring.to, spring.toAt.norm());
@@ -176,7 +177,8 @@ void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex b
     m_origin[body] = state.pose[body];
 }
 
-// The lists as they were, but for the pairs of those that have outrun them; these are found as they are now.
+// Keeps the lists, except for pairs of bodies that have moved beyond them; these are found again at the
+// present poses.
 void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_outrun) {
         if (m_isOutrun[i] != 0) continue;
@@ -203,7 +205,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     m_outrun.clear();
 }
 
-// Each pair once, of two that have outrun the list when the first of them is looked at.
+// A pair of two bodies that have moved beyond the list is found once, with the first of them.
 void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
     const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
     const std::size_t count = overlapping(m_columns, m_columns.box(m_number[body]), {&all, 1}, m_hits.data());
@@ -242,7 +244,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     findWallPairs(bodies, state);
     m_ends = 0;
     auto wall = m_wallPairs.begin();
-    for (const BodyPair pair : broadphase.pairs()) { // they ascend, so do the others of each body
+    for (const BodyPair pair : broadphase.pairs()) { // ascending, so each body's list is, too
         if (!doSkinsTouch(bodies, state, pair)) continue;
         while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++);
         addPair(bodies, pair);

@@ -122,7 +122,7 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         const bool minimised = minimise(problem, inner, mostWork, first ? fewSteps + 1 : mostSteps, steps);
         report.factorisations += steps;
         if (first && (!minimised || steps > fewSteps)) {
-            m_kappa = 1; // the multipliers are still the warm ones
+            m_kappa = 1; // the multipliers are still those of the warm start
             first = false;
             continue;
         }
@@ -133,16 +133,15 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         }
         const double change = updateMultipliers(problem);
         if (change <= tolerance && inner <= tolerance) {
-            // A small change says that l has converged; what counts is the residual of the whole.
+            // A small change means that l has converged; the residual of the whole problem decides.
             takeImpulses(problem);
             velocitiesFromImpulses(problem);
             report.residual = residualOf(problem);
-            if (report.residual <= tolerance || report.residual >= whole) break; // or it is rounding
+            if (report.residual <= tolerance || report.residual >= whole) break; // the latter by rounding
             whole = report.residual;
         }
         const bool isFollowed = m_isSteady && change > tolerance && followDrift(problem);
-        if (change <=
-            tolerance) // what is left is to solve the inner problem, which rounding hinders least here
+        if (change <= tolerance) // only the inner problem is left, where rounding is least at this κ
             m_kappa = std::min(m_kappa, kappaWarm);
         else if (!isFollowed && (change > 0.1 * residual || m_kappa < kappaWarm))
             m_kappa = std::min(kappaMost, m_kappa * kappaGrowth);
@@ -197,8 +196,8 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
     return true;
 }
 
-// Solves the inner problem for the velocities. Where contacts slip, H alone may converge slowly or go in
-// circles; then the whole derivative of G is tried, and its step taken if it halves the error.
+// Solves the inner problem for the velocities. Where contacts slip, steps with H alone may converge slowly or
+// not at all. Then a step with the whole derivative of G is tried, and taken if it halves the error.
 bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mostWork, int most,
                             int& steps) {
     double before = std::numeric_limits<double>::infinity();
@@ -208,7 +207,7 @@ bool NewtonSolver::minimise(ContactProblem& problem, double tolerance, double mo
         if (error <= tolerance) return true;
         if (!std::isfinite(error)) return false;
         stalled = error > 0.5 * before ? stalled + 1 : 0;
-        if (stalled >= 3 && error <= stallNearby * tolerance) return true; // rounding: as good as it gets
+        if (stalled >= 3 && error <= stallNearby * tolerance) return true; // rounding limits the error
         if (error > slowFall * before && stepCoupled(problem, error, steps)) {
             before = error;
             continue;
@@ -270,7 +269,7 @@ void NewtonSolver::evaluateRows(const ContactProblem& problem) {
         m_springU[i] = relativeVelocity(problem, problem.springs[i]);
 }
 
-// z and p at the velocities v + along · step.
+// Computes z and p at the velocities v + along · step.
 void NewtonSolver::project(const ContactProblem& problem, double along) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];
@@ -282,7 +281,7 @@ void NewtonSolver::project(const ContactProblem& problem, double along) {
     }
 }
 
-// G, and the largest change of velocity M⁻¹ G [m/s].
+// Computes G; returns the largest change of velocity M⁻¹ G [m/s].
 double NewtonSolver::gradient(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
         m_gradient[i] =
@@ -313,7 +312,7 @@ double NewtonSolver::gradient(const ContactProblem& problem) {
     return largest;
 }
 
-// H, or the whole derivative of G where `coupled`.
+// Factorises H, or if `coupled` the whole derivative of G.
 bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
     m_work += m_rowWork + work::block * static_cast<double>(m_matrix.updates() + problem.bodies.size()) *
                               (coupled ? 2 : 1);
@@ -387,8 +386,8 @@ double NewtonSolver::slope(const ContactProblem& problem, double along, double q
     return sum;
 }
 
-// The step length at which the slope vanishes. Halving on the objective itself would lose to rounding near
-// the solution; the slope does not.
+// The step length at which the slope vanishes. Near the solution, differences of the objective are lost in
+// rounding; the slope is not.
 double NewtonSolver::lineSearch(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].du = velocityAlong(problem.rows[i], m_step);
@@ -409,16 +408,16 @@ double NewtonSolver::lineSearch(const ContactProblem& problem) {
     double high = 1, slopeHigh = slope(problem, high, quadratic, linear);
     if (std::abs(slopeHigh) <= enough || !(start < 0)) return 1;
     double low = 0, slopeLow = start;
-    for (int i = 0; i < mostSlopes && slopeHigh < 0; ++i) { // too short: the cones gave way
+    for (int i = 0; i < mostSlopes && slopeHigh < 0; ++i) { // too short: contacts left or reached their cones
         low = high;
         slopeLow = slopeHigh;
         high *= 2;
         slopeHigh = slope(problem, high, quadratic, linear);
         if (std::abs(slopeHigh) <= enough) return high;
     }
-    // Regula falsi; an end that stays for a second time counts half, or it would stay for ever (the Illinois
-    // method, M. Dowell, P. Jarratt, "A modified regula falsi method", 1971).
-    int kept = 0; // steps in a row for which low stayed, negative: high
+    // Regula falsi; the slope at an end that is kept twice in a row is halved, or it would be kept for ever
+    // (the Illinois method, M. Dowell, P. Jarratt, "A modified regula falsi method", 1971).
+    int kept = 0; // steps in a row for which low was kept; negative: high
     for (int i = 0; i < mostSlopes; ++i) {
         const double width = high - low;
         const double secant = low - slopeLow * width / (slopeHigh - slopeLow);
@@ -440,7 +439,7 @@ double NewtonSolver::lineSearch(const ContactProblem& problem) {
     return low > 0 ? low : high;
 }
 
-// l := p(v); the largest change, as a speed [m/s].
+// Sets l := p(v); returns the largest change, as a speed [m/s].
 double NewtonSolver::updateMultipliers(const ContactProblem& problem) {
     double largest = 0, bend = 0;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -463,7 +462,7 @@ double NewtonSolver::updateMultipliers(const ContactProblem& problem) {
     return largest;
 }
 
-// How far l may go along a change per unit until the contact opens, or slips if it does not yet.
+// How many times `change` can be added to l until the contact opens, or slips if it does not yet.
 double NewtonSolver::roomOf(const ContactRow& row, const Vec3& l, const Vec3& change) {
     constexpr double unbounded = std::numeric_limits<double>::infinity();
     if (!(l.x() > 0)) return unbounded;
@@ -478,9 +477,10 @@ double NewtonSolver::roomOf(const ContactRow& row, const Vec3& l, const Vec3& ch
     return b + root > 0 ? std::min(opens, inside / (b + root)) : opens;
 }
 
-// Where bounds contradict each other by a little (the corners of a face, three of which decide) multipliers
-// drift for ever along impulses that cancel, by the contradiction a round, until a contact opens or slips.
-// They go there at once. False if none would, or no later than in the next round.
+// If bounds contradict each other slightly (at the four corners of a face, three of which determine its
+// motion), multipliers drift along impulses that cancel, by the same amount in each round, until a contact
+// opens or slips. This moves them there at once. False if none would, or if it would happen in the next
+// round.
 bool NewtonSolver::followDrift(const ContactProblem& problem) {
     double room = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < m_rows.size(); ++i)
@@ -498,8 +498,8 @@ bool NewtonSolver::followDrift(const ContactProblem& problem) {
     return true;
 }
 
-// The multipliers come from inner problems that were solved, so they are of use even if there are none
-// better.
+// The multipliers come from inner problems that were solved, so they are usable even if the outer loop has
+// not converged.
 void NewtonSolver::takeBest(ContactProblem& problem, NewtonReport& report) {
     m_first.clear();
     for (const ContactRow& row : problem.rows) m_first.emplace_back(row.impulse, row.rollingImpulse);

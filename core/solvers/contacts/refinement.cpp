@@ -30,7 +30,7 @@ constexpr double nearlyResting = 10;
 
 } // namespace
 
-// No part of the island is faster than ten times the speed that gravity gives in a substep.
+// Whether no body of the island is faster than nearlyResting times the speed that gravity gives in a substep.
 bool Refinement::nearlyRests(const RefinementInput& input, const Island& island) const {
     const double most = std::pow(nearlyResting * input.substep, 2) * input.gravity.squaredNorm();
     return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex i) {

@@ -38,7 +38,8 @@ void SleepingBodies::wake(BodyIndex body, std::vector<BodyIndex>& woken) {
 }
 
 void SleepingBodies::exchange(const Bodies& bodies, ContactSet& moving) {
-    // Room for all in each, so that it is there when the first or the last come to rest.
+    // Each set has room for all pairs, so that nothing is allocated when the first or the last bodies come to
+    // rest.
     const std::size_t pairs = m_contacts.pairs.size() + moving.pairs.size();
     const std::size_t points = m_contacts.points.size() + moving.points.size();
     for (ContactSet* set : std::initializer_list<ContactSet*>{&m_contacts, &m_rests, &m_moves})

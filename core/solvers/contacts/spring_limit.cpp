@@ -53,7 +53,7 @@ SolverBody SpringLimit::slowed(const SpringIslands& input, std::span<const Solve
     return slow;
 }
 
-// With the part of its motion that each island has.
+// Computes the energies that islands have at their present part of the motion.
 void SpringLimit::findEnergies(const SpringIslands& input, double duration,
                                std::span<const SolverBody> bodies) {
     for (Sums& sums : m_sums) sums.energy = 0;

@@ -18,7 +18,7 @@ Vec3 partingOf(const SpringRow& row, std::span<const SolverBody> bodies) {
            (velocityAt(bodies[row.b], row.armB) - velocityAt(bodies[row.a], row.armA));
 }
 
-/// One end of a spring after the step if the spring does nothing; its arm then.
+/// One end of a spring, and its arm, after a step without the spring's force.
 struct FreeEnd {
     Vec3 place = Vec3::Zero(), arm = Vec3::Zero();
 };

@@ -27,7 +27,7 @@ void SpringSolver::prepare(const ContactProblem& problem) {
     m_step.assign(problem.bodies.size(), Vec6::Zero());
 }
 
-// Of a matrix that is not symmetric both halves are eliminated.
+// In a matrix that is not symmetric both halves are eliminated.
 double SpringSolver::work() const {
     const double bodies = static_cast<double>(m_step.size()), edges = static_cast<double>(m_edges.size());
     return work::ordering * (edges + bodies) + work::body * bodies + work::row * edges +
@@ -61,7 +61,7 @@ bool SpringSolver::step(ContactProblem& problem, std::span<const Mat3> slopes) {
     }
     if (!m_matrix.factorGeneral(m_units.length)) return false;
     m_matrix.solve(m_step);
-    // By the impulses, so that momentum is kept to rounding.
+    // Velocities change by the impulses, so that momentum is kept to rounding.
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         SoftRow& row = problem.springs[i];
         Vec3 change = Vec3::Zero();

@@ -31,7 +31,7 @@ constexpr double nearPart = 2 * slackPart;
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
 constexpr bool fromTop = true;
 
-/// Balls do not sway on faces: their contacts may be harder (velocity_solve.h).
+/// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
     settings.damping = 60;
@@ -160,8 +160,8 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     m_areStillNoted = m_areStillNoted && !m_still.any();
 }
 
-// Passes solve for pairs as bodies are numbered, from the top to the ground, whenever each of them came: a
-// heap whose lowest contacts are solved first does not come to rest.
+// Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
+// which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
     if (!std::exchange(m_isAscending, true)) orderGeneral();
     if (std::exchange(m_isUnordered, false)) orderBalls(input);
@@ -173,7 +173,7 @@ void SteppedMotion::orderGeneral() {
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
 }
 
-// Islands that are in order stay in it.
+// Sorts the pairs of balls of islands that are not in order.
 void SteppedMotion::orderBalls(const SteppedInput& input) {
     m_near.clear();
     m_far.clear();
@@ -194,7 +194,7 @@ void SteppedMotion::orderBalls(const SteppedInput& input) {
 
 bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
     const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
-    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has none
+    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has no radius
     return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
 }
 
@@ -218,7 +218,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     }
     if (m_still.any()) m_still.takeSamples();
     if (wakeUnbalanced(input, StillBodies::toMoveOn)) noteStill(input, manifolds);
-    if (input.ledger != nullptr) { // a sweep's impulses are never apart: contact stands for all of them
+    if (input.ledger != nullptr) { // impulses of a sweep are not told apart: all are recorded under Contact
         const Invariants after = invariantsOf(input.bodies, m_list, input.state, input.gravity);
         recordDifference(before, after, weightOf(input.bodies, m_list, part * m_substep * input.gravity),
                          LedgerAccount::Contact, *input.ledger);
@@ -226,7 +226,8 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     return report;
 }
 
-// How far each body that was struck comes until the end of the step, from where it was at the look.
+// Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
+// struck.
 void SteppedMotion::foreseeStruck(double duration) {
     m_coming.assign(m_bodies.size(), {});
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
@@ -240,14 +241,14 @@ void SteppedMotion::foreseeStruck(double duration) {
     }
 }
 
-// Whether a watched pair, one of which was struck, may close its gap within the step.
+// Whether a watched pair with a body that was struck may close its gap within the step.
 bool SteppedMotion::isStruck(const Watched& pair) const {
     const Coming &a = m_coming[pair.a], &b = m_coming[pair.b];
     if (!a.isStruck && !b.isStruck) return false;
     return pair.gap + pair.normal.dot(b.shift - a.shift) < pair.radiusA * a.turn + pair.radiusB * b.turn;
 }
 
-// Contacts of bodies that were struck become rows. True if there were any.
+// Makes rows for contacts of bodies that were struck. True if there were any.
 bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report) {
     bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity);
@@ -266,8 +267,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
         ++report.work.pairsCollided;
         if (!closeManifold(here, duration * speed, manifold)) continue;
         PlacedManifold contact = placed(here, manifold);
-        for (PointInput& point :
-             contact.points) { // rows count from where the bodies were when they were made
+        for (PointInput& point : contact.points) { // separations of rows refer to the poses at the look
             const Displacement &a = m_moved[pair.a], &b = m_moved[pair.b];
             point.separation -= contact.normal.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(point.armB) -
                                                    vectorOf(a.shift) - vectorOf(a.turn).cross(point.armA));
@@ -284,7 +284,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     return any || anyRow;
 }
 
-// Passes with feedback.
+// Passes with position feedback.
 void SteppedMotion::sweep(const StepSettings& settings, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies);
@@ -298,8 +298,8 @@ void SteppedMotion::sweep(const StepSettings& settings, SteppedReport& report) {
 void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
     const Vec3 fall = duration * input.gravity;
-    // As stiff a spring as in a whole step: in a short one it would be much stiffer, and its forces would
-    // push far too much in the next.
+    // The contact is as stiff as in a whole step. In a short step it would be much stiffer, and its forces
+    // would be far too large in the next one.
     const double whole = m_substep / (m_division.looks * m_division.steps);
     const StepSettings settings{.duration = duration,
                                 .hardness = StepSettings{}.hardness * duration / whole,
@@ -349,7 +349,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
 }
 
-// Force terms as if nothing else but gravity acted: an impulse of its own before those of the contacts.
+// Applies force terms as if only they and gravity acted: as an impulse before those of the contacts.
 void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     m_forced.clear();
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
@@ -363,7 +363,7 @@ void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     }
 }
 
-// What terms did is in the difference that is recorded for the contacts.
+// Records the work of force terms, and takes it from the contacts' account, which holds the whole change.
 void SteppedMotion::recordTerms(const SteppedInput& input) {
     for (ForcedSteps::Step& step : m_forced.steps()) {
         step.given = m_forced.impulseOf(step);
@@ -396,7 +396,7 @@ SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
     return {input.bodies, input.state, m_links, m_local, m_island, m_groups.size()};
 }
 
-// The energy that islands with springs may have when the step ends.
+// Stores the energy that islands with springs may have when the step ends.
 void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) {
     double largest = 0; // [m]
     for (const BodyIndex body : m_list) largest = std::max(largest, input.bodies.boundingRadius[body]);
@@ -407,7 +407,8 @@ void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) 
             m_springLimit.hold(m_island[numberOf(entry.pair)]);
 }
 
-// Bodies that nothing touched move by the mean of both velocities; the others by their velocity at the end.
+// Moves bodies: those without any impulse by the mean of the velocities at both ends, the others by the
+// velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
     m_turns.clear();
@@ -438,7 +439,7 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
     }
 }
 
-// Balls, by all that they have turned since the look: their contacts need no orientation.
+// Turns balls at once by their whole rotation since the look: their contacts need no orientation.
 void SteppedMotion::turnBalls(const SteppedInput& input) {
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 turn = vectorOf(m_moved[i].turn);

@@ -32,20 +32,20 @@
 // (velocity_solve.h). What accuracy this has is a matter of the number of substeps; islands that are worth it
 // and within the budget are refined instead (island_motion.h).
 //
-//     begin      nobody
+//     begin      no bodies
 //     add        islands, and the pairs that may touch until the end: for a frame, pairs are searched once
-//     advance    substep after substep: a few looks at where the contacts are, steps from look to look
-//     leave      some islands go, and their forces become part of the manifolds again; the others stay as
-//     they
-//                are, to the bit
-//     end        all go
+//     advance    substep after substep: contacts are updated in a few looks, with steps from look to look
+//     leave      some islands leave, and their forces become part of the manifolds again; the others stay
+//                as they are, to the bit
+//     end        all leave
 //
-// Pairs that do not meet as they move (open manifolds, idle balls) are no rows, but watched: where impulses
-// have changed the velocity of one so that the pair would close its gap within the step, its contact is
-// found, and the step is solved on with it; so up to a few times a step, for impulses that are passed on.
+// Pairs that do not meet as they move (open manifolds, idle balls) have no rows, but are watched. If impulses
+// have changed the velocity of a body so that a pair would close its gap within the step, its contact is
+// found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
+// passed on.
 //
-// Bodies that are at rest while others of their island move stand still (still_bodies.h): they are as what
-// cannot move until what acts on them changes.
+// Bodies that are at rest while others of their island move stand still (still_bodies.h): they are treated as
+// immobile until the forces on them change.
 
 namespace carom {
 
@@ -95,22 +95,22 @@ class SteppedMotion {
     /// Bodies of an island, with the springs that hold them.
     void addIsland(const SteppedInput& input, std::span<const BodyIndex> list,
                    std::span<const std::uint32_t> springs);
-    /// What is one island from now on.
+    /// The two are one island from now on.
     void joinIslands(std::uint32_t one, std::uint32_t other);
     std::size_t bodiesOf(std::uint32_t island) const { return m_groups[island].bodies; }
-    /// An island is to leave.
+    /// The island will leave with the next leave().
     void mark(std::uint32_t island) {
         m_groups[island].leaves = true;
         m_isMarked = true;
     }
     bool isMarked(BodyIndex body) const { return m_isMarked && m_groups[islandOf(body)].leaves; }
     bool anyMarked() const { return m_isMarked; }
-    /// A pair of bodies that are here, or of one that is and one that cannot move. Its manifold is as it was
-    /// last; balls need none.
+    /// Adds a pair of bodies that have been added, or of one of these and an immobile one. Its manifold is
+    /// that of the last update; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
-    /// Pairs of an island came after others had been solved for: all of them are put in order anew.
+    /// Pairs have been added to an island that has been solved before: all of its pairs are sorted again.
     void reorder(std::uint32_t island) { m_groups[island].isUnordered = m_isUnordered = true; }
-    /// Pairs go of which `is(entry)` holds: they are too far apart to meet.
+    /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
     template<class Is>
     void drop(const Is& is, Manifolds& manifolds) {
         for (Entry& entry : m_entries) {
@@ -173,8 +173,8 @@ class SteppedMotion {
         for (std::uint32_t island = 0; island < m_groups.size(); ++island)
             if (m_isChosen[island] != 0) mark(island);
     }
-    /// Bodies of which `is(body)` holds stand still from now on, if the forces on them balance; islands that
-    /// are marked are left alone.
+    /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance; not in
+    /// islands that are marked.
     template<class Is>
     void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
         settle();
@@ -193,39 +193,40 @@ class SteppedMotion {
     }
     /// Whether the bodies are where, and as fast as, the last substep left them.
     bool isUnchanged(const State& state) const;
-    /// Of what a copy holds.
+    /// Memory that a copy holds.
     std::size_t bytes() const;
-    /// Memory for what stays when others leave: its new numbers, by the old ones.
+    /// New numbers of what stays when others leave, by the old ones; a caller keeps the memory.
     struct NewNumbers {
         std::vector<std::uint32_t> entries, bodies, islands;
     };
-    /// Appends the bodies and the pairs of islands that are marked, the pairs with their manifolds as they
-    /// are now; of balls only where there is a force. These islands are no longer here then.
+    /// Appends the bodies and the pairs of islands that are marked, with their present manifolds; pairs of
+    /// balls only if they have a force. Removes these islands.
     void leave(const SteppedInput& input, Manifolds& manifolds, NewNumbers& numbers,
                std::vector<BodyIndex>& bodies, std::vector<Entry>& entries);
-    /// Likewise all pairs. Nobody is here then.
+    /// The same for all islands.
     void end(const SteppedInput& input, Manifolds& manifolds, std::vector<Entry>& entries);
-    /// Nobody is here.
+    /// Removes all bodies, and keeps nothing of theirs.
     void clear();
 
   private:
-    static constexpr std::uint32_t immobile = 0; ///< number of the body that cannot move
+    static constexpr std::uint32_t immobile = 0; ///< number of the immobile body
     struct Watched {
         std::uint32_t entry = 0;
         std::uint32_t open = 0;     ///< number of the pair in m_open
         std::uint32_t a = 0, b = 0; ///< bodies of the solve
         Vec3 normal = Vec3::Zero();
         double gap = 0;                  ///< along the normal, when the rows were made [m]
-        double radiusA = 0, radiusB = 0; ///< of what turns with the bodies [m]
+        double radiusA = 0, radiusB = 0; ///< of the bodies, as far as they turn: 0 for balls [m]
     };
-    /// A pair that could not meet at its last look. While the two have not come so far since that
-    /// they might, it is not looked at: its gap is less by all that they have come.
+    /// A pair that could not meet at its last update. It is not updated again while its gap, less all
+    /// distances that the two have moved since, is too large for them to meet.
     struct OpenPair {
-        Watched watched;  ///< its gap is 0 where the pair must be looked at [m]
+        Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
     };
-    /// How far the surface of a body has come since the last look, and how far it may until the next [m].
+    /// How far the surface of a body has moved since the last look, and how far it may move until the next
+    /// [m].
     struct Travel {
         double came = 0, comes = 0;
     };
@@ -234,14 +235,14 @@ class SteppedMotion {
         BodyPair pair;
         std::uint32_t index = 0;
     };
-    /// How far a body comes within a step, from where it was at the look.
+    /// How far a body moves until the end of a step, from its pose at the look.
     struct Coming {
         Vec3 shift = Vec3::Zero(); ///< [m]
         double turn = 0;           ///< [rad]
         bool isStruck = false;     ///< by anything since the look, this step included
     };
     struct Group {
-        std::uint32_t joined = 0; ///< the island it is part of, its own number if it is one
+        std::uint32_t joined = 0; ///< the island that it has been joined to; its own number if none
         std::size_t bodies = 0;
         bool leaves = false;
         bool hasStill = false; ///< bodies that stand still
@@ -251,7 +252,7 @@ class SteppedMotion {
         while (m_groups[island].joined != island) island = m_groups[island].joined;
         return island;
     }
-    /// Of a body of the pair that can move.
+    /// The number of a mobile body of the pair.
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
@@ -286,14 +287,14 @@ class SteppedMotion {
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
-    /// A ball without springs: where it points matters to nobody before the next look.
+    /// A ball without springs: its orientation is not used before the next look.
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
     void turnBalls(const SteppedInput& input);
     void storeForces(Manifolds& manifolds) const;
     void findParts();
     std::uint32_t partWith(std::uint32_t number);
     void joinParts(std::uint32_t a, std::uint32_t b);
-    /// Parts of islands that bodies which stand still divide, by number; islands where nobody does.
+    /// By number: the parts into which bodies that stand still divide an island; the island if none does.
     std::span<const std::uint32_t> partOf() const {
         return m_still.any() ? std::span<const std::uint32_t>(m_part) : m_island;
     }

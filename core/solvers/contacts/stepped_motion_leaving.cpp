@@ -9,7 +9,7 @@
 
 namespace carom {
 
-// As updateManifold would make it.
+// Makes a manifold like updateManifold() would.
 PersistentManifold SteppedMotion::manifoldOfBalls(const Bodies& bodies, const State& state,
                                                   std::uint32_t entry, const Vec3& normal,
                                                   const Vec3& impulse) const {
@@ -67,7 +67,7 @@ void SteppedMotion::leave(const SteppedInput& input, Manifolds& manifolds, NewNu
     keepUnmarked(input.bodies, numbers);
 }
 
-// Who stays has other numbers, and all else as it was.
+// Removes the bodies of marked islands. The others get new numbers; nothing else of theirs changes.
 void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     constexpr std::uint32_t gone = BallRows::noPair;
     const auto stays = [this](BodyIndex body) { return !m_groups[m_island[m_local[body]]].leaves; };

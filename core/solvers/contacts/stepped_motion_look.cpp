@@ -12,7 +12,7 @@
 
 namespace carom {
 
-// Where the contacts are now.
+// Finds the contacts at the present poses.
 void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
                          SteppedReport& report) {
     findMoving();
@@ -22,7 +22,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     findContacts(input, duration, manifolds, report);
     if (wakeStruck(input, manifolds)) {
         findMoving();
-        noteTravel(input, duration); // they have not moved since
+        noteTravel(input, duration); // with the same poses
         findContacts(input, duration, manifolds, report);
     }
     m_arePartsFound = false;
@@ -33,7 +33,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     m_rows.scaleImpulses(m_step);
 }
 
-// Those that do not stand still, and their pairs that are not of balls.
+// Lists the bodies that do not stand still, and the pairs with such a body that are not of two balls.
 void SteppedMotion::findMoving() {
     m_awake.clear();
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i)

@@ -32,7 +32,7 @@ void SteppedMotion::setMass(const SteppedInput& input, std::uint32_t number) {
     setInverseInertia(principal, input.state.pose[body].orientation, to);
 }
 
-// Candidates on which the forces balance.
+// Stops the candidates on which the forces balance: they stand still from now on.
 void SteppedMotion::holdStill(const SteppedInput& input, const Manifolds& manifolds) {
     if (m_candidates.empty()) return;
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_candidates)) m_still.set(i, true);
@@ -58,7 +58,7 @@ bool SteppedMotion::isUnbalanced(const SteppedInput& input, std::uint32_t number
                                 input.bodies.boundingRadius[body], part);
 }
 
-// They have changed.
+// Updates what depends on which bodies stand still.
 void SteppedMotion::noteStill(const SteppedInput& input, const Manifolds& manifolds) {
     addUpLoads(input, manifolds);
     holdPairs();
@@ -72,7 +72,7 @@ void SteppedMotion::holdPairs() {
         if (m_still.is(i)) m_groups[m_island[i]].hasStill = true;
 }
 
-// Of gravity and of all contacts, as they are now.
+// Adds up the loads by gravity and by the present forces of all contacts.
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
     m_still.beginLoads();
     m_heldContacts = 0;
@@ -109,7 +109,7 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
     });
 }
 
-// The forces of the last step between what stands still and what moves.
+// Samples the forces of the last step between bodies that stand still and bodies that move.
 void SteppedMotion::sampleLoads() {
     if (!m_still.any()) return;
     const double perStep = 1 / m_step;
@@ -140,7 +140,7 @@ void SteppedMotion::sampleLoads() {
     });
 }
 
-// Those whose forces are out of balance by this part move on. True if there are any.
+// Lets bodies move on whose forces are out of balance by this part. True if there are any.
 bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
     bool any = false;
     if (!m_still.any()) return any;
@@ -152,7 +152,8 @@ bool SteppedMotion::wakeUnbalanced(const SteppedInput& input, double part) {
     return any;
 }
 
-// What stands still carries no motion from one contact to another, as what cannot move.
+// Finds the parts of islands that bodies which stand still divide: these, like immobile bodies, carry no
+// motion from one contact to another.
 void SteppedMotion::findParts() {
     if (!m_still.any() || std::exchange(m_arePartsFound, true)) return;
     m_part.resize(m_bodies.size());
@@ -180,8 +181,8 @@ void SteppedMotion::moveOn(const SteppedInput& input, std::uint32_t number) {
     setMass(input, number);
 }
 
-// Those that are struck within the look move on, and others that are struck by these in turn. True if there
-// are any.
+// Lets bodies that stand still move on if a body strikes them before the next look, and others that these
+// strike in turn. True if there are any.
 bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manifolds) {
     if (!m_still.any()) return false;
     m_given.assign(m_bodies.size(), 0);
@@ -217,7 +218,8 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
     return true;
 }
 
-// What moves at `closing` [m/s] towards one that stands still may give it a speed.
+// Estimates the speed that `from`, approaching at `closing` [m/s], can give to `to`, which stands still. If
+// that is not calm, `to` is noted as struck.
 void SteppedMotion::strikeStill(const SteppedInput& input, std::uint32_t from, std::uint32_t to,
                                 double closing, double restitution) {
     if (to == immobile || from == immobile) return;
@@ -229,7 +231,7 @@ void SteppedMotion::strikeStill(const SteppedInput& input, std::uint32_t from, s
     m_given[to] = std::max(m_given[to], speed);
 }
 
-// From contact to contact, for as far as it gives a speed that is not calm.
+// Passes the estimated speeds on from contact to contact, as long as they are not calm.
 void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& manifolds) {
     std::size_t known = 0;
     const auto passOn = [&](std::uint32_t a, std::uint32_t b, double restitution) {

@@ -4,8 +4,9 @@
 namespace carom {
 namespace {
 
-/// Of a sample in the mean: four substeps a frame are usual. At twice as much the noise of the sweeps wakes
-/// bodies of a heap that lie still.
+/// Weight of a sample in the mean; the default is four substeps a frame, so the mean is over about one frame.
+/// At twice as much the errors of the sweeps wake bodies of a heap that lie still; at half, a body moves on
+/// later when a load changes.
 constexpr double sampleWeight = 0.25;
 
 } // namespace

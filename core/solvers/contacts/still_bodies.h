@@ -10,28 +10,28 @@
 #include <span>
 #include <vector>
 
-// Bodies of the base path that stand still while others of their island move. In a heap of hundreds there is
-// nearly always one that rolls or slips; the others need not be solved for until it changes what acts on
-// them.
+// Bodies of the base path that stand still while others of their island move. In a heap of hundreds of bodies
+// there is nearly always one that rolls or slips. The others need not be solved for until the forces on them
+// change.
 //
-// A body stands still from the end of a frame on in which it is calm (calm.h), if the forces on it balance.
-// It has no velocity then and takes none: for what moves it is as what cannot move. Contacts between bodies
-// that stand still keep the forces they had. The forces of others are followed, as their mean over about a
-// frame:
+// A body that is calm (calm.h) at the end of a frame stands still from then on, if the forces on it balance.
+// It has no velocity, and bodies that move see it as an immobile body. Contacts between bodies that stand
+// still keep their forces. Forces of bodies that move are averaged over about a frame. A body stands still as
+// long as
 //
 //     | m g + Σ F | ≤ part (m |g| + ½ Σ |F|)      | Σ r × F | ≤ part size (m |g| + ½ Σ |F|)
 //
 //     legend   F  forces of all contacts of the body, at r from its centre     part  0.1 to stand still,
 //              0.2 to go on doing so
 //
-// What lies under others bears their weight, and forces of sweeps are exact to a part of what is borne. So no
-// force is missing that is more than a fifth of what a body bears. And what strikes must find what it strikes
-// as heavy as it is: where an impact would give a body that stands still a speed that is not calm, it moves
-// on before it is solved for, and so does in turn what it would give such a speed.
+// The limit grows with the load, because the error of forces found by sweeps does: no more than a fifth of a
+// body's load is unbalanced. A body must have its own mass when it is struck: where an impact would give a
+// body that stands still a speed that is not calm, it moves on before the impact is solved, and so do bodies
+// that it would strike in turn.
 
 namespace carom {
 
-/// By number, as the bodies of SteppedMotion are; number 0 cannot move, and counts as one that stands still.
+/// Bodies are numbered as in SteppedMotion; number 0 is the immobile body, and counts as standing still.
 class StillBodies {
   public:
     /// `part` above. At half of both, two or three times as many bodies of a heap move on each frame; at
@@ -53,9 +53,9 @@ class StillBodies {
         }
     };
 
-    /// Nobody but number 0.
+    /// Starts with number 0 only.
     void begin();
-    /// The next number: of a body that moves.
+    /// Adds the next number, a body that moves.
     void add();
     void renumber(std::size_t from, std::size_t to);
     void resize(std::size_t count);
@@ -69,19 +69,19 @@ class StillBodies {
         m_is[number] = isStill ? 1 : 0;
     }
 
-    /// Of what does not change while the set is the same: gravity and contacts with others that stand still.
+    /// Load that does not change while the same bodies stand still: by gravity and by contacts between them.
     Load& lasting(std::uint32_t number) { return m_lasting[number]; }
-    /// Of contacts with what moves.
+    /// Load by contacts with bodies that move, averaged.
     Load& passing(std::uint32_t number) { return m_passing[number]; }
-    /// Of contacts with what moves, in this substep.
+    /// The same in this substep alone.
     Load& sample(std::uint32_t number) { return m_sample[number]; }
-    /// Whether what moves presses on it, or did of late.
+    /// Whether a body that moves presses on it, or did recently.
     bool isPressed(std::uint32_t number) const { return m_passing[number].borne > 0; }
     void beginLoads();
     void beginSamples();
-    /// The samples are part of the mean.
+    /// Adds the samples to the mean.
     void takeSamples();
-    /// Whether more than `part` of the load on a body of so much weight [N] and size [m] is unbalanced.
+    /// Whether more than `part` of the load on a body of this weight [N] and size [m] is unbalanced.
     bool isUnbalanced(std::uint32_t number, double weight, double size, double part) const;
     std::size_t bytes() const { return heldBytes(m_is, m_lasting, m_passing); }
 

@@ -36,7 +36,7 @@ void TurningBodies::add(const Bodies& bodies, BodyIndex body, const State& state
     record.most = most * most;
 }
 
-/// Of four bodies at a time, one in each lane. Inlined into its caller, as all that is wide is.
+/// Turns four bodies at a time, one in each lane. Inlined into its caller, like all wide functions.
 struct TurningKernel {
     using Record = TurningBodies::Record;
     using Four = std::array<std::uint32_t, 4>;
@@ -65,7 +65,8 @@ struct TurningKernel {
         return {p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y, p.w * q.y + p.y * q.w + p.z * q.x - p.x * q.z,
                 p.w * q.z + p.z * q.w + p.x * q.y - p.y * q.x, p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z};
     }
-    /// By a rotation vector [rad] that is not longer than mostAngle: sin x / x and cos x of half of it.
+    /// Turns by a rotation vector [rad] that is at most mostAngle long, with series for sin x / x and cos x
+    /// of half of it.
     CAROM_INLINE static Turned turnBy(const Wide3& angle) {
         const Wide one = wideOf(1), square = wideOf(0.25) * dot(angle, angle);
         const Wide sine = one - square / wideOf(6) *
@@ -77,13 +78,13 @@ struct TurningKernel {
         const Wide3 half = (wideOf(0.5) * sine) * angle;
         return {half.x, half.y, half.z, cosine};
     }
-    /// About an axis of the body, through c times the momentum about it, times h.
+    /// Turns about an axis of the body by the angle c h times the angular momentum about it.
     CAROM_INLINE static Turned turnedAbout(const Turned& q, const Wide3& axis, const Wide& ch,
                                            const Wide3& momentum) {
         return product(q, turnBy((ch * dot(axis, axesOf(q).inBody(momentum))) * axis));
     }
 
-    /// Lanes that turn too far keep what they were; they are not 0 in what is returned.
+    /// Lanes that turn too far are left unchanged; they are not 0 in the result.
     CAROM_INLINE static Wide turn(Record* records, const Four& four, double duration, SolverBody* solved) {
         const double* record = records->orientation.data();
         const Wide h = wideOf(duration), half = wideOf(0.5 * duration), one = wideOf(1), zero{};
@@ -117,7 +118,7 @@ struct TurningKernel {
         turned = product(turnBy((h * aboutMomentum) * momentum), turned);
         const Wide square =
             turned.x * turned.x + turned.y * turned.y + turned.z * turned.z + turned.w * turned.w;
-        const Wide unit = wideOf(1.5) - wideOf(0.5) * square; // of what is 1 but for rounding
+        const Wide unit = wideOf(1.5) - wideOf(0.5) * square; // 1/√square, which is 1 but for rounding
 
         const Axes after = axesOf({unit * turned.x, unit * turned.y, unit * turned.z, unit * turned.w});
         const Wide3 now = after.inBody(momentum);
@@ -168,8 +169,8 @@ struct TurningKernel {
 
 namespace {
 
-// The number of `far` that turn too far. What is left over of the list stands in several lanes; they all
-// write the same.
+// Returns the number of bodies that turn too far, listed in `far`. The last group repeats a body in the lanes
+// that are left; these write the same values.
 CAROM_WIDE std::size_t turnAll(TurningKernel::Record* records, const std::uint32_t* list, std::size_t count,
                                double duration, SolverBody* solved, std::uint32_t* far) {
     std::size_t found = 0;
@@ -196,7 +197,7 @@ void TurningBodies::turn(std::span<const std::uint32_t> list, double duration, s
         turnFar(m_records[number], duration, solved[number]);
 }
 
-// Its momentum is that of now already.
+// Turns a body by more than mostAngle; its angular momentum has been updated already.
 void TurningBodies::turnFar(Record& record, double duration, SolverBody& solved) const {
     const Vec3 inertia = vectorOf(record.inertia), momentum = vectorOf(record.momentum);
     Quat orientation(Vec4::Map(record.orientation.data()));

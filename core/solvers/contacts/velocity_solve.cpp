@@ -76,7 +76,7 @@ CAROM_INLINE Wide approachGroup(const RowGroup& group, RowPoint* points, const S
     return any;
 }
 
-// True if any row was remembered.
+// True if the closing speed of any row was stored.
 CAROM_WIDE bool passApproach(const RowGroup* groups, std::size_t count, RowPoint* points,
                              const SolverBody* bodies, const StepSettings& settings) {
     Wide any{};
