@@ -12,26 +12,26 @@
 #include <span>
 #include <vector>
 
-// Contacts of balls among each other and with walls. Their normals and gaps follow from where the centres
-// are, so they are computed four at a time as well, and rows stay for a whole frame: they are brought up to
-// date, not made anew.
+// Contacts of balls with each other and with walls. Their normals and gaps follow from the places of the
+// centres, so they are computed four at a time as well, and rows last for a whole frame: they are updated,
+// not made anew.
 //
 //     ball, ball    d = xB − xA                   gap = |d| − rA − rB    n = d/|d|
 //     wall, ball    d = xB − a point of the wall  gap = n · d − rB       n is the wall's
 //
-// refresh() tests whether the two can meet within the substep as they move. Where they do, n is that of the
-// moment of their meeting, and where they pass each other by, of their nearest approach. A pair that cannot
-// meet has no masses, so passes do nothing to it, until findStruck() sees that impulses make it close its
-// gap; a group of such pairs is idle, and left out. So the result of a pair does not depend on the other
+// refresh() tests whether the two can meet within the substep as they move. If they do, n is the normal at
+// the time of impact, and if they pass each other, that at their closest approach. A pair that cannot meet
+// has effective masses of 0, so passes do not change it, until findStruck() finds that impulses make it close
+// its gap; a group of such pairs is idle, and skipped. So the result of a pair does not depend on the other
 // pairs of its group.
 //
-// Of balls the normal impulse turns nothing, and friction does not change uₙ.
+// The normal impulse of a ball has no torque, and friction does not change uₙ.
 
 namespace carom {
 
-/// Where a body is.
+/// The place of a body's centre.
 struct alignas(32) BodyPlace {
-    std::array<double, 3> position{}; ///< [m]; of what cannot move 0
+    std::array<double, 3> position{}; ///< [m]; 0 for immobile bodies
     double unused = 0;
 };
 
@@ -43,28 +43,28 @@ struct alignas(32) BallRow {
     Wide carried{};                    ///< normal impulse when the step began [N s]
 };
 
-/// Four pairs, no body twice. B is a ball that can move, A a ball or a wall.
+/// Four pairs of different bodies. B is a ball that can move, A a ball or a wall.
 struct alignas(32) BallGroup {
     std::array<std::uint32_t, wideLanes> a{}, b{};
     Wide radiusA{}, radiusB{}; ///< [m]; of a wall 0
     std::array<Wide, 3> normal{}, tangent{};
     Wide friction{}, restitution{}, push{};
     Wide hard{}; ///< as in contact_rows.h
-    Wide gap{};  ///< when the bodies had not moved yet [m]
+    Wide gap{};  ///< at the last refresh [m]
     BallRow row;
     bool bounces = false;
     bool idle = false;    ///< no pair can meet
-    bool watched = false; ///< some pair cannot
+    bool watched = false; ///< some pair cannot meet
     bool held = false;    ///< all pairs are held
 };
 
-/// A pair as it is given. A's centre, or a point of the wall, is `fixed` if A cannot move.
+/// A pair as the caller gives it. A's centre, or a point of the wall, is `fixed` if A cannot move.
 struct BallPair {
-    std::uint32_t a = 0, b = 0; ///< `immobile` for what cannot move
+    std::uint32_t a = 0, b = 0; ///< `immobile` for an immobile body
     double radiusA = 0, radiusB = 0;
     bool wall = false;
     Vec3 fixed = Vec3::Zero();
-    Vec3 normal = Vec3::UnitY(); ///< from A to B; of a wall its own, of balls any
+    Vec3 normal = Vec3::UnitY(); ///< from A to B; the wall's own, or for two balls any unit vector
     Vec3 impulse = Vec3::Zero(); ///< on B [N s]; where the solve begins
     double friction = 0, restitution = 0;
     double push = 0;
@@ -75,35 +75,36 @@ class BallRows {
     static constexpr std::uint32_t noPair = 0xffffffff;
 
     void clear();
-    /// Of those that share a body, pairs are solved in the order in which they were added, or backwards,
-    /// whatever other pairs there are (lane_packer.h). `source` is given back by forEach.
+    /// Pairs that share a body are solved in the order in which they were added, or backwards, whatever other
+    /// pairs there are (lane_packer.h). `source` is given back by forEach.
     void add(const BallPair& pair, std::uint32_t source, std::uint32_t immobile,
              std::span<const SolverBody> bodies);
-    /// Pairs stay whose source gets a number other than noPair, in the groups and lanes they are in, with the
-    /// new numbers of source and bodies. Others may take the lanes of those that go.
+    /// Keeps pairs whose source gets a number other than noPair, in their groups and lanes, with the new
+    /// numbers of sources and bodies. Lanes of removed pairs may be used again.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
-    /// The same pairs, in the order in which `sources` names them, as if they had been added so.
+    /// Sorts the pairs into the order of `sources`, as if they had been added in it.
     void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile);
-    /// Pairs of which neither body moves, as `still` says by body, are held: they are not solved for, and
-    /// keep their impulses until one of them does. All others have the masses their bodies have now.
+    /// Pairs of two bodies that stand still, by `still`, are held: they are not solved for, and keep their
+    /// impulses until one of the bodies moves. Effective masses of all others are computed from the present
+    /// masses.
     void hold(std::span<const std::uint8_t> still, std::span<const SolverBody> bodies);
-    double heldDeepest() const { return m_heldDeepest; } ///< overlap of those held [m]
+    double heldDeepest() const { return m_heldDeepest; } ///< overlap of held pairs [m]
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
     std::size_t activeGroups() const { return m_active; }
 
-    /// Brings all rows up to date; the bodies have not moved since.
+    /// Updates all rows to the present poses.
     void refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                  const Vec3& gravity);
-    /// Pairs that could not meet and would now close their gap within `duration` are solved from now on. True
-    /// if there are any.
+    /// Includes pairs that could not meet, and that would now close their gap within `duration`. True if
+    /// there are any.
     bool findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
                     std::span<const Displacement> moved, double duration, const Vec3& gravity);
     std::size_t bytes() const { return heldBytes(m_groups, m_fixed, m_packer); }
     double deepest() const { return m_deepest; } ///< overlap at the last refresh [m]
 
-    // As in velocity_solve.h, of what is active.
+    // As in velocity_solve.h, for active groups.
     bool recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings);
     void warmStart(std::span<SolverBody> bodies) const;
     void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
@@ -111,10 +112,11 @@ class BallRows {
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back);
     int activate(const ActiveBodies& active) const;
-    /// What impacts did is taken back and done anew, one after another, each with its restitution, until
-    /// nothing bounces any more, in at most `passes` through all that is active. In this way balls pass an
-    /// impulse on; solved at once, all contacts but the first would take it without restitution. What then
-    /// parts faster than what rests holds no more force than before. Says how many passes it took.
+    /// Removes the effect of impacts and solves these again, one after the other, each with its restitution,
+    /// until none is left, in at most `passes` passes over all active groups. In this way balls pass an
+    /// impulse on; solved at once, all contacts but the first would take it without restitution. Pairs that
+    /// then separate faster than a contact at rest keep no more force than before. Returns the number of
+    /// passes.
     int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                 const StepSettings& settings, int passes, const ActiveBodies& active);
 
@@ -165,7 +167,7 @@ class BallRows {
     }
 
   private:
-    /// What only a refresh needs.
+    /// Data that only refresh() needs.
     struct alignas(32) Fixed {
         std::array<Wide, 3> place{};
         Wide wall{};                      ///< 1 for a wall, otherwise 0

@@ -14,18 +14,18 @@
 // The bodies on the base path: they enter with all pairs that can touch for some time, so that substeps need
 // no search.
 //
-//     reach    how far a body's surface comes within a frame, and some times as far in its last
-//              substep; bodies within reach of each other share the larger one, since one may strike the
+//     reach    how far a body's surface can move within a frame, with a multiple of its last substep for
+//              impacts; bodies within reach of each other share the larger one, since one may strike the
 //              other
 //     pairs    those of the neighbours' lists within the reach of both
-//     islands  what such pairs join. Small ones look at their contacts more often and in smaller steps: a
-//              body that turns comes down with another part of it, and a chain of bodies passes an impact
-//              on by a few of them a pass. So there is a block of bodies for every division of the substep.
-//     renewal  where some bodies of an island outrun their reach, pairs are found for these anew, those that
-//              can no longer meet go, and all of the island are put in order again
-//     leaving  islands go one by one, and enter as others do: those of which more than a quarter outrun their
-//              reach, whose time here is over, that have grown out of their block's division, or that meet
-//              another block. Bodies at rest stay for many frames.
+//     islands  bodies that such pairs join. Contacts of small ones are updated more often and in smaller
+//              steps: bodies that turn touch at other points, and an impact passes through a chain of bodies
+//              by a few of them a pass. So there is a block of bodies for every division of the substep.
+//     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew, pairs
+//              that can no longer meet are removed, and all pairs of the island are sorted again
+//     leaving  single islands leave, and may enter again: those of which more than a quarter of the bodies
+//              move beyond their reach, that refinement is to try again, that have too many contacts for
+//              their block's division, or that meet another block. Bodies at rest stay for many frames.
 
 namespace carom {
 
@@ -47,27 +47,27 @@ class BasePath {
   public:
     using Entry = SteppedMotion::Entry;
 
-    /// `passes` times the passes that are usual.
+    /// The passes of each division are multiplied by `passes`.
     BasePath(std::size_t bodies, int passes)
         : m_passes(passes), m_reach(bodies, 0.0), m_origin(bodies), m_block(bodies, noBlock),
           m_lastBlock(bodies, noBlock), m_renewal(bodies, 0) {}
 
     bool isEmpty() const { return m_isEmpty; }
     bool has(BodyIndex body) const { return isHere(m_block[body]); }
-    /// By body: 0 for those that are not here, otherwise a number for all that are in one block.
+    /// By body: the number of its block; 0 for bodies that are not on the base path.
     std::span<const std::uint8_t> blockOf() const { return m_block; }
     std::size_t islands() const;
-    /// Ensures that the pairs are valid for another `substep` [s]. The few that may outrun their reach, or be
-    /// struck by one of those, get a new one for `time` [s] and `skin` times their size, and the pairs that
-    /// are within it. False if some islands are marked: those must leave.
+    /// Ensures that the pairs are valid for another `substep` [s]. Bodies that may move beyond their reach,
+    /// or be struck by such a body, get a new reach for `time` [s] and `skin` times their size, and the pairs
+    /// within it. False if some islands are marked: those must leave.
     bool renew(const SteppedInput& input, double substep, double time, double skin, Neighbours& neighbours,
                Broadphase& broadphase, Manifolds& manifolds);
 
-    /// Notes how far bodies that are to enter, ascending, may come within `time` [s], and by `skin` times
-    /// their size further. False if the neighbours must search and this be asked again.
+    /// Computes the reach of bodies that are to enter, ascending: how far they may move within `time` [s],
+    /// and `skin` times their size more. False if the neighbours must be searched and this be called again.
     bool prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                  Neighbours& neighbours);
-    /// Those that were prepared enter. `known` are the manifolds there are, ascending; those of pairs that
+    /// The bodies that were prepared enter. `known` are existing manifolds, ascending; those of pairs that
     /// enter are taken over: their place becomes Manifolds::none.
     void enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                std::span<const BodyPair> links, double substep, std::span<Manifolds::Entry> known,
@@ -84,12 +84,12 @@ class BasePath {
         return std::any_of(m_blocks.begin(), m_blocks.end(),
                            [](const SteppedMotion& block) { return !block.isEmpty() && block.anyMarked(); });
     }
-    /// Marks the island of a body that is here: it is to leave.
+    /// Marks the island of a body on the base path: it is to leave.
     void mark(BodyIndex body) {
         SteppedMotion& block = blockWith(body);
         block.mark(block.islandOf(body));
     }
-    /// Whether some body of the island of one that is here stands still.
+    /// Whether some body stands still in the island of this body on the base path.
     bool hasStill(BodyIndex body) const {
         const SteppedMotion& block = m_blocks[m_block[body] - 1u];
         return block.hasStill(block.islandOf(body));
@@ -100,7 +100,7 @@ class BasePath {
         for (SteppedMotion& block : m_blocks)
             if (!block.isEmpty()) block.markIslands(is);
     }
-    /// Bodies of which `is(body)` holds stand still from now on, if the forces on them balance
+    /// Lets bodies of which `is(body)` holds stand still from now on, if the forces on them balance
     /// (still_bodies.h).
     template<class Is>
     void hold(const SteppedInput& input, const Manifolds& manifolds, const Is& is) {
@@ -116,25 +116,26 @@ class BasePath {
     /// of a coarser division: they have grown since they entered. True if there are any.
     bool markOutgrown(const Manifolds& manifolds);
     std::size_t bytes() const;
-    /// Those of marked islands leave. `left` are the bodies; appends the manifolds that are carried on.
+    /// Removes marked islands. `left` are their bodies; appends their manifolds, which remain in use.
     void leaveMarked(const SteppedInput& input, Manifolds& manifolds, std::vector<BodyIndex>& left,
                      std::vector<Manifolds::Entry>& carried);
-    /// All leave.
+    /// Removes all islands, and appends their manifolds.
     void leave(const SteppedInput& input, Manifolds& manifolds, std::vector<Manifolds::Entry>& carried);
-    /// All leave, and nothing is carried on.
+    /// Removes all islands and drops their manifolds.
     void clear();
 
     /// How an island with such contacts divides a substep.
     static Division divisionFor(const ContactCount& count, int passes);
-    /// How one that is not here divides it: as when it was here last, or by its contacts. With
-    /// each division contacts are another spring: what changes it rises or sinks.
+    /// How an island that is not on the base path would divide it: as the last time it was, or by its
+    /// contacts. The stiffness of contacts depends on the division, so bodies rise or sink a little when it
+    /// changes.
     Division divisionFor(const Island& island, const ContactCount& count) const;
 
   private:
     static constexpr std::uint8_t noBlock = 0, entering = 0xff; // otherwise a number of m_blocks and 1
     static constexpr std::size_t divisions = 8;
     static bool isHere(std::uint8_t block) { return block != noBlock && block != entering; }
-    /// Bodies with one division. Where there are none a copy, as a checkpoint has it, takes no room.
+    /// Bodies with one division. An empty block takes no memory in a copy, such as in a checkpoint.
     class Block {
       public:
         Block() = default;
@@ -190,15 +191,15 @@ class BasePath {
     void countContacts(std::size_t number, const Manifolds& manifolds);
     void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                     Manifolds& manifolds);
-    /// The end of a pair that is here already, or noBody.
+    /// The body of a pair that is on the base path already, or noBody.
     BodyIndex hereOf(BodyPair pair) const { return has(pair.a) ? pair.a : has(pair.b) ? pair.b : noBody; }
 
     int m_passes = 1;
     bool m_isEmpty = true;
     std::vector<double> m_reach;           // by body [m]
-    std::vector<Pose> m_origin;            // by body: where it was when it entered
+    std::vector<Pose> m_origin;            // by body: its pose when its reach was computed
     std::vector<std::uint8_t> m_block;     // by body
-    std::vector<std::uint8_t> m_lastBlock; // by body: the one it left last
+    std::vector<std::uint8_t> m_lastBlock; // by body: the block it was in last
     std::array<Block, divisions> m_blocks;
     Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted

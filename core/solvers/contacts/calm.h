@@ -10,11 +10,10 @@
 #include <vector>
 
 // When bodies of the base path, whose forces balance less exactly than those of refined islands, are put to
-// sleep: after so long, in units of the time √(size/g) in which they would fall their own size, within a
-// small part of their size, and when they are slow. An unstable motion grows by a factor e in about that
-// unit, so it would have left that distance in the last of them alone, and a steady slow motion leaves it
-// soon. In a heap of hundreds some body always slips a little for a moment: that does not keep the others
-// awake.
+// sleep: if they are slow, and have stayed within a small part of their size for some time, in units of
+// √(size/g), in which they would fall about their own size. An unstable motion grows by a factor e in about
+// that unit, so it would have left that distance in the last unit alone, and a steady slow motion leaves it
+// soon. In a heap of hundreds of bodies one always slips a little: that does not keep the others awake.
 
 namespace carom {
 

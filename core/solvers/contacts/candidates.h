@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-// The pairs of the bodies that move in islands (the members) that a substep must test: those that may touch
-// within it, and those so near that their forces are kept through small bounces. Pairs with what cannot move
+// The pairs that a substep must test for the bodies that are not asleep (the members): those that may touch
+// within it, and those so near that their forces are kept through small bounces. Pairs with immobile bodies
 // are among them, pairs with mobile bodies that are no members are not.
 
 namespace carom {
@@ -25,7 +25,7 @@ class Candidates {
     bool look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed, Neighbours& neighbours);
 
-    /// How far a member's surface may come [m]: a body that is struck may leave as fast as the striker, so
+    /// How far a member's surface may move [m]: a body that is struck may leave as fast as the striker, so
     /// neighbours share their reach.
     double reach(BodyIndex member) const { return m_reach[member]; }
     /// Pairs that may touch, ascending.
@@ -36,9 +36,9 @@ class Candidates {
   private:
     struct Near {
         BodyPair pair;
-        double gap = 0; // of the balls about them [m]
+        double gap = 0; // of their bounding balls [m]
     };
-    /// The ball about a body; of walls the radius is infinite.
+    /// The bounding ball of a body; of walls the radius is infinite.
     struct Ball {
         Vec3 centre = Vec3::Zero(); // [m]
         double radius = 0;          // [m]

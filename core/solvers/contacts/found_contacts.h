@@ -18,11 +18,10 @@
 // contacts carried along as manifolds; the others have them found anew by the exact kernels, with the forces
 // they had. Contacts of bodies that change form are converted.
 //
-//     found      pairs with points, or that may come to touch; with a manifold or without. Of balls the
-//     points
-//                are found where somebody asks for them.
-//     apart      carried for the direction in which the pair is apart
-//     distant    carried, of pairs that cannot touch within the substep; dropped if not taken over
+//     found      pairs with points, or that may come to touch; with a manifold or without. Points of
+//                balls are computed only when they are asked for.
+//     apart      pairs whose manifold is kept for the direction in which they are apart
+//     distant    manifolds of pairs that cannot touch within the substep; dropped if not taken over
 
 namespace carom {
 
@@ -38,26 +37,26 @@ class FoundContacts {
     const ContactSet& set() const { return m_found; }
     /// By pair of the set, 1: its bodies may touch within the substep.
     std::span<const std::uint8_t> canMeet() const { return m_canMeet; }
-    /// By pair of the set: at least this far apart [m], or 0 where its bodies may touch.
+    /// By pair of the set: a lower bound of the gap [m]; 0 if its bodies may touch.
     std::span<const double> gaps() const { return m_gap; }
     Manifolds& manifolds() { return m_manifolds; }
     const Manifolds& manifolds() const { return m_manifolds; }
     void recall(const Manifolds& manifolds) { m_manifolds = manifolds; }
 
-    /// Some of the pairs, with points where they are now, found by the exact kernels. Their manifolds are
-    /// kept as well, for islands that remain unfinished.
+    /// Computes the points of some of the pairs at the present poses by the exact kernels. Their manifolds
+    /// are kept as well, for islands that remain unfinished.
     void makeExact(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
-    /// Some of the pairs, with manifolds.
+    /// Makes manifolds of some of the pairs.
     void makeManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
-    /// Brings those that some of the pairs have up to the present poses.
+    /// Updates the manifolds of some of the pairs to the present poses.
     void updateManifolds(const ManifoldInput& here, std::span<const std::uint32_t> pairs, WorkCounters& work);
-    /// Some of the pairs go on without.
+    /// Removes the manifolds of some of the pairs.
     void removeManifolds(std::span<const std::uint32_t> pairs);
     /// The manifold of a pair, if it has one.
     std::uint32_t placeOf(std::uint32_t pair) const { return m_place[pair]; }
 
-    /// All manifolds, ascending. Who takes one over sets its place to none, and takes all of its bodies'
-    /// pairs.
+    /// All manifolds, ascending. A caller that takes one over sets its place to none, and takes all pairs of
+    /// its bodies.
     std::span<Manifolds::Entry> known();
     /// Forgets the pairs whose bodies were taken; drops what is apart or distant and was not taken over.
     template<class IsTaken>
@@ -72,11 +71,11 @@ class FoundContacts {
         std::erase_if(m_apart, [&](const Manifolds::Entry& entry) { return isTaken(entry.pair); });
         dropDistant();
     }
-    /// Drops what is distant.
+    /// Drops manifolds of distant pairs.
     void dropDistant();
-    /// The manifolds of the pairs, and `others`, ascending, are carried on.
+    /// Keeps the manifolds of the pairs, and `others`, ascending, for the next substep.
     void carryOn(std::span<const Manifolds::Entry> others);
-    /// `others` too, beside what is carried on.
+    /// Keeps `others` in addition.
     void carryWith(std::span<const Manifolds::Entry> others);
 
   private:

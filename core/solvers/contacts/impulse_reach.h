@@ -22,7 +22,7 @@
 //     legend    gap(t)  of balls |d + u t| − rA − rB, of other shapes at least gap(0) − (s_i + s_k) t
 //               s       how fast a body's surface comes while nothing strikes it
 //
-// Limits: pairs are those the candidates have, and there a body lends its reach to the next only
+// Limits: pairs are those of the candidates, where a body extends the reach of its direct neighbours only
 // (candidates.h). In a row of resting bodies an impulse is followed to the third within a substep; the fourth
 // is reached in the next one.
 

@@ -22,23 +22,23 @@
 // Moves the bodies of one island through a substep. The order of operations:
 //
 //     until the substep is used up
-//         positions  overlaps are corrected; velocities do not know of it
+//         positions  overlaps are corrected, without any change of velocities
 //         impacts    contacts that touch and close at a speed change velocities at once (impacts.h)
 //         velocities v̂ = v + T g, contact forces keep bodies apart: v₁
-//         events     does a contact that was open close hard before T? does a sliding one stop? then T ends
-//         there commit     x += T (v₀ + v₁)/2, rotation likewise
+//         events     if an open contact closes with an impact before T, or a sliding one stops, T ends there
+//         commit     x += T (v₀ + v₁)/2, rotation likewise
 //
-// v₀ is the velocity after the impacts. The mean of both ends makes a parabola exact and the deceleration of
-// friction too; both ends respect the gap, so the mean does. Contacts that turn with their bodies are taken
-// where they will be (island_turning.cpp). Cylinders that stand are held by all of their rim
-// (island_rims.cpp).
+// v₀ is the velocity after the impacts. With the mean of both ends parabolas are exact, and so is the
+// deceleration by friction; both ends obey the bound of the gap, so the mean does. Contacts that turn with
+// their bodies are used as they will be at the end (island_turning.cpp). Cylinders that stand can be
+// supported at any point of their rim (island_rims.cpp).
 //
-// An island that springs hold together and in which nothing meets needs none of this: it moves to order four
+// An island on springs in which no bodies meet needs none of this: it is integrated to order four
 // (dynamics/spring_steps.h), unless its springs are too stiff for the substep.
 
 namespace carom {
 
-/// What moves an island, besides its own contacts.
+/// Input of an island's motion, besides its contacts.
 struct MotionInput {
     const Bodies& bodies;
     const SolverSettings& settings;
@@ -49,12 +49,12 @@ struct MotionInput {
     double budget = std::numeric_limits<double>::infinity(); ///< operations (work_budget.h)
 };
 
-/// What the motion of islands met in one substep.
+/// Report on the motion of islands in one substep.
 struct MotionReport {
     double residual = 0;       ///< the worst of any island's contact problem [m/s]
     double maxPenetration = 0; ///< [m]
     WorkCounters work;
-    Loss loss; ///< where the forces of an island came to be no numbers: it has not moved
+    Loss loss; ///< set if the forces of an island are not finite; it has not moved
 };
 
 /// The inertia of a body as it lies in the world.
@@ -65,13 +65,12 @@ class IslandMotion {
     /// Changes the state of the island's bodies. `found` holds the contacts at the start of the substep. True
     /// if the island has not moved: nothing had a velocity before or after, and nothing overlapped.
     bool advance(const MotionInput& input, const Island& island, const ContactSet& found);
-    /// What of the substep is left because the budget ended or the forces were not found [s]: the bodies are
-    /// where they were so long before its end.
+    /// The part of the substep that is left because the budget ended or the forces were not found [s]: the
+    /// bodies have been moved up to its beginning.
     double left() const { return m_left; }
-    /// What it took [operations].
+    /// Work of the motion [operations].
     double work() const { return m_work; }
-    /// Those at the end, with their forces: pair by pair those of the island; a pair may have lost its
-    /// points.
+    /// Contacts at the end, with their forces, for the pairs of the island; a pair may have lost its points.
     const ContactSet& contacts() const { return m_contacts; }
 
     MotionReport report; ///< added up by advance
@@ -83,18 +82,18 @@ class IslandMotion {
         Vec6 velocity = Vec6::Zero();
         Vec3 angularMomentum = Vec3::Zero();
     };
-    /// Where a contact point is at another moment of a part.
+    /// The place of a contact point at another time of the part.
     struct Place {
         bool found = false;
         Mat3 frame = Mat3::Identity();
         Vec3 armA = Vec3::Zero(), armB = Vec3::Zero();
     };
-    /// Where a spring is tied to, before and after a part [m]; and its arm about the body's centre.
+    /// The end of a spring before and after a part [m], and its arm from the body's centre.
     struct SpringEnd {
         int body = immobile; // of m_problem
         Vec3 before = Vec3::Zero(), after = Vec3::Zero(), arm = Vec3::Zero();
     };
-    /// What the impulse of a row acts along.
+    /// The Jacobians along which the impulse of a row acts.
     struct Push {
         Mat36 a = Mat36::Zero(), b = Mat36::Zero();
         Mat3 frame = Mat3::Identity();
