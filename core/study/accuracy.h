@@ -21,9 +21,10 @@
 //
 // A study lasts as long as its budget at most. It goes from coarse to fine: the scene's own setting, those of
 // the presets, then every family with 1, 2, 4, ... substeps, as long as the next run is known to fit. Every
-// point has its error and a time as soon as it is there, so that a study is valid whenever it ends; what time
-// is left repeats runs until their times agree. Runs that do not fit are left out, and said to be. While the
-// reference solution is computed the scene's own setting has a time and its invariants, but no error.
+// point has its error and a time as soon as its run ends, so that a study is valid whenever it is ended; the
+// time that is left is used to repeat runs until their times agree. Runs that do not fit are left out, and
+// the study says so. While the reference solution is computed, the scene's own setting has a time and its
+// invariants, but no error.
 
 namespace carom {
 
@@ -39,13 +40,13 @@ struct AccuracySetting {
     const IntegratorRow* integrator = nullptr; ///< of methods that step
     int substeps = 1;
     double tolerance = 0;              ///< of method `contacts`, else 0
-    const PresetRow* preset = nullptr; ///< of method `contacts`: whose budget of refinement it has
-    std::string engine{};              ///< "bullet": another one (engines.h); empty: this one
-    bool isTuned = false;              ///< of another engine: set to our rules as far as it can be
+    const PresetRow* preset = nullptr; ///< of method `contacts`: gives the budget of refinement
+    std::string engine{};              ///< "bullet": another engine (engines.h); empty: Carom
+    bool isTuned = false;              ///< of another engine: its rules are set to Carom's as far as possible
 
     /// "contacts, verlet, preset default": what the settings of a family share.
     std::string family() const;
-    /// The same with the substeps.
+    /// The same, with the substeps.
     std::string name() const;
     SimulationSettings options() const;
     bool operator==(const AccuracySetting&) const = default;
@@ -63,25 +64,25 @@ std::string_view nameOf(PointStatus status); ///< "measured"
 
 struct AccuracyPoint {
     AccuracySetting setting;
-    bool isDefault = false; ///< what the scene runs with as it is
+    bool isDefault = false; ///< the scene's own setting
     PointStatus status = PointStatus::Waiting;
-    Sentence reason{}; ///< of a status beyond Measured
+    Sentence reason{}; ///< why its status is not Measured
     ErrorNorms errors{};
     Steadiness energy{}; ///< relative to a scale that cannot vanish (run_course.h)
-    /// How far the energy was from its course in the reference solution, relative to the same scale; where
-    /// the reference solution has one.
+    /// The largest difference of the energy from that of the reference solution at the same time, relative to
+    /// the same scale; empty if the reference solution has no energies.
     std::optional<double> energyOff{};
-    double momentumChange = 0; ///< relative, of scenes without gravity, walls and ends in the world; else 0
+    double momentumChange = 0; ///< relative; 0 for scenes with gravity, walls or springs tied to the world
     double penetration = 0;    ///< the largest overlap, relative to half the thinnest mobile body
     double residual = 0;       ///< of the worst contact problem, how far from solved [m/s]
     double relativeResidual =
         0;                    ///< the same relative to the speed that the scale of energies gives all bodies
     double coneViolation = 0; ///< of the worst contact force, relative to its size
-    std::optional<ImpactErrors> impacts{};  ///< where they can be seen
-    std::optional<OutcomeErrors> outcome{}; ///< what is left at the end, where the reference knows it
+    std::optional<ImpactErrors> impacts{};  ///< empty where impacts cannot be recorded
+    std::optional<OutcomeErrors> outcome{}; ///< errors of the final state; empty if the reference has none
     std::optional<CrowdFigures> crowd{};    ///< of a crowd, beyond the horizon
-    double instructions = 0;                ///< a simulated second, where they were counted
-    std::vector<double> times{};            ///< [ms] a simulated second, a run each
+    double instructions = 0;                ///< per simulated second; 0 if they were not counted
+    std::vector<double> times{};            ///< [ms] per simulated second, one for each run
     double longestStep = 0;                 ///< [s] of wall time, of the run that gave the errors
 
     bool usable() const { return status == PointStatus::Measured; }
@@ -96,10 +97,10 @@ struct EngineRequest {
     std::string engine{};
     bool isTuned = false;
     int substeps = 1;    ///< steps a frame
-    int iterations = 50; ///< of its contact solver a step, where it is tuned; 0: its own number
+    int iterations = 50; ///< of its contact solver in a step, if it is tuned; 0: the engine's own number
     std::int64_t frames = 0;
     double limit = 0;                             ///< [s] of wall time that it may take
-    std::function<void(std::string_view)> read{}; ///< what it prints, in pieces
+    std::function<void(std::string_view)> read{}; ///< receives its output, in pieces
     std::function<bool()> goOn{};                 ///< false: end it
 };
 
@@ -107,15 +108,15 @@ struct AccuracyPlan {
     std::vector<AccuracySetting> settings;
     double duration = 2; ///< [s] simulated; less where more does not fit into the budget
     double budget = 60;  ///< [s] of wall time for the whole study
-    int runs = 9;        ///< timed, a setting, at most: until they agree
+    int runs = 9;        ///< timed runs of a setting at most; fewer if times agree
     double target = 1e-3;
-    int copies = 20;                     ///< of a crowd, at most: as many as fit into the budget
-    const MeasureRow* measure = nullptr; ///< of the diagram; null: the first that says something
-    /// Runs a setting of another engine; what went wrong, or nothing.
+    int copies = 20;                     ///< of a crowd at most; fewer if the budget is short
+    const MeasureRow* measure = nullptr; ///< of the diagram; null: the first that is informative
+    /// Runs a setting of another engine; returns an error message, or an empty text.
     std::function<std::string(const EngineRequest&)> runEngine{};
 };
 
-/// The one that a study has before it has measured anything.
+/// The measure that a study has before anything is measured.
 const MeasureRow* firstMeasure();
 
 struct AccuracyStudy {
@@ -123,18 +124,18 @@ struct AccuracyStudy {
     RunSettings settings;                       ///< the scene's own
     std::optional<ReferenceSolution> reference; ///< without its samples
     std::vector<AccuracyPoint> points;          ///< as in the plan, the scene's own setting first
-    std::vector<AccuracySetting> leftOut;       ///< of the plan: what did not fit into the budget
-    std::vector<std::string> engineNotes;       ///< where rules of other engines are not ours
-    double duration = 0;                        ///< [s] that were simulated
-    double seconds = 0;                         ///< [s] of wall time that it took
+    std::vector<AccuracySetting> leftOut;       ///< settings of the plan that did not fit into the budget
+    std::vector<std::string> engineNotes;       ///< how rules of other engines differ from Carom's
+    double duration = 0;                        ///< [s] simulated
+    double seconds = 0;                         ///< [s] of wall time spent
     const MeasureRow* measure = firstMeasure(); ///< of the diagram; never null
-    bool conservative = false;                  ///< nothing in the scene takes energy out
-    bool complete = false;                      ///< false: it was cancelled; the points it has are valid
+    bool conservative = false;                  ///< nothing in the scene dissipates energy
+    bool complete = false;                      ///< false: it was cancelled; its points are valid
 
-    /// By the study's measure; infinite where the point has none.
+    /// A point's error by the study's measure; infinite if it has none.
     double errorOf(const AccuracyPoint& point) const;
-    /// The smallest error by that measure that can be told from none. Points below are shown, but they only
-    /// say "deviation from the finest run".
+    /// The smallest error by that measure that can be distinguished from zero. Points with smaller errors are
+    /// shown, but these are only deviations from the finest run.
     double resolution() const;
 };
 
@@ -144,7 +145,7 @@ struct KnownPoints {
     double duration = 0;
 };
 
-/// What the scene runs with as it is.
+/// The scene's own setting.
 AccuracySetting ownSettingOf(const Scene& scene);
 
 /// The plan for a scene: every method that can treat it, with every integrator where the choice matters and
@@ -155,18 +156,18 @@ AccuracyPlan planFor(const Scene& scene);
 /// The presets' own settings and exact methods first, then coarse to fine.
 void sortForStudy(AccuracyPlan& plan);
 
-/// Puts these substeps, and these tolerances of method `contacts`, in place of the plan's, in every family;
-/// what is empty stays.
+/// Replaces the plan's substeps, and its tolerances of method `contacts`, in every family; an empty list
+/// changes nothing.
 void vary(AccuracyPlan& plan, const std::vector<double>& substeps, const std::vector<double>& tolerances);
 
 struct AccuracyListener {
     std::function<bool(double seconds)> goOn; ///< the wall time spent; false ends the study
-    /// After every run, the first one of the scene's own setting, which is only timed.
+    /// Called after every run; the first one is that of the scene's own setting, which is only timed.
     std::function<void(const AccuracyStudy&)> changed{};
     StudyClock clock{};
 };
 
-/// `known` is a study of the same scene that was interrupted, or ran out of its budget: what it has is not
+/// `known` is a study of the same scene that was interrupted, or whose budget was used up: its points are not
 /// measured again.
 AccuracyStudy runAccuracy(const Scene& scene, const AccuracyPlan& plan, const AccuracyListener& listener,
                           const KnownPoints& known = {});

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-// The points of an accuracy study as a file, and back.
+// Writes the points of an accuracy study as CSV, and reads them.
 
 namespace carom {
 
-/// A row a point that is not waiting; before there is a reference solution it has no errors. Lengths are
-/// relative to the scene's size, times and instructions for a simulated second; what was not looked at is
-/// empty.
+/// A row for each point that has been run; without a reference solution it has no errors. Lengths are
+/// relative to the scene's size, times and instructions are per simulated second; cells of what was not
+/// measured are empty.
 ///
 ///     method, integrator, substeps, tolerance, preset, engine, default, status, reason
 ///     measure, error                        of the diagram
@@ -32,18 +32,18 @@ namespace carom {
 ///     scene, command, version, machine      the first a hash of its text
 std::string pointsAsCsv(const AccuracyStudy& study, std::string_view sceneHash, const StudyOrigin& origin);
 
-/// What such a text was measured on.
+/// The conditions under which such a text was measured.
 struct AccuracyOrigin {
     std::string scene;   ///< a hash of its text
     double duration = 0; ///< [s]
     std::string version; ///< of the program
 };
 
-/// The points of such a text, for a study that goes on where one was interrupted.
+/// The points of such a text, for a study that continues an interrupted one.
 struct ReadPoints {
     KnownPoints known;
-    /// Why no study can go on from them: "line 3 cannot be read"; empty: one can. Then nothing may be written
-    /// over the text.
+    /// The reason why no study can continue from them, as "line 3 cannot be read"; then the text must not be
+    /// overwritten. Empty: one can.
     std::string objection;
 };
 ReadPoints pointsFromCsv(std::string_view csv, const AccuracyOrigin& origin);

@@ -16,9 +16,9 @@
 
 // The reference's performance evaluation (S. Stokes, "Collision Detection in the Simulation of Rigid Body
 // Motion", 2005, section 4.3) for every broad-phase: time against the number of bodies, and the course of a
-// run. For each scene and number the worlds of all algorithms advance in turns, a few frames each, so
-// whatever else the machine does falls on all of them alike; and as long as one thread computes, times are
-// processor times, which on a quiet machine are wall times and on a busy one do not count the waiting.
+// run. For each scene and number the worlds of all algorithms advance in turns, a few frames each, so other
+// load of the machine affects all of them equally. With one thread, times are processor times: on an idle
+// machine these equal wall times, and on a busy one they exclude waiting.
 
 namespace carom {
 
@@ -33,28 +33,28 @@ struct BenchmarkPlan {
     const GeneratorRow* traceScene = nullptr; ///< null: no traces
     std::int64_t traceCount = 500;
     std::int64_t traceFrames = 600;
-    int traceRepeats = 3; ///< the motion is the same each time; a frame's time is the median, so that what
-                          ///< else the machine did leaves no spikes
+    int traceRepeats = 3; ///< the motion is the same each time; a frame's time is the median, which excludes
+                          ///< peaks by other load
 
     /// An algorithm whose median frame took longer is left out at larger numbers of that scene [ms].
     double timeLimit = 60;
 };
 
-/// The three scenes and every algorithm, at numbers that reach beyond real time.
+/// The three scenes and every algorithm, with numbers of bodies up to more than run in real time.
 BenchmarkPlan standardBenchmark();
 
-/// What the benchmark asks of a generator; one that takes no number makes its only scene.
+/// The benchmark's request to a generator; one that takes no number of bodies makes its only scene.
 GeneratorRequest requestFor(const GeneratorRow& scene, std::int64_t n);
 
-/// One world's run.
+/// The run of one world.
 struct BenchmarkPoint {
     const GeneratorRow* scene = nullptr; ///< null: a scene of the user's
-    std::int64_t n = 0;                  ///< asked of the generator
+    std::int64_t n = 0;                  ///< number given to the generator
     std::uint64_t bodies = 0;            ///< built, walls included
     const BroadphaseRow* algorithm = nullptr;
 
     double first = 0;       ///< [ms], the first frame
-    Summary simulate;       ///< [ms], the frames behind it
+    Summary simulate;       ///< [ms], the later frames
     double broadphase = 0;  ///< [ms], mean of those frames; so are all below
     double narrowphase = 0; ///< [ms]
     double pairs = 0, tested = 0, contacts = 0, swaps = 0;
@@ -75,21 +75,22 @@ struct Benchmark {
     BenchmarkPlan plan;
     std::vector<BenchmarkPoint> points; ///< by scene, then number, then algorithm, as in the plan
     std::vector<BenchmarkTrace> traces;
-    std::vector<std::string> remarks; ///< what was left out and why
-    bool complete = false;            ///< false: it was told to stop; what is there is whole
+    std::vector<std::string> remarks; ///< what was left out, and why
+    bool complete = false;            ///< false: it was stopped; the points up to then are complete
 };
 
-/// Told after each frame how many are done of about how many; false ends the benchmark.
+/// Called after each frame with the frames done and about how many there are; false ends the benchmark.
 using BenchmarkListener = std::function<bool(std::int64_t done, std::int64_t total)>;
 
-/// `measured` gets what there is after every scene and number, then after every repeat of the traces, whose
-/// times are medians of the repeats so far.
+/// `measured` is called with the results after every scene and number, then after every repeat of the traces,
+/// whose times are medians of the repeats so far.
 Benchmark runBenchmark(const BenchmarkPlan& plan, const BenchmarkListener& goOn,
                        const std::function<void(const Benchmark&)>& measured = {});
 
 /// Every algorithm on one scene over the same frames, at least 2, taking turns: the points, and every frame
-/// as traces. Their `scene` is null and their `n` is the number of bodies. Told to stop, it keeps the frames
-/// that every algorithm has done, of which `plan.frames` says how many; no points of fewer than 2.
+/// as traces. Their `scene` is null and their `n` is the number of bodies. If it is stopped, it keeps the
+/// frames that every algorithm has done; `plan.frames` is their number. There are no points with fewer
+/// than 2.
 Benchmark compareBroadphases(const std::shared_ptr<const Pipeline>& pipeline, std::int64_t frames,
                              const BenchmarkListener& goOn);
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-// What the figures of a benchmark say, as text, and the figures themselves as CSV.
+// The results of a benchmark as text and as CSV.
 
 namespace carom {
 
@@ -19,9 +19,9 @@ std::vector<BenchmarkPoint> pointsOf(const Benchmark& benchmark, const Generator
 struct RealTimeReach {
     double n = 0;
     bool measured =
-        false; ///< false: real time at the largest number measured, which is `n`; the reach is more
+        false; ///< false: the largest number measured, `n`, is still in real time; the limit is higher
 };
-/// Nothing where even the smallest number is too slow, or nothing was measured.
+/// Nothing if even the smallest number is too slow, or if nothing was measured.
 std::optional<RealTimeReach> realTimeReach(const std::vector<BenchmarkPoint>& points);
 
 /// Median time of a frame [ms] = constant + linear N + quadratic N², by least squares; as in the reference's
@@ -42,7 +42,7 @@ std::string pointsAsCsv(const Benchmark& benchmark);
 /// `scene,n,broadphase,frame,time,simulate_ms,broadphase_ms,narrowphase_ms,pairs,tested,contacts,swaps`, a
 /// row a frame.
 std::string tracesAsCsv(const Benchmark& benchmark);
-/// For people: tables of times, then sentences.
+/// The report as text: tables of times, then sentences.
 std::string summaryOf(const Benchmark& benchmark);
 
 } // namespace carom

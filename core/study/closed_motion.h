@@ -16,8 +16,8 @@ struct ClosedMotion {
     std::function<std::vector<Pose>(double time)> at;
 };
 
-/// Recognises a single body that moves and turns free of everything but gravity, and a single ball on an
-/// undamped spring that moves along the spring's line. Nothing for every other scene.
+/// Recognises a single body on which only gravity acts, and a single ball on an undamped spring that moves
+/// along the spring's line. Nothing for every other scene.
 std::optional<ClosedMotion> closedMotionOf(const Pipeline& pipeline);
 
 } // namespace carom

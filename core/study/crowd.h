@@ -26,13 +26,13 @@ namespace carom {
 
 class CrowdWatch {
   public:
-    /// The first look that counts is number `first`, from 0; speeds are told apart up to `fastest` [m/s].
+    /// The first look that counts is number `first`, from 0; the bins of speeds reach to `fastest` [m/s].
     CrowdWatch(const Bodies& bodies, std::int64_t first, double fastest);
 
-    /// One frame later than the last time; `hit` as ImpactWatch::look told it.
+    /// To be called once a frame; `hit` is the result of ImpactWatch::look.
     void look(const State& state, std::size_t hit);
 
-    /// Sums over the looks; of several runs they add up.
+    /// Sums over the looks; those of several runs can be added.
     struct Sums {
         std::vector<double> speeds; ///< balls in each bin, the last one for all that are faster
         double momentum = 0;        ///< Σ m vₙ² in the layers [J]

@@ -17,7 +17,7 @@ namespace carom {
 /// start.
 inline constexpr double crowdNudge = 1e-6;
 
-/// A copy of the scene whose mobile bodies are `distance` [m] aside, each in a direction of its own.
+/// A copy of the scene with each mobile body moved by `distance` [m], in a direction of its own.
 Scene nudged(const Scene& scene, double distance, std::uint64_t seed = 1);
 
 /// How copies of a scene are run.
@@ -35,20 +35,20 @@ struct CrowdRun {
 /// The frame at which copies crowdNudge apart have diverged altogether, if they do so at `growth` [1/s].
 std::int64_t framesToForget(double growth, double step);
 
-/// What the copy of number `copy` did; the scene itself is number 0. Nothing if told to stop, or if its
-/// state was lost.
+/// Runs copy number `copy`; the scene itself is number 0. Nothing if it was stopped, or if its state was
+/// lost.
 std::optional<CrowdWatch::Sums> runCopy(const CrowdRun& run, int copy, SimulationSettings options);
 
-/// Exact copies together.
+/// The results of exact copies together.
 struct ExactCrowd {
     CrowdWatch::Sums sums;
-    CrowdFigures scatter{}; ///< of each copy about all others: what is chance
+    CrowdFigures scatter{}; ///< of each copy about all others: the measure of chance
     std::int64_t first = 0;
     double fastest = 0;
 };
 
-/// Of up to `copies`, as many as there is time for. Nothing of fewer than fifty balls, where the run is too
-/// short to look at, without time for two, or if told to stop.
+/// Runs up to `copies` copies, as many as there is time for. Nothing with fewer than fifty balls, if the run
+/// is too short, without time for two, or if it was stopped.
 std::optional<ExactCrowd> exactCrowd(CrowdRun run, const Bodies& bodies, int copies);
 
 } // namespace carom

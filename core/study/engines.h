@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-// Other engines on the same scene, beside ours in an accuracy study. An engine is a program of its own, which
-// a front end starts; what it prints is read here, line by line:
+// Other engines on the same scene, for comparison in an accuracy study. An engine is a program of its own,
+// which a front end starts; what it prints is read here, line by line:
 //
 //     engine,NAME AND VERSION
 //     differs,A RULE THAT IS NOT OURS          any number
@@ -20,13 +20,13 @@
 
 namespace carom {
 
-/// What its program is started with, behind its name.
+/// The arguments that the engine's program is started with.
 std::vector<std::string> argumentsFor(const std::string& scene, const EngineRequest& request);
 
 /// Reads that text in pieces, as they come.
 class EngineOutput {
   public:
-    /// `frame` is called for every frame of the trace that is whole, with all bodies.
+    /// `frame` is called for every complete frame of the trace, with all bodies.
     EngineOutput(const Pipeline& pipeline, std::function<void(const State&)> frame);
 
     void add(std::string_view piece);
@@ -34,13 +34,14 @@ class EngineOutput {
 
     const std::string& version() const { return m_version; }
     const std::vector<std::string>& differences() const { return m_differences; }
-    /// Empty, if it could do all.
+    /// What the engine cannot do of the scene; empty if it can do all.
     const std::string& lacking() const { return m_lacking; }
     const std::vector<double>& times() const { return m_times; } ///< [ms], by frame
-    /// [ms] a simulated second, without the first frame, in which engines allocate; 0 if it did not say.
+    /// [ms] per simulated second, without the first frame, in which engines allocate; 0 if the program
+    /// printed no times.
     double cost() const;
-    std::int64_t frames() const { return m_frames; }         ///< whole ones, the start among them
-    const std::string& problem() const { return m_problem; } ///< what could not be read, or nothing
+    std::int64_t frames() const { return m_frames; }         ///< complete ones, including the start
+    const std::string& problem() const { return m_problem; } ///< what could not be read; empty if all could
 
   private:
     void readLine(std::string_view line);
@@ -57,12 +58,12 @@ class EngineOutput {
     bool m_inTrace = false;
 };
 
-/// Adds the settings of these engines to a plan: 1 to 16 steps a frame, with the engine's own rules and tuned
-/// to ours.
+/// Adds the settings of these engines to a plan: 1 to 16 steps a frame, with the engine's own rules and with
+/// rules set to Carom's.
 void addEngines(AccuracyPlan& plan, const std::vector<std::string>& engines);
 
-/// Runs the point's setting by the plan's program and fills in what can be measured from outside: the way of
-/// the bodies, impacts, energy, what is left at the end. False if told to stop.
+/// Runs the point's setting by the plan's program and fills in what its trace shows: the paths of the bodies,
+/// impacts, energy, the final state. False if it was stopped.
 bool measureEngine(const AccuracyRun& run, AccuracyPoint& point, std::vector<std::string>& notes);
 
 } // namespace carom

@@ -8,13 +8,13 @@
 
 namespace carom {
 
-/// For people: a line a figure with what theory says, then the remarks.
+/// The report as text: a line for each figure with the theoretical value, then the remarks.
 std::string summaryOf(const GasStudy& study);
 
-/// `figure,value,uncertainty,theory,unit,command,version,machine`, a row a figure; what there is none of is
+/// `figure,value,uncertainty,theory,unit,command,version,machine`, a row for each figure; missing values are
 /// empty.
 std::string figuresAsCsv(const GasStudy& study, const StudyOrigin& origin);
-/// The same of several scenes: `scene,figure,...`, and the rows of one.
+/// The same for several scenes: `scene,figure,...`, and the rows of one.
 std::string gasesColumns();
 std::string gasesRows(const std::string& scene, const GasStudy& study, const StudyOrigin& origin);
 /// `from,to,density,theory`, speeds in units of √(kT/m).

@@ -13,8 +13,8 @@
 //     // Right: its energy is constant.
 //
 // and is judged by its `expect` declarations: those for `preset default` in the default column, those for
-// `preset accurate` in the two others. One that names its own method has that method's column only. What is
-// asked of a case besides stands in cases/members.def.
+// `preset accurate` in the two others. One that names its own method has that method's column only. Further
+// figures of a case are in cases/members.def.
 
 namespace carom {
 
@@ -26,7 +26,7 @@ struct HardScene {
 /// Ascending by name.
 std::span<const HardScene> hardScenes();
 
-/// Each as a case, ascending by number.
+/// All of them as cases, ascending by number.
 std::span<const HardCase> sceneCases();
 /// Such a case's text with the method and preset of a column.
 std::string sceneTextOf(const HardCase& hardCase, StudyColumn column);

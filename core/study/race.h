@@ -17,8 +17,8 @@
 
 namespace carom {
 
-/// Why two runs cannot be compared frame by frame, or nothing: bodies are compared one by one, at the same
-/// moments.
+/// The reason why two runs cannot be compared frame by frame, or nothing: bodies are compared one by one, at
+/// the same times.
 std::optional<std::string> objectionToRace(const Pipeline& a, const Pipeline& b);
 
 /// How far apart the runs are after a frame.
@@ -30,16 +30,16 @@ struct RacePoint {
 
 class Race {
   public:
-    /// At the start of both, which objectionToRace has nothing against.
+    /// Begins with both runs at their start; objectionToRace() must have no objection.
     Race(std::shared_ptr<const Pipeline> a, std::shared_ptr<const Pipeline> b);
 
-    /// A frame of both; false, and no point, where one of them has lost its finite state.
+    /// Runs a frame of both; false, without a point, if the state of one of them is not finite any more.
     bool step();
 
     const World& a() const { return m_a; }
     const World& b() const { return m_b; }
     const RacePoint& now() const { return m_now; }
-    /// The first bit that differs; nothing so far.
+    /// Where the first difference is; nothing if there is none so far.
     const std::optional<BitDifference>& firstDifference() const { return m_first; }
     bool isFinite() const { return m_a.health().finite && m_b.health().finite; }
 

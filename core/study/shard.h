@@ -32,7 +32,7 @@ inline constexpr int mostShards = 100'000;
 std::optional<Shard> shardIn(std::string_view text);
 std::string textOf(const Shard& shard); ///< "2/8"
 
-/// A stretch of a list.
+/// A range of a list.
 struct ItemRange {
     std::size_t first = 0, end = 0;
 
@@ -41,12 +41,12 @@ struct ItemRange {
     friend bool operator==(const ItemRange&, const ItemRange&) = default;
 };
 
-/// The stretch of a shard; `weights` are the work of the items, each above 0.
+/// The range of a shard; `weights` are the work of the items, each above 0.
 ItemRange stretchOf(const Shard& shard, std::span<const double> weights);
-/// The same where all items are equal work.
+/// The same for items of equal work.
 ItemRange stretchOf(const Shard& shard, std::size_t count);
 
-/// The items of a list that are the shard's.
+/// The items of a list in the shard.
 template<class Item>
 std::vector<Item> partOf(const Shard& shard, const std::vector<Item>& items) {
     const ItemRange part = stretchOf(shard, items.size());

@@ -6,16 +6,16 @@
 #include <string>
 #include <string_view>
 
-// What a stability study says, as text and as CSV.
+// The results of a stability study, as text and as CSV.
 
 namespace carom {
 
 /// "energy error 3.2e-14, limit 1e-05".
 std::string describe(const Figure& figure);
 
-/// For people: the case, its verdict and a line a figure; nothing where the case does not apply.
+/// Text for a case: its name, its verdict and a line for each figure; empty if the case does not apply.
 std::string describe(const TrialResult& result);
-/// A sentence a column: how many hold.
+/// For each column a sentence: how many cases hold.
 std::string summaryOf(const StabilityStudy& study);
 /// "default: 21 of 24 hold".
 std::string tallyOf(const StabilityStudy& study, StudyColumn column);
@@ -27,8 +27,8 @@ struct StudyOrigin {
     std::string machine; ///< processor and system
 };
 
-/// `case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine`, a row a figure; the
-/// verdict is the figure's. A case that does not apply in a column has one row without a figure.
+/// `case,name,column,figure,value,unit,limit,verdict,wall_s,command,version,machine`, a row for each figure;
+/// the verdict is the figure's. A case that does not apply in a column has one row without a figure.
 std::string figuresAsCsv(const StabilityStudy& study, const StudyOrigin& origin);
 
 } // namespace carom

@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// The clocks of a study [ms]. Tests put counted work in the place of time.
+/// The clocks of a study [ms]. Tests replace time by counted work.
 struct StudyClock {
     std::function<double()> wall = [watch = Stopwatch()] { return watch.elapsed(); };
     std::function<double()> processor = processorTimeOfThread; ///< of the thread that studies

@@ -20,7 +20,7 @@ struct Limits {
     double byDefault = 0, accurate = 0;
 };
 
-/// The `simulation` declaration of a column with further parameters; none where there is nothing to say.
+/// The `simulation` declaration of a column with further parameters; none if nothing is set.
 std::string simulationOf(StudyColumn column, std::string_view further);
 
 class Trial {
@@ -32,7 +32,7 @@ class Trial {
     bool byDefault() const { return m_column == StudyColumn::Default; }
     bool exact() const { return m_column == StudyColumn::Exact; }
     bool isLong() const { return m_length == StudyLength::Long; }
-    /// The value for the length of the study.
+    /// The value for the short or the long form of the study.
     template<class T>
     T shortOrLong(T brief, T full) const {
         return isLong() ? full : brief;
@@ -44,15 +44,15 @@ class Trial {
 
     /// One frame; false if told to stop, or if the world has lost its state (which is a failing figure).
     bool step(World& world);
-    /// So many frames, and what `each` looks at after every one.
+    /// Runs frames, and calls `each` after every one.
     void run(World& world, std::int64_t frames, const std::function<void()>& each = {});
     bool stopped() const { return m_stopped; }
-    /// Asks whether to go on, for what does not step worlds.
+    /// Whether to continue; for cases that do not step worlds.
     bool goesOn();
 
     /// The figure must be at most the limit of the column.
     void expect(std::string name, double value, Limits limits, std::string_view unit = {});
-    /// Something that must not happen, counted.
+    /// A count of events that must not happen.
     void expectNone(std::string name, double count) { expect(std::move(name), count, {0, 0}); }
 
     void add(Figure figure) { m_figures.push_back(std::move(figure)); }
