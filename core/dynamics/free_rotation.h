@@ -16,8 +16,7 @@
 // Isotropic inertia:  ω = L/I is constant, one rotation is exact.
 // Two equal moments (a cylinder), I across and I3 along the axis:  the body turns about L at |L|/I while it
 //     spins about its own axis at L3 (1/I3 − 1/I); the product of the two rotations is exact.
-// Three different moments:  no elementary solution. The energy splits into pieces that are each a pure
-//     rotation,
+// Three different moments:  no elementary solution. The energy is a sum of terms; each gives a rotation,
 //
 //         T = |L|²/(2 Im) + Σk ck Lk²/2,   ck = 1/Ik − 1/Im,   m the middle moment, k the two others,
 //

@@ -14,11 +14,11 @@
 //     cap – any        n = ±a
 //     side – edge      n = ±a × e_i
 //     side – corner    n across a, from the axis to the corner
-//     rim – corner     n from the rim to the corner; only apart: a corner inside a rim is never the least
-//     overlap rim – edge       n across e_i: one root of a concave function (rim_line.h) for each edge and
-//     rim
+//     rim – corner     n from the rim to the corner; only for bodies that are apart: a corner inside a rim
+//                      never gives the least overlap
+//     rim – edge       n across e_i: one root of a concave function (rim_line.h) for each edge and rim
 //
-// All closed forms or single roots, so all are tried.
+// All are closed forms or single roots, so all are tried.
 
 namespace carom {
 namespace {

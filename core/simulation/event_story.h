@@ -13,11 +13,11 @@
 //     p_i = m (v2 − v1 − g h)      [N s], of each mobile body; h the frame
 //     a   = the body with the largest |p|
 //     b   = of the bodies within reach of a in this frame, the one that explains p_a best: a mobile body by
-//           |p_a + p_b| / |p_a|, a wall or immobile body by the angle between p_a and the direction away from
-//           it
+//           |p_a + p_b| / |p_a|, a wall or immobile body by the angle between p_a and the direction away
+//           from that
 //
-// Limits: springs give momentum, too; where nothing is in reach, b is noBody. Of several impacts in one frame
-// the largest is told.
+// Limits: springs give momentum, too; if no body is within reach, b is noBody. Of several impacts in one
+// frame only the largest is reported.
 
 namespace carom {
 

@@ -9,9 +9,8 @@
 //
 //     normal   across a face, two edges, or the side of a cylinder and a rim: as that is now; otherwise fixed
 //              to A
-//     points   fixed to both bodies, but for those below the side or the rim of a cylinder: they turn about
-//     its
-//              axis as the normal does, and the other body's point is straight across
+//     points   fixed to both bodies, except those below the side or the rim of a cylinder: they turn about
+//              its axis as the normal does, and the other body's point is opposite along the normal
 //     limits   where bodies slide and turn, the ends of faces and lines are off by first-order errors
 
 namespace carom {

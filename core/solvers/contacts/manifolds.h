@@ -15,21 +15,20 @@
 #include <vector>
 
 // Contacts of bodies on the base path persist over substeps. While two bodies keep their relative pose to
-// within a third of a percent of their size and of a degree, or a fifteenth of that where nothing is known of
-// the normal, their points are not looked for anew: points that follow both bodies (manifold_following.h)
-// tell the gap. This saves most of the narrow phase, and it keeps cylinders upright: points of a disc that
-// are chosen anew each time would move around the rim, and the forces with them.
+// within a third of a percent of their size and of a degree, or a fifteenth of that if the features that give
+// the normal are not known, their points are not computed anew: the gap is that of points that follow both
+// bodies (manifold_following.h). This saves most of the narrow phase, and it keeps cylinders upright: points
+// of a disc that are chosen anew each time would move around the rim, and the forces with them.
 //
 //     found      by the kernels of core/narrowphase, for cylinders and cuboids by the direction of their
-//     cores
-//                (core_direction.h); of more than four points the deepest, then those that span the largest
-//                area
+//                cores (core_direction.h); of more than four points the deepest, then those that span the
+//                largest area
 //     carried    onA, onB in the frames of the bodies; gap = n · (onB − onA)
-//     forces     of points within 5 % of the size of an old one, on B, begin where the old ones were; so does
-//                the torque of rolling resistance
+//     forces     points within 5 % of the size of an old one, on B, begin with its force; the torque of
+//                rolling resistance is kept, too
 //
-// Between spheres nothing is carried but the force: their contact is computed each time, with the normal they
-// will have when they meet within the substep (or pass each other by).
+// For two spheres only the force is carried: their contact is computed each time, with the normal that they
+// will have when they meet within the substep, or at their closest approach.
 //
 // Most pairs near each other do not touch within a substep and need no row: they are open. Whether a pair is
 // open follows from how the two move; where an impulse has changed that, stepped_motion.h tests it again.
@@ -64,11 +63,11 @@ struct PersistentManifold {
     };
     BodyPair pair;
     int count = 0;
-    bool round = false;     ///< computed each time
-    bool open = false;      ///< too far apart to touch in this substep unless another body strikes one of
-                            ///< the two; its points are not those of now
-    double gap = 0;         ///< of an open one: along the normal, they are apart by this at least [m]
-    bool hasNormal = false; ///< also where there are no points: a direction in which they were apart
+    bool round = false; ///< computed each time
+    bool open = false; ///< too far apart to touch in this substep unless another body strikes one of the two;
+                       ///< its points are out of date
+    double gap = 0;    ///< of an open one: a lower bound of the gap along the normal [m]
+    bool hasNormal = false;         ///< also without points: a direction in which they were apart
     Vec3 normal = Vec3::UnitY();    ///< from A to B, in the frame of A (of B if A is a wall)
     Vec3 normalInB = Vec3::UnitY(); ///< of bodies with cores: the same in the frame of B
     DirectionSource source;         ///< of bodies with cores: what turns the normal
@@ -97,30 +96,30 @@ struct ManifoldInput {
     double duration = 0; ///< of the substep [s]
 };
 
-/// The size of the smaller body of a pair, of the only one beside a wall [m].
+/// The size of the smaller body of a pair, or of the one that is no wall [m].
 double smallerSize(const Bodies& bodies, BodyPair pair);
 /// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
 /// Exact for spheres; otherwise true if in doubt.
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);
 /// From A to B, in the world.
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold);
-/// Brings a manifold up to the present poses; where the bodies cannot touch within the substep as they move
-/// it is open, and nothing but its normal and its gap is right. Points further apart than `margin` [m] are
-/// left out. True if the shapes were compared anew.
+/// Updates a manifold to the present poses. If the bodies cannot touch within the substep as they move, it is
+/// open, and only its normal and its gap are valid. Points further apart than `margin` [m] are left out. True
+/// if the shapes were compared again.
 bool updateManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
-/// Brings an open manifold up to the present poses, for bodies that were struck; it is no longer open. False,
-/// and open still, if they are further apart than `margin` [m].
+/// Updates an open manifold to the present poses, for bodies that were struck; it is no longer open. False,
+/// and still open, if they are further apart than `margin` [m].
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
 /// The points in the world.
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);
 
-/// The same contact as other parts of the solver see it, with its forces; and back.
+/// Converts a manifold, with its forces, into the form that other parts of the solver use, and back.
 void appendTo(ContactSet& set, const ManifoldInput& input, const ContactPair& pair,
               const PersistentManifold& manifold);
 PersistentManifold manifoldOf(const ManifoldInput& input, const ContactPair& pair,
                               std::span<const ContactConstraint> points);
 
-/// The manifolds of a scene, found by their pair. They keep their place while they live.
+/// The manifolds of a scene, found by their pair. A manifold keeps its place until it is removed.
 class Manifolds {
   public:
     static constexpr std::uint32_t none = 0xffffffff;
@@ -139,14 +138,14 @@ class Manifolds {
     }
 
     std::uint32_t add(const PersistentManifold& manifold);
-    /// One without points yet.
+    /// Adds a manifold without points.
     std::uint32_t add(BodyPair pair) {
         PersistentManifold manifold;
         manifold.pair = pair;
         return add(manifold);
     }
     void remove(std::uint32_t place) { m_free.push_back(place); }
-    /// The manifolds that live from now on, ascending.
+    /// The manifolds that exist from now on, ascending.
     void exchange(std::vector<Entry>& entries) { std::swap(m_entries, entries); }
     /// Also those that are free.
     std::size_t places() const {
@@ -155,7 +154,7 @@ class Manifolds {
     std::size_t bytes() const;
 
   private:
-    static constexpr std::size_t onPage = 8 * 1024 / sizeof(PersistentManifold); // a size allocators have
+    static constexpr std::size_t onPage = 8 * 1024 / sizeof(PersistentManifold); // a size class of allocators
 
     std::vector<Entry> m_entries;
     std::vector<std::vector<PersistentManifold>> m_pages; // full but for the last: so growing copies few

@@ -28,10 +28,10 @@
 
 namespace carom {
 
-/// How far the ball about a body is from the one about another, or from a wall [m]; the bodies are no nearer.
+/// The gap between the bounding balls of two bodies, or of a ball and a wall [m]; the bodies are no nearer.
 double boundingGap(const Bodies& bodies, const State& state, BodyPair pair);
-/// Whether a pair whose balls are within `margin` [m] is so with its boxes, too. A list that covers both
-/// bodies for `margin` has all pairs for which both is true, and may have others.
+/// Whether the boxes of a pair are within `margin` [m]; to be asked for pairs whose bounding balls are. A
+/// list that covers both bodies for `margin` has all pairs for which both is true, and may have others.
 bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin);
 /// Both.
 inline bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
@@ -52,7 +52,7 @@ class Neighbours {
   public:
     explicit Neighbours(const Bodies& bodies);
 
-    /// Records where the bodies are and how far each comes within `duration` [s] under its velocity and
+    /// Records the poses of the bodies and how far each moves within `duration` [s] by its velocity and
     /// gravity. Searches if the list could miss a pair.
     void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration, Broadphase& broadphase);
@@ -60,38 +60,39 @@ class Neighbours {
     /// could miss a pair of them: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration);
-    /// Searches, with wider skins where covers() was answered no; only for these, if they are few.
+    /// Searches, with wider skins of the bodies for which covers() was false; only for these, if they are
+    /// few.
     void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
 
-    /// Whether the list has all pairs that a body can meet within `room` [m] of where it is now. If not it is
-    /// remembered, and search() must be called.
+    /// Whether the list has all pairs that a body can meet within `room` [m] of its present place. If not,
+    /// the body is noted, and search() must be called.
     bool covers(BodyIndex body, double room);
 
-    /// How often it has searched for all.
+    /// The number of searches for all bodies.
     std::uint64_t searches() const { return m_searches; }
 
-    /// No point of a body's surface moves faster [m/s]; a sphere's spin moves none outwards.
+    /// An upper bound of the speed of a body's surface [m/s]; a sphere's spin does not count.
     static double surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body);
 
-    /// How far any point of a body is from where it was at most [m].
+    /// An upper bound of the displacement of any point of a body [m].
     static double displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to);
 
-    /// How far a body's surface can come in the duration noted last [m].
+    /// How far a body's surface can move in the last given duration [m].
     double reach(BodyIndex body) const { return reachFactor * m_path[body]; }
-    /// How far springs and force terms take it at most [m] in the duration noted last, or in a longer `time`
+    /// How far springs and force terms move it at most [m] in the last given duration, or in a longer `time`
     /// [s].
     double pull(BodyIndex body, double time) const {
         const double times = std::max(1.0, time / m_duration);
         return m_pull[body] * times * times;
     }
 
-    /// What momentum allows a body that comes `own`, a speed or a way, once a striker that comes `other` and
-    /// has `part` of the mass of both has struck it.
+    /// The limit by momentum of a body's speed or distance, which is `own` before a striker with `other` and
+    /// `part` of the mass of both has struck it.
     static double momentumLimit(double part, double own, double other) {
         return own + 2 * part * (own + other);
     }
-    /// How far a mobile body that comes `own` by itself may come once `striker`, which comes `other`, has
-    /// struck it [m]: no further than the striker, and than what momentum allows.
+    /// How far a mobile body, which moves `own` by itself, may move after `striker`, which moves `other`, has
+    /// struck it [m]: no further than the striker, and than momentum allows.
     static double reachAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
                              double other) {
         const double part =
@@ -99,9 +100,9 @@ class Neighbours {
         return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
 
-    /// The others in pairs with `body`, walls among them, ascending; of what cannot move none.
+    /// The bodies in pairs with `body`, walls among them, ascending; none for immobile bodies.
     std::span<const BodyIndex> around(BodyIndex body) const { return m_around[body]; }
-    /// How many others there are around all bodies together: at least as many as pairs.
+    /// The sum of the lengths of all these lists: at least the number of pairs.
     std::size_t ends() const { return m_ends; }
 
     /// A body may come this many times as far as it would without impacts: an impact may speed it up on the

@@ -18,12 +18,12 @@
 //     share      an island may take the floor in a frame, whichever substep needs it, as long as the frame
 //                has taken less than mostFloors of them (of many islands each takes less), or a few times
 //                what it is expected to cost; with springs forSprings times as much
-//     saved      what a frame does not use is kept for later, up to a limit, beside a larger sum that a run
-//                begins with: an island that is nearly at rest may draw on it. Forces that are found once
-//                hold for good there, and cost much the first time. Where more is saved than that takes, as
-//                accurate runs do, so may any other, by half as much after every attempt in vain. Islands
-//                share it by the squares of what they are expected to cost: it is large ones that need it.
-//                The base path's work is paid from the same budget, so what moves all the time saves nothing.
+//     saved      what a frame does not use is saved for later, up to a limit, beside a larger sum that a run
+//                begins with: an island that is nearly at rest may use it. Its forces cost much the first
+//                time and are valid for long. If more is saved than that needs, as in accurate runs, any
+//                other island may use it, too, by half as much after every failed attempt. Islands share it
+//                by the squares of their expected cost, because large ones need it. The base path's work is
+//                paid from the same budget, so bodies that move all the time save nothing.
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
 //                ... 63 substeps: for an island that moves all the time failed attempts become rare, one that
@@ -34,16 +34,19 @@
 
 namespace carom {
 
+/// In operations. At twice of floor, perItem or burst, frames may take up to twice as long; at half, islands
+/// are left to the base path that are refined now. At twice of start or saved, more large islands are solved
+/// exactly as they come to rest; at half, fewer. At twice of forRest, less is left for islands that move.
 struct RefinementBudget {
-    double floor = 1e6;    ///< operations a frame: about what half a millisecond buys
+    double floor = 1e6;    ///< in a frame: about half a millisecond
     double perItem = 200;  ///< and for every body and contact
-    double start = 400e6;  ///< saved when a run begins, fading within ten substeps or twenty
-    double saved = 40e6;   ///< and later at most
-    double forRest = 40e6; ///< up to this it is for what is nearly at rest, beyond it for anybody
-    double burst = 6e6;    ///< a frame takes at most so much of it, and what is left of the start
+    double start = 400e6;  ///< saved when a run begins; it decreases within ten or twenty substeps
+    double saved = 40e6;   ///< saved later at most
+    double forRest = 40e6; ///< up to this it is for islands nearly at rest, beyond it for any island
+    double burst = 6e6;    ///< a frame takes at most so much of it, and of what is left of the start
 };
 
-/// What the islands of a substep are sorted by.
+/// What decides which islands of a substep are refined.
 struct RefinementInput {
     const Bodies& bodies;
     const State& state;
@@ -77,9 +80,9 @@ class Refinement {
           m_isLone(bodies, 0) {}
 
     void choose(const RefinementInput& input, const RefinementBudget& budget);
-    /// What an island that was refined took.
+    /// Records the work of an island that was refined.
     void spend(const Island& island, double operations);
-    /// What the substep took [operations].
+    /// Pays for the work of the substep [operations].
     void pay(double refined, double base);
     std::span<const Choice> refined() const { return m_refined; }     ///< ascending
     std::span<const std::uint32_t> stepped() const { return m_base; } ///< ascending
@@ -105,7 +108,7 @@ class Refinement {
                (bodies.mobile[pair.b] == 0 || m_stepped[pair.b] != 0);
     }
     bool isStepped(BodyIndex body) const { return m_stepped[body] != 0; }
-    /// They are left alone from now on.
+    /// These bodies are asleep from now on.
     void forget(std::span<const BodyIndex> bodies) {
         for (const BodyIndex body : bodies) m_stepped[body] = 0;
     }
@@ -131,7 +134,7 @@ class Refinement {
         double open = 0; ///< openTo
     };
     bool nearlyRests(const RefinementInput& input, const Island& island) const;
-    /// What an island may draw of what is saved, if nobody else does.
+    /// What an island may use of what is saved, if no other does.
     double openTo(const RefinementInput& input, const RefinementBudget& budget, const Island& island) const;
 
     double m_saved = -1;                  // operations; negative: the run begins
@@ -139,7 +142,7 @@ class Refinement {
     double m_income = 0, m_most = 0;      // of the substep; saved up to
     std::vector<double> m_used;           // by body: operations its island took in this frame
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
-    std::vector<std::uint8_t> m_failures; // by body: attempts in vain in a row
+    std::vector<std::uint8_t> m_failures; // by body: failed attempts in a row
     std::vector<std::uint8_t> m_stepped;  // by body, 1: on the base path
     std::vector<Choice> m_refined;
     std::vector<std::uint32_t> m_base;

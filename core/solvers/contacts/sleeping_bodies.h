@@ -32,9 +32,9 @@ class SleepingBodies {
     }
 
     bool isAsleep(BodyIndex body) const { return m_next[body] != noBody; }
-    /// All that sleep, ascending; as of the last exchange.
+    /// All sleeping bodies, ascending; as of the last exchange.
     std::span<const BodyIndex> bodies() const { return m_bodies; }
-    /// Among those that sleep and with what is immobile.
+    /// Contacts among sleeping bodies and with immobile ones.
     const ContactSet& contacts() const { return m_contacts; }
     double deepest() const { return m_deepest; } ///< overlap of these contacts [m]
     /// Of what a copy holds.
@@ -44,11 +44,11 @@ class SleepingBodies {
     void putToSleep(std::span<const BodyIndex> island);
     /// Wakes the island of a body that sleeps and appends it to `woken`. exchange() must follow.
     void wake(BodyIndex body, std::vector<BodyIndex>& woken);
-    /// Takes over the contacts of those that sleep by now, and gives back the contacts of those that were
+    /// Takes over the contacts of bodies that have been put to sleep, and returns those of bodies that were
     /// woken. Pairs ascend in both sets.
     void exchange(const Bodies& bodies, ContactSet& moving);
 
-    /// Records in the audit that the forces of what sleeps bear its weight over `duration` [s].
+    /// Records in the audit that contact forces bear the weight of sleeping bodies over `duration` [s].
     void record(const Bodies& bodies, const Vec3& gravity, double duration, Ledger& ledger) const;
 
   private:

@@ -9,26 +9,25 @@
 #include <span>
 #include <vector>
 
-// Springs on the base path, beside contacts: the force at the end of a step by where its ends are then
-// (implicit Euler), as constraints that give way (E. Catto, "Soft constraints", GDC 2011). It is linear about
-// where the ends would be without it, x̂ = x₀ + h û, not about where they are:
+// Springs on the base path, beside contacts: the force at the end of a step is that of the places of its ends
+// then (implicit Euler), solved for as a soft constraint (E. Catto, "Soft constraints", GDC 2011). It is
+// linearised about the places that the ends would have without it, x̂ = x₀ + h û, not about the present ones:
 //
 //     d = (x̂_to − x̂_from)/l̂,  l̂ = |x̂_to − x̂_from|
 //     along d     λ ← λ − m (u − û + γ (h k (l̂ − l₀) + λ) + β û)    γ = 1/(h (c + h k)),  β = h c γ
 //     across      λ ← λ − m (u − û + γ λ)                            γ = 1/(h² κ),  κ = k max(0, 1 − l₀/l̂)
 //     m = 1/(W + γ)
 //
-//     legend   u  rate at which the ends part at the end of the step [m/s], û before the solve;  h  the step
-//     [s]
-//              λ  an impulse [N s], on `to`;  W  response of u to λ [1/kg];  κ  stiffness across, by the
-//              tension k, c, l₀  as in core/dynamics/spring_force.h
+//     legend   u  rate at which the ends separate at the end of the step [m/s], û before the solve
+//              h  the step [s];  λ  an impulse [N s], on `to`;  W  response of u to λ [1/kg]
+//              κ  stiffness across, by the tension;  k, c, l₀  as in core/dynamics/spring_force.h
 //
-// Alone, a spring between centres pulls along d, so one pass is the exact step of implicit Euler, whose
-// energy only falls where the potential is convex: for l₀ = 0 everywhere. Linear about x₀ it would know
-// nothing of motion across the spring: a body that h takes further than it is from the spring's end would
-// find itself on a spring many times longer. Directions across matter where contacts turn the bodies from
-// their free ways. An undamped spring loses energy, ω h of it a radian. Where nothing touches, and in islands
-// that are refined, springs keep their energy (island_springs.cpp).
+// A single spring between centres pulls along d, so one pass is the exact step of implicit Euler. Its energy
+// does not grow where the potential is convex: for l₀ = 0 everywhere. Linearised about x₀ the spring would
+// not respond to motion across it: a body that moves further in a step than its distance from the spring's
+// other end would stretch the spring many times. The directions across matter where contacts deflect the
+// bodies from their free paths. An undamped spring loses the part ω h of its energy in a radian. Where
+// nothing touches, and in islands that are refined, springs keep their energy (island_springs.cpp).
 
 namespace carom {
 

@@ -11,33 +11,32 @@
 // (E. Catto, "Solver2D", 2024). A step of length h of all bodies is
 //
 //     v += g h
-//     approach     remembers how fast contacts without an impulse close
+//     approach     stores the closing speeds of contacts without an impulse
 //     warmStart    applies the impulses of the step before
-//     solve        with feedback: contacts that overlap are made to part, open ones may close as far as they
-//                  are
-//     x += h v     by the caller, who adds to the displacements and has the gaps follow them
-//     relax        without feedback: what parting added to the velocities is taken out again
-//     rebound      contacts that closed at a speed and took an impulse part at e times that speed; of balls
-//     one
-//                  impact after another (ball_rows.h)
-//     limit        takes back of the rebound what the kinetic energy does not allow (energy_limit.h)
+//     solve        with feedback: overlaps are corrected by velocities, open contacts may close their gap
+//     x += h v     by the caller, which adds to the displacements and updates the gaps
+//     relax        without feedback: removes the velocities that position correction has added
+//     rebound      contacts that closed at a speed and took an impulse separate at e times that speed; for
+//                  balls one impact after another (ball_rows.h)
+//     limit        reduces the rebound to what the kinetic energy allows (energy_limit.h)
 //
 //     legend   u = vB + ωB × rB − vA − ωA × rA   velocity of B's point relative to A's
 //              s = s₀ + n · (displacement of B's point less A's)         separation
 //     friction (first)   pₜ ← the nearest point of the disc of radius μ pₙ to pₜ − mₜ uₜ
-//     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − d pₙ),  uₙ with what friction has just changed
+//     normal             pₙ ← max(0, pₙ − c mₙ (uₙ + b) − d pₙ),  uₙ after the change by friction
 //              s > 0     b = s/h, c = 1, d = 0
 //              s ≤ 0     b = max(rate s, −push), c and d those of a damped spring of angular frequency
 //                        ω = 2π hardness/h and damping ratio ζ, implicit:
 //                        rate = ω/(2ζ + hω),  c = k/(1 + k),  d = 1/(1 + k),  k = hω (2ζ + hω)
-//     relax    s > 0 as above, and nothing where pₙ is 0: the next step has its turn; else b = 0, c = 1, d =
-//     0 rebound  as relax, and b = −e times the closing speed where that was remembered and pₙ > 0
+//     relax    s > 0 as above, and no change if pₙ is 0: the next step treats the contact; else b = 0, c = 1,
+//              d = 0
+//     rebound  as relax, and b = −e times the closing speed if that was stored and pₙ > 0
 //
-// Limits: the residual falls slowly in tall stacks and for large ratios of masses. What rests overlaps: a
-// contact that carries n bodies by about 2 n g h²/(hω)². So ω is as large as stacks allow. One pass solves
-// the slow modes of a stack by a small part only, and what feedback adds must be less than that part takes,
-// or they grow. In a column of n balls a pass takes E = (π/2n)² of the error of the slowest mode, and
-// feedback the part r = h rate of a gap: motion is
+// Limits: the residual falls slowly in tall stacks and for large ratios of masses. Bodies at rest overlap: in
+// a contact that carries n bodies by about 2 n g h²/(hω)². So ω is as large as stacks allow. One pass removes
+// only a small part of the slow modes of a stack, and feedback must add less than that part, or they grow. In
+// a column of n balls a pass takes E = (π/2n)² of the error of the slowest mode, and feedback the part r = h
+// rate of a gap: motion is
 //     s³ + 2E s² + (2 + r) E s + r E = 0  (per step),
 // which decays for E > r/4 (Routh). Bodies that stand on faces sway, too, and that is solved more slowly. The
 // spectral radius of a step of n cubes on each other, four points a face, three rows a point, all of them
@@ -61,32 +60,32 @@ struct StepSettings {
     double resting = 0;     ///< closing speeds up to this do not rebound [m/s]
 };
 
-/// Remembers closing speeds of rows without an impulse. True if there are any.
+/// Stores the closing speeds of rows without an impulse. True if there are any.
 bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings);
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies);
-/// What `moved`, of all bodies since the rows were made, has made of the gaps.
+/// Updates the gaps by `moved`, the displacements of all bodies since the rows were made.
 void updateGaps(ContactRows& rows, std::span<const Displacement> moved);
-/// One pass through the groups, there or `back`.
+/// One pass through the groups, forwards or `back`.
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
                      bool back);
 /// Rolling resistance after a pass: torques that oppose rolling, within what the normal impulses allow.
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
-/// The largest change it made, as a speed [m/s]: how far the worst row was from solved when its turn came.
+/// Returns the largest change it made, as a speed [m/s]: the residual of the worst row when it was solved.
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
                        bool back);
 /// The bodies that a rebound reaches, by body: 1, or 1 more than the pass in which an impact of balls changed
-/// it last. What cannot move is none of them: 0.
+/// it last. 0 for immobile bodies.
 struct ActiveBodies {
     std::span<std::uint8_t> bodies;
     std::uint32_t immobile = 0;
 };
 
-/// The number of rows that recordApproach remembered and that took an impulse since. Their bodies are
-/// active from then on.
+/// The number of rows whose closing speeds recordApproach() stored and that have taken an impulse since.
+/// Their bodies become active.
 int activate(const ContactRows& rows, const ActiveBodies& active);
-/// Makes them rebound. Rows of which no body is active are left as they are; those that change by more than
-/// what rests activate their bodies. The impulses of those that part faster than what rests are forgotten:
-/// they are no forces.
+/// Makes these rows rebound. Rows without an active body are left unchanged; those that change by more than
+/// `resting` activate their bodies. The impulses of rows that separate faster than `resting` are set to 0,
+/// because they are no lasting forces.
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
              const ActiveBodies& active);
 
