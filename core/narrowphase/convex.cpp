@@ -17,6 +17,8 @@ constexpr double convergence = 1e-14;
 // Shapes nearer than this part of the size touch; the polytope is used then. At a hundredth, the direction
 // between the nearest points would be rounding; at a hundred times nothing changes.
 constexpr double touching = 1e-14;
+// A search that has not ended by then gives the best points so far. Twice or half changes only how near these
+// are, and what such a search costs.
 constexpr int maxIterations = 128;
 
 // Up to four points and the weights of the point of their hull nearest the origin.

@@ -19,6 +19,8 @@ constexpr double rimPart = 0.05;
 /// GJK ends when no point of the difference is nearer by this part of the squared distance: the direction is
 /// right to a thousandth of a radian, at a hundred times to a hundredth.
 constexpr double convergence = 1e-6;
+/// A search that has not ended by then gives the best vector so far. Twice or half changes only how exact
+/// that is, and what such a search costs.
 constexpr int mostIterations = 24;
 /// Directions that are exact for flat contacts are preferred to others whose gap is larger by less than this
 /// part of the size: far above rounding, far below a visible gap; ten times more or less changes nothing.

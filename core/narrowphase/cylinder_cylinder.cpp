@@ -28,7 +28,8 @@ namespace {
 // hundredth, the direction across both axes would be rounding; at a hundred times nothing changes.
 constexpr double parallel = 1e-14;
 // Below this angle [rad] the lowest point of a cap is a poor estimate of where it is nearest to the other
-// cap.
+// cap, and another direction is tried as well. At half, some pairs have only the poor estimate; at twice,
+// more pairs try both.
 constexpr double nearlyParallel = 0.2;
 // Two points further apart than the projections by this part of the gap still prove a distance: some tens of
 // rounding errors. At a hundredth, no pair is proven and every search is complete.

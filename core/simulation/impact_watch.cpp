@@ -16,7 +16,8 @@ constexpr double asGravity = 2;
 /// operations, 1e-13; at a thousandth of it, rounding counts as an impact without gravity.
 constexpr double rounding = 1e-9;
 /// The mean force of air at both ends of a frame is right to this part, while it takes less than a body's
-/// speed in a frame.
+/// speed in a frame. At half, bodies that air slows down strongly may count as struck; at twice, impacts in
+/// air that change a velocity by twice as much are not seen.
 constexpr double meanWithin = 0.1;
 
 } // namespace

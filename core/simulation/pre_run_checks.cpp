@@ -46,8 +46,9 @@ constexpr std::size_t mostWallPairs = 10'000'000;
 
 /// A text that is being typed may have a hundred thousand bodies in one place, and the editor must still
 /// respond. Bodies that are apart, or rest on each other, have at most a dozen neighbours each; where the
-/// average is above this, only the first thousand bodies are checked for overlaps. At half, dense packings
-/// are not checked wholly; at twice, checks of such texts take twice as long.
+/// average is above this, only the first thousand bodies are checked for overlaps. At half of the first,
+/// dense packings are not checked wholly; at twice of either, checks of such texts take twice as long; at
+/// half of the second, fewer overlaps are named.
 constexpr double mostNeighbours = 20;
 constexpr std::size_t bodiesOfAHeap = 1000;
 

@@ -46,6 +46,7 @@ StudyColumns columnsOf(const Scene& scene) {
 
 /// The limits of a column, for people.
 std::string limitsOf(const Scene& scene, std::string_view preset) {
+    // Limits that are listed; twice or half changes the length of the text only.
     constexpr std::size_t most = 3;
     std::string text;
     std::size_t count = 0;

@@ -101,7 +101,7 @@ double housnerRatio(double halfWidth, double halfHeight) {
 
 double completeEllipticK(double modulus) {
     double a = 1, g = std::sqrt(1 - modulus * modulus);
-    constexpr int enough = 40; // it converges quadratically: ten do
+    constexpr int enough = 40; // it converges quadratically: ten are enough, so twice or half changes nothing
     for (int i = 0; i < enough && std::abs(a - g) > 1e-16 * a; ++i)
         a = std::exchange(g, std::sqrt(a * g)) / 2 + a / 2;
     return std::numbers::pi / (a + g);

@@ -54,10 +54,14 @@
 namespace carom {
 
 struct StepSettings {
-    double duration = 0;    ///< h [s]
-    double hardness = 0.25; ///< of a contact with what cannot move twice as hard; at .27 stacks sway
-    double damping = 10;    ///< ζ
-    double resting = 0;     ///< closing speeds up to this do not rebound [m/s]
+    double duration = 0; ///< h [s]
+    /// A contact with an immobile body is twice as hard as one of two mobile ones. At half, overlaps at rest
+    /// are four times as deep; from .27 on, stacks sway (table above).
+    double hardness = 0.25;
+    /// ζ. At twice, overlaps are corrected about half as fast; at half, about twice as fast, and columns of
+    /// fewer balls sway (E > r/4 above).
+    double damping = 10;
+    double resting = 0; ///< closing speeds up to this do not rebound [m/s]
 };
 
 /// Stores the closing speeds of rows without an impulse. True if there are any.
