@@ -18,10 +18,6 @@ inline Vec3 uniformIn(Random& random, double half) {
     return {x, y, random.uniform(-half, half)};
 }
 
-inline Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
-    return {from[0][lane], from[1][lane], from[2][lane]};
-}
-
 /// A pair that owns its points.
 struct OwnedPair {
     PairInput laws;

@@ -127,6 +127,15 @@ class BallRows {
             for (const std::uint32_t source : fixed.source)
                 if (source != noPair) visit(source);
     }
+    /// visit(source) for every pair with an impulse.
+    template<class Visit>
+    void forEachPressed(const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i) {
+            const Wide pressing = m_groups[i].row.normal + m_fixed[i].held[0];
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (pressing[lane] > 0 && m_fixed[i].source[lane] != noPair) visit(m_fixed[i].source[lane]);
+        }
+    }
     /// visit(source, normal, impulse on B [N s]) for every pair.
     template<class Visit>
     void forEach(const Visit& visit) const {
@@ -185,9 +194,6 @@ class BallRows {
     }
     static BallGroup emptyGroup(std::uint32_t immobile);
     struct Refresh;
-    static Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
-        return {from[0][lane], from[1][lane], from[2][lane]};
-    }
     template<class Visit>
     void visitStill(std::span<const std::uint8_t> still, std::size_t i, bool alsoHeld,
                     const Visit& visit) const {

@@ -23,10 +23,6 @@ void setLane(std::array<Wide, 3>& to, std::size_t lane, const Vec3& value) {
     for (std::size_t k = 0; k < 3; ++k) to[k][lane] = value[static_cast<Eigen::Index>(k)];
 }
 
-Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
-    return {from[0][lane], from[1][lane], from[2][lane]};
-}
-
 /// Response of a contact point, with `arm` from the centre of a body: the change of its velocity along each
 /// axis of the frame by an impulse of 1 N s along each axis. Adds one body at a time.
 struct Response {

@@ -42,6 +42,11 @@ struct PairInput {
     std::span<const PointInput> points;
 };
 
+/// What one of four is.
+inline Vec3 laneOf(const std::array<Wide, 3>& from, std::size_t lane) {
+    return {from[0][lane], from[1][lane], from[2][lane]};
+}
+
 /// Four contact points side by side.
 struct alignas(32) RowPoint {
     std::array<Wide, 3> armA, armB;

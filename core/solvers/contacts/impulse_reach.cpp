@@ -100,6 +100,8 @@ void ImpulseReach::meet(const Input& input, std::uint32_t p) {
 }
 
 void ImpulseReach::find(const Input& input) {
+    m_isReached.clear();
+    if (input.pairs.empty()) return;
     for (const BodyIndex i : input.members) {
         m_time[i] = never;
         m_speed[i] = 0;

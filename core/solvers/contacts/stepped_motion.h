@@ -156,9 +156,8 @@ class SteppedMotion {
             const PersistentManifold& manifold = manifolds[m_entries[entry].place];
             visit(islandHere(manifold.pair), manifold.open ? 0 : manifold.count, manifold.round);
         }
-        m_balls.forEach([&](std::uint32_t index, const Vec3&, const Vec3& impulse) {
-            if (impulse != Vec3::Zero()) visit(islandHere(m_entries[index].pair), 1, true);
-        });
+        m_balls.forEachPressed(
+            [&](std::uint32_t index) { visit(islandHere(m_entries[index].pair), 1, true); });
     }
     /// What islandOf() returns is below this.
     std::size_t islandNumbers() const { return m_groups.size(); }

@@ -5,7 +5,9 @@
 #include "core/solvers/contacts/stepped_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -93,19 +95,19 @@ void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manif
         for (const PointInput& point :
              std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
             if (m_still.is(a) && m_still.is(b)) m_heldDeepest = std::max(m_heldDeepest, -point.separation);
-            if (a != immobile && m_still.is(a)) loadOf(a, b).add(point.armA, -point.impulse);
-            if (b != immobile && m_still.is(b)) loadOf(b, a).add(point.armB, point.impulse);
+            if (m_still.rests(a)) loadOf(a, b).add(point.armA, -point.impulse);
+            if (m_still.rests(b)) loadOf(b, a).add(point.armB, point.impulse);
         }
-        if (a != immobile && m_still.is(a)) loadOf(a, b).torque -= contact.torque;
-        if (b != immobile && m_still.is(b)) loadOf(b, a).torque += contact.torque;
+        if (m_still.rests(a)) loadOf(a, b).torque -= contact.torque;
+        if (m_still.rests(b)) loadOf(b, a).torque += contact.torque;
     }
     const double perStep = 1 / m_step;
     m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
         const Vec3 force = perStep * contact.impulse;
         const auto [a, b] = std::pair(contact.a, contact.b);
         if (m_still.is(a) && m_still.is(b)) ++m_heldContacts;
-        if (a != immobile && m_still.is(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
-        if (b != immobile && m_still.is(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
+        if (m_still.rests(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
+        if (m_still.rests(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
     });
 }
 
@@ -120,23 +122,20 @@ void SteppedMotion::sampleLoads() {
             const std::uint32_t a = group.a[lane], b = group.b[lane];
             for (std::uint32_t k = 0; k < group.points; ++k) {
                 const RowPoint& point = m_rows.points()[group.firstPoint + k];
-                const auto armOf = [lane](const std::array<Wide, 3>& arm) {
-                    return Vec3(arm[0][lane], arm[1][lane], arm[2][lane]);
-                };
                 const Vec3 force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
-                if (a != immobile && m_still.is(a)) m_still.sample(a).add(armOf(point.armA), -force);
-                if (b != immobile && m_still.is(b)) m_still.sample(b).add(armOf(point.armB), force);
+                if (m_still.rests(a)) m_still.sample(a).add(laneOf(point.armA, lane), -force);
+                if (m_still.rests(b)) m_still.sample(b).add(laneOf(point.armB, lane), force);
             }
         }
     for (const RollingRow& row : m_rows.rolling()) {
-        if (row.a != immobile && m_still.is(row.a)) m_still.sample(row.a).torque -= perStep * row.torque;
-        if (row.b != immobile && m_still.is(row.b)) m_still.sample(row.b).torque += perStep * row.torque;
+        if (m_still.rests(row.a)) m_still.sample(row.a).torque -= perStep * row.torque;
+        if (m_still.rests(row.b)) m_still.sample(row.b).torque += perStep * row.torque;
     }
     m_balls.forEachBeside(m_still.flags(), [&](const BallRows::Contact& contact) {
         const auto [a, b] = std::pair(contact.a, contact.b);
         const Vec3 force = perStep * contact.impulse;
-        if (a != immobile && m_still.is(a)) m_still.sample(a).add(contact.radiusA * contact.normal, -force);
-        if (b != immobile && m_still.is(b)) m_still.sample(b).add(-contact.radiusB * contact.normal, force);
+        if (m_still.rests(a)) m_still.sample(a).add(contact.radiusA * contact.normal, -force);
+        if (m_still.rests(b)) m_still.sample(b).add(-contact.radiusB * contact.normal, force);
     });
 }
 
@@ -195,13 +194,12 @@ bool SteppedMotion::wakeStruck(const SteppedInput& input, const Manifolds& manif
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             const std::uint32_t a = group.a[lane], b = group.b[lane];
             if (group.source[lane] == ContactRows::noPair || m_still.is(a) == m_still.is(b)) continue;
-            const Vec3 normal(group.normal[0][lane], group.normal[1][lane], group.normal[2][lane]);
+            const Vec3 normal = laneOf(group.normal, lane);
             for (std::uint32_t k = 0; k < group.points; ++k) {
                 const RowPoint& point = m_rows.points()[group.firstPoint + k];
                 if (!(point.massNormal[lane] > 0)) continue;
-                const Vec3 armA(point.armA[0][lane], point.armA[1][lane], point.armA[2][lane]);
-                const Vec3 armB(point.armB[0][lane], point.armB[1][lane], point.armB[2][lane]);
-                const Vec3 speed = velocityAt(m_bodies[a], armA) - velocityAt(m_bodies[b], armB);
+                const Vec3 speed = velocityAt(m_bodies[a], laneOf(point.armA, lane)) -
+                                   velocityAt(m_bodies[b], laneOf(point.armB, lane));
                 strike(a, b, normal.dot(speed), group.restitution[lane]);
             }
         }

@@ -63,6 +63,8 @@ class StillBodies {
     bool any() const { return m_count > 0; }
     std::size_t count() const { return m_count; }
     bool is(std::uint32_t number) const { return m_is[number] != 0; }
+    /// Whether it could move, too.
+    bool rests(std::uint32_t number) const { return number != 0 && is(number); }
     std::span<const std::uint8_t> flags() const { return m_is; }
     void set(std::uint32_t number, bool isStill) {
         m_count = m_count + (isStill ? 1 : 0) - m_is[number];

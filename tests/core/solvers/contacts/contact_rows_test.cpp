@@ -22,7 +22,6 @@ namespace {
 
 constexpr double roundingOfRows = 1e-12; // of products of a few numbers of the size of 1
 
-using test::laneOf;
 using test::ObviousGroups;
 using test::OwnedPair;
 using test::RowKind;
