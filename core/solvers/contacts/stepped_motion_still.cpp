@@ -118,8 +118,9 @@ void SteppedMotion::sampleLoads() {
     m_still.beginSamples();
     for (const RowGroup& group : m_rows.groups())
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-            if (group.source[lane] == ContactRows::noPair) continue;
             const std::uint32_t a = group.a[lane], b = group.b[lane];
+            if (group.source[lane] == ContactRows::noPair || (!m_still.rests(a) && !m_still.rests(b)))
+                continue;
             for (std::uint32_t k = 0; k < group.points; ++k) {
                 const RowPoint& point = m_rows.points()[group.firstPoint + k];
                 const Vec3 force = perStep * m_rows.impulseOf(group, static_cast<int>(lane), k);
@@ -248,7 +249,7 @@ void SteppedMotion::passOnStrikes(const SteppedInput& input, const Manifolds& ma
                 passOn(a, b, pairOf(input.bodies, m_entries[entry].pair, 0).restitution);
         }
         m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
-            if (m_still.is(contact.a) && m_still.is(contact.b) && contact.impulse != Vec3::Zero())
+            if (m_still.is(contact.a) && m_still.is(contact.b))
                 passOn(contact.a, contact.b, contact.restitution);
         });
     }
