@@ -15,7 +15,7 @@ namespace carom::test {
 /// "<counts>.<k>". What the program says is a state hash a line.
 inline Ended countFrames(const QList<QByteArray>& texts, int warmUp, int counted, const QString& counts) {
     return runCommand(QStringLiteral("valgrind"),
-                      {QStringLiteral("--tool=callgrind"),
+                      {QStringLiteral("--tool=callgrind"), QStringLiteral("--instr-atstart=no"),
                        QStringLiteral("--toggle-collect=carom::countedFrames*"),
                        QStringLiteral("--dump-after=carom::countedFrames(carom::World&, int)"),
                        QStringLiteral("--callgrind-out-file=") + counts, QStringLiteral(CAROM_FRAMES),
