@@ -18,7 +18,7 @@ using namespace carom;
 
 namespace {
 
-constexpr int opens = 300; // [ms] until the dialog is there; it is asked for again if it is not
+constexpr int opens = 10; // [ms] between looks whether the dialog is there
 
 /// What the dialog shows when it opens, and what comes back once `name` has been typed and Return pressed.
 /// Whoever may not replace a file changes their mind.
