@@ -13,8 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr int idleTime = 150;     // [ms] without a key until a build: at a tenth one a key, at ten times late
-constexpr int lookInterval = 100; // [ms] between two reports of the progress of a build
+constexpr int lookInterval = 100;             // [ms] between two reports of the progress of a build
 constexpr qsizetype builtAtOnce = 256 * 1024; // [bytes]; at 30 MB/s this takes less than 10 ms
 
 /// What is built of which text.
@@ -76,7 +75,7 @@ LiveBuild::~LiveBuild() {
 void LiveBuild::textEdited(std::int64_t revision) {
     m_revision = revision;
     stop();
-    m_idle.start(idleTime);
+    m_idle.start(m_idleTime);
 }
 
 void LiveBuild::hurry() {

@@ -153,6 +153,7 @@ class WorkbenchTest : public QObject {
                                   longestWait);
         ide.editor.undo();
         QCOMPARE(ide.editor.bytes(), before);
+        QTRY_VERIFY_WITH_TIMEOUT(ide.current(), longestWait); // else its build ends the run that follows
 
         const auto pipeline =
             std::make_shared<const Pipeline>(ide.bench.preview().shown()->scene(), settings);
