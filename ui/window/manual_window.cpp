@@ -12,6 +12,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSplitter>
@@ -73,7 +74,6 @@ void spaceOut(QTextDocument& document) {
     constexpr double lineHeight = 130;                        // [%]
     constexpr double above = 22, aboveLesser = 16, below = 6; // [px] of a heading
     QTextCursor cursor(&document);
-    cursor.beginEditBlock(); // laid out once, not at every line
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         if (format.headingLevel() > 0) {
@@ -85,7 +85,6 @@ void spaceOut(QTextDocument& document) {
         cursor.setPosition(block.position());
         cursor.setBlockFormat(format);
     }
-    cursor.endEditBlock();
 }
 
 /// The import begins a table's first cell with an empty line, and forgets that it is a heading.
@@ -248,9 +247,16 @@ void ManualWindow::fillContents() {
 void ManualWindow::showPage(std::size_t page) {
     if (page == m_shown && !m_text->document()->isEmpty()) return;
     m_shown = page;
-    m_text->document()->setMarkdown(m_pages[page].markdown, QTextDocument::MarkdownDialectGitHub);
-    addPictures(*m_text->document(), m_pages[page].markdown, devicePixelRatioF());
-    layOut(*m_text->document());
+    // One that nothing shows yet is laid out when it is complete, one on screen with every line that comes.
+    QTextDocument* document = new QTextDocument(m_text);
+    document->setDefaultFont(m_text->document()->defaultFont());
+    document->setUndoRedoEnabled(false);
+    document->setMarkdown(m_pages[page].markdown, QTextDocument::MarkdownDialectGitHub);
+    addPictures(*document, m_pages[page].markdown, devicePixelRatioF());
+    layOut(*document);
+    const QPointer<QTextDocument> before = m_text->document(); // the browser ends its own, if it is that
+    m_text->setDocument(document);
+    delete before;
     m_text->verticalScrollBar()->setValue(0);
 }
 
