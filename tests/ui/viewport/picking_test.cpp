@@ -84,9 +84,10 @@ class PickingTest : public QObject {
             const Vec3 origin = randomVector(random, 0.5) + Vec3(0, 0, 4);
             const Vec3 aim = body.pose.position + randomVector(random, 0.3);
             const Ray ray{origin, (aim - origin).normalized()};
+            const Vec3 start = body.pose.toBody(ray.origin);
+            const Vec3 direction = body.pose.directionToBody(ray.direction);
             double walked = 0;
-            while (walked < 9 && !inside(body.shape, body.pose.toBody(ray.origin + walked * ray.direction)))
-                walked += pace;
+            while (walked < 9 && !inside(body.shape, start + walked * direction)) walked += pace;
             const std::optional<double> found = entry(ray, body.shape, body.pose);
             if (walked < 9) {
                 QVERIFY2(found && *found <= walked && *found > walked - pace - closedForm,
