@@ -7,6 +7,7 @@
 #include "ui/editor/scene_editor.h"
 #include "ui/player/simulation.h"
 #include "ui/base/actions.h"
+#include "ui/base/pauses.h"
 #include "ui/window/main_window.h"
 #include "ui/window/workbench.h"
 
@@ -20,6 +21,10 @@
 
 namespace carom::test {
 
+/// How many times shorter the pauses of the program are in tests, where nobody needs them: a text is built 15
+/// ms after the last key.
+inline constexpr int shorterPauses = 10;
+
 /// A QApplication as the program makes it, with an empty home.
 class IdeApplication {
   public:
@@ -29,6 +34,7 @@ class IdeApplication {
         m_application = std::make_unique<QApplication>(argumentCount, arguments);
         QApplication::setOrganizationName(QStringLiteral("carom-test"));
         QApplication::setApplicationName(QStringLiteral("carom-test"));
+        shortenPauses(shorterPauses);
     }
     ~IdeApplication() {
         if (atEnd) atEnd();

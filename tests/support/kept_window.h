@@ -70,8 +70,6 @@ class KeptWindow {
         // it is laid out anew each time it gets another parent.
         qApp->setStyleSheet(QString());
         std::unique_ptr<Workbench> bench = std::make_unique<Workbench>();
-        constexpr int pause = 10; // [ms] after a key until the text is built; no test depends on how long
-        bench->builds().setIdleTime(pause);
         bench->window().show();
         return bench;
     }

@@ -4,6 +4,7 @@
 #include "core/base/hash.h"
 #include "core/language/analysis.h"
 #include "ui/base/file_output.h"
+#include "ui/base/pauses.h"
 
 #include <QDir>
 #include <QFile>
@@ -65,7 +66,7 @@ std::optional<std::uint64_t> hashOfFile(const QString& path) {
 
 Document::Document(TextBuffer& buffer, QObject* parent) : QObject(parent), m_buffer(buffer) {
     m_quiet.setSingleShot(true);
-    m_quiet.setInterval(quietTime);
+    m_quiet.setInterval(pauseOf(quietTime));
     const auto wait = [this] { m_quiet.start(); };
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, wait);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, wait);

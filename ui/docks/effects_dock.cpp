@@ -6,6 +6,7 @@
 
 #include "core/base/catalogue.h"
 #include "core/effects/effect.h"
+#include "ui/base/pauses.h"
 #include "ui/widgets/text_of.h"
 
 #include <QCoreApplication>
@@ -62,7 +63,7 @@ EffectsDock::EffectsDock(const Theme& theme, QWidget* parent)
     setWidget(m_state);
     setFocusProxy(m_text);
     m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     connect(&m_refresh, &QTimer::timeout, this, [this] {
         if (m_result && isVisible()) fill();
     });

@@ -5,6 +5,7 @@
 #include "core/expectations/expectation_proposals.h"
 #include "core/scene/schema.h"
 #include "core/simulation/quantities.h"
+#include "ui/base/pauses.h"
 #include "ui/widgets/body_title.h"
 #include "ui/widgets/colour_picker.h"
 #include "ui/widgets/empty_state.h"
@@ -230,7 +231,7 @@ InspectorDock::InspectorDock(QWidget* parent)
     setWidget(m_state);
     setFocusProxy(m_tree);
     m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     connect(&m_refresh, &QTimer::timeout, this, &InspectorDock::refresh);
     m_state->setEmpty(true);
 }

@@ -9,6 +9,7 @@
 #include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
+#include "ui/base/pauses.h"
 #include "ui/widgets/text_of.h"
 
 #include <QComboBox>
@@ -60,7 +61,7 @@ PlotsDock::PlotsDock(QWidget* parent)
     connect(remove, &QShortcut::activated, this, &PlotsDock::removeCurve);
     layOut();
     m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     connect(&m_refresh, &QTimer::timeout, this, &PlotsDock::redraw);
     connect(&m_run, &ProbeRun::measured, this, &PlotsDock::take);
     connect(m_bodies, &QComboBox::currentIndexChanged, this, &PlotsDock::fillQuantities);

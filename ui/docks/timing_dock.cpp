@@ -7,6 +7,7 @@
 #include "ui/base/export_menu.h"
 #include "ui/widgets/panel_parts.h"
 #include "ui/base/file_output.h"
+#include "ui/base/pauses.h"
 #include "ui/widgets/value_table.h"
 
 #include <QHBoxLayout>
@@ -92,7 +93,7 @@ TimingDock::TimingDock(QWidget* parent)
         m_compare->setEnabled(m_comparison->count() > 0);
         if (m_comparison->count() == 0) m_compare->setChecked(false);
     });
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     m_refresh.setSingleShot(true);
     connect(&m_refresh, &QTimer::timeout, this, &TimingDock::updateStatistics);
     updateStatistics();

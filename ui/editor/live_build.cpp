@@ -3,6 +3,7 @@
 
 #include "core/base/hash.h"
 #include "ui/base/failures.h"
+#include "ui/base/pauses.h"
 
 #include <QMetaObject>
 
@@ -13,7 +14,8 @@
 namespace carom {
 namespace {
 
-constexpr int lookInterval = 100;             // [ms] between two reports of the progress of a build
+constexpr int idleTime = 150;     // [ms] without a key until a build: at a tenth one a key, at ten times late
+constexpr int lookInterval = 100; // [ms] between two reports of the progress of a build
 constexpr qsizetype builtAtOnce = 256 * 1024; // [bytes]; at 30 MB/s this takes less than 10 ms
 
 /// What is built of which text.
@@ -75,7 +77,7 @@ LiveBuild::~LiveBuild() {
 void LiveBuild::textEdited(std::int64_t revision) {
     m_revision = revision;
     stop();
-    m_idle.start(m_idleTime);
+    m_idle.start(pauseOf(idleTime));
 }
 
 void LiveBuild::hurry() {

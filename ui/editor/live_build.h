@@ -43,7 +43,7 @@ class LiveBuild : public QObject {
     explicit LiveBuild(std::function<QByteArray()> text, QObject* parent = nullptr);
     ~LiveBuild() override;
 
-    /// The text is at this revision now; it will be built when it has rested for 150 ms, or as long as set.
+    /// The text is at this revision now; it will be built when it has rested for a pause of 150 ms.
     void textEdited(std::int64_t revision);
     /// For simulating what is built from now on; 0: as the scene or the machine says.
     void setThreads(int count) { m_threads = count; }
@@ -54,8 +54,6 @@ class LiveBuild : public QObject {
     void textReplaced(std::int64_t revision);
     /// Gives up the build under way; the text is built after its next edit.
     void cancel();
-    /// How long the text rests before it is built [ms].
-    void setIdleTime(int milliseconds) { m_idleTime = milliseconds; }
     /// How long a build may take before progressed() tells of it [ms].
     void setProgressDelay(int milliseconds) { m_progressDelay = milliseconds; }
 
@@ -90,8 +88,6 @@ class LiveBuild : public QObject {
     std::int64_t m_revision = 0;
     bool m_fresh = false;
     int m_threads = 0;
-    /// [ms] without a key until a build: at a tenth one a key, at ten times late
-    int m_idleTime = 150;
     int m_progressDelay = 300; ///< [ms]
     SharedBuild m_latest;
     std::shared_ptr<Work> m_work; ///< of the build under way on the thread; null: none is

@@ -2,6 +2,7 @@
 #include "ui/window/expectation_commands.h"
 
 #include "ui/base/actions.h"
+#include "ui/base/pauses.h"
 #include "core/base/clock.h"
 #include "core/language/expectation_edit.h"
 #include "ui/docks/checks_dock.h"
@@ -29,7 +30,7 @@ ExpectationCommands::ExpectationCommands(MainWindow& window, Simulation& simulat
     : QObject(&window), m_window(window), m_simulation(simulation), m_builds(builds), m_preview(preview),
       m_marks(new ExpectationMarks(window.editor(), marks.messages(), loadTheme(true))) {
     m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     connect(&m_refresh, &QTimer::timeout, this, &ExpectationCommands::refresh);
     connect(&simulation, &Simulation::restarted, this, [this] {
         m_run.reset();
@@ -106,7 +107,7 @@ void ExpectationCommands::refresh() {
     for (const CheckRow& row : m_rows)
         if (row.failedAt) failures.push_back(*row.failedAt);
     m_window.timeline().setFailures(std::move(failures));
-    m_refresh.setInterval(std::max(refreshInterval, static_cast<int>(clock.elapsed() / mostShare)));
+    m_refresh.setInterval(std::max(pauseOf(refreshInterval), static_cast<int>(clock.elapsed() / mostShare)));
 }
 
 } // namespace carom

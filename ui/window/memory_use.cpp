@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/memory_use.h"
 
+#include "ui/base/pauses.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/player/simulation.h"
@@ -30,7 +31,7 @@ QString inMebibytes(std::size_t bytes) {
 MemoryUse::MemoryUse(MainWindow& window, Simulation& simulation)
     : QObject(&window), m_window(window), m_simulation(simulation) {
     m_refresh.setSingleShot(true);
-    m_refresh.setInterval(refreshInterval);
+    m_refresh.setInterval(pauseOf(refreshInterval));
     connect(&m_refresh, &QTimer::timeout, this, &MemoryUse::refresh);
     connect(&simulation, &Simulation::snapshotArrived, this, [this] {
         if (!m_refresh.isActive()) m_refresh.start();

@@ -2,6 +2,7 @@
 #include "ui/window/new_scene_dialog.h"
 
 #include "ui/base/failures.h"
+#include "ui/base/pauses.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/resources.h"
 #include "ui/widgets/text_of.h"
@@ -99,7 +100,7 @@ NewSceneDialog::NewSceneDialog(bool dark, QWidget* parent)
 
     m_worker.setMaxThreadCount(1);
     m_idle.setSingleShot(true);
-    m_idle.setInterval(idleTime);
+    m_idle.setInterval(pauseOf(idleTime));
     connect(&m_idle, &QTimer::timeout, this, &NewSceneDialog::make);
     connect(m_list, &QListWidget::currentItemChanged, this, &NewSceneDialog::showOptions);
     fillList();

@@ -2,6 +2,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
+#include "ui/base/pauses.h"
 #include "ui/docks/effects_dock.h"
 
 #include "core/effects/effect.h"
@@ -39,6 +40,8 @@ std::vector<FrameSample> responses(int count) {
 class EffectsDockTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
+    void initTestCase() { shortenPauses(10); }
+
     void everyEffectHasItsReasonAndTheLineThatCallsForIt() {
         EffectsDock dock(loadTheme(true));
         dock.show(ballOverFloor());

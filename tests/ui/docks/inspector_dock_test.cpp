@@ -2,6 +2,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
+#include "ui/base/pauses.h"
 #include "ui/docks/inspector_dock.h"
 
 #include "core/simulation/build.h"
@@ -29,6 +30,8 @@ class InspectorDockTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void initTestCase() { shortenPauses(10); }
+
     void everyValueOfTheBodyIsThereWithItsUnit() {
         InspectorDock dock;
         dock.showPipeline(build(scene).pipeline);

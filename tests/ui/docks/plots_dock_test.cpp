@@ -2,6 +2,7 @@
 #include "tests/support/files.h"
 #include "tests/support/test_class.h"
 
+#include "ui/base/pauses.h"
 #include "ui/docks/plots_dock.h"
 
 #include "core/simulation/build.h"
@@ -67,6 +68,8 @@ class PlotsDockTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    void initTestCase() { shortenPauses(10); }
+
     void aCurveHasTheFigureOfEveryFrameFromTheStartAlsoWhenItIsAddedLate() {
         Shown shown;
         shown.dock.reach(30);

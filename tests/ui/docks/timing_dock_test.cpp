@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include "core/math/statistics.h"
+#include "ui/base/pauses.h"
 #include "ui/docks/run_comparison.h"
 #include "ui/docks/timing_dock.h"
 #include "ui/widgets/value_table.h"
@@ -48,6 +49,8 @@ class TimingDockTest : public QObject {
     QTemporaryDir m_folder;
 
   private Q_SLOTS:
+    void initTestCase() { shortenPauses(10); }
+
     void theTableHoldsTheStatisticsWithoutTheFirstFrame() {
         TimingDock dock;
         dock.addSamples(countingSamples(100));

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFileSystemWatcher>
+#include <QScopeGuard>
 #include <QSignalSpy>
 
 #include <sys/stat.h>
@@ -141,6 +142,8 @@ class DocumentTest : public QObject {
     }
 
     void aFileWrittenInPiecesIsToldOfWhenItIsWhole() {
+        shortenPauses(1);
+        const QScopeGuard after([] { shortenPauses(shorterPauses); });
         OpenDocument opened("one");
         auto& [folder, path, buffer, document] = opened;
         QByteArray found;
