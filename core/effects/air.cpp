@@ -27,6 +27,7 @@
 // outgrow the speed at which drag balances a.
 
 namespace carom {
+namespace airEffect {
 namespace {
 
 class AirDrag final : public ForceTerm {
@@ -174,6 +175,7 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+} // namespace airEffect
 
 EffectWords airWords() {
     DeclarationRow air = {.name = "air",
@@ -215,13 +217,13 @@ constinit const EffectRow airRow = {
     .name = "air",
     .title = "Air drag",
     .help = "Air slows bodies by the square of their speed, and wind carries them along.",
-    .decide = decide,
+    .decide = airEffect::decide,
     .unmetMessage = "air drag is not simulated yet; bodies move as in a vacuum",
     .exactObjection = "air slows bodies between events",
-    .contribute = contribute,
-    .gives = gives,
-    .damps = damps,
-    .hint = hint,
+    .contribute = airEffect::contribute,
+    .gives = airEffect::gives,
+    .damps = airEffect::damps,
+    .hint = airEffect::hint,
 };
 
 } // namespace carom

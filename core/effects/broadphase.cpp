@@ -6,6 +6,7 @@
 // changes no motion (core/broadphase).
 
 namespace carom {
+namespace broadphaseEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
@@ -29,13 +30,14 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 } // namespace
+} // namespace broadphaseEffect
 
 extern const EffectRow broadphaseRow;
 constinit const EffectRow broadphaseRow = {
     .name = "broadphase",
     .title = "Broad-phase",
     .help = "Only pairs whose boxes overlap are compared, which saves time.",
-    .decide = decide,
+    .decide = broadphaseEffect::decide,
 };
 
 } // namespace carom

@@ -5,6 +5,7 @@
 // Bodies are rigid and do not pass through each other. How they are separated is up to the method.
 
 namespace carom {
+namespace collisionEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
@@ -31,13 +32,14 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 } // namespace
+} // namespace collisionEffect
 
 extern const EffectRow collisionRow;
 constinit const EffectRow collisionRow = {
     .name = "collision",
     .title = "Collision",
     .help = "Bodies that meet push each other apart.",
-    .decide = decide,
+    .decide = collisionEffect::decide,
 };
 
 } // namespace carom

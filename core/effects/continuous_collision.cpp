@@ -18,6 +18,7 @@
 // impact gives energy, or wind does, there is no bound either.
 
 namespace carom {
+namespace continuousCollisionEffect {
 namespace {
 
 double kineticEnergyOf(const Body& body) {
@@ -91,13 +92,14 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 } // namespace
+} // namespace continuousCollisionEffect
 
 extern const EffectRow continuousCollisionRow;
 constinit const EffectRow continuousCollisionRow = {
     .name = "continuous_collision",
     .title = "Continuous collision",
     .help = "Impacts are found between the ends of a step, so that nothing passes through anything.",
-    .decide = decide,
+    .decide = continuousCollisionEffect::decide,
 };
 
 } // namespace carom

@@ -13,6 +13,7 @@
 // μ is 0 unless both bodies have some.
 
 namespace carom {
+namespace frictionEffect {
 namespace {
 
 bool isRough(const Body& body) { return body.friction > 0; }
@@ -76,6 +77,7 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+} // namespace frictionEffect
 
 EffectWords frictionWords() {
     ParameterRow friction = {
@@ -100,14 +102,14 @@ constinit const EffectRow frictionRow = {
     .name = "friction",
     .title = "Friction",
     .help = "Resists sliding by at most the coefficient times the normal force.",
-    .decide = decide,
+    .decide = frictionEffect::decide,
     .unmetMessage = "friction is not simulated yet; bodies slide without it",
     .exactObjection = "friction would turn and slow the bodies it reaches",
     .law = {&Body::friction, &Bodies::friction},
-    .contribute = contribute,
-    .turns = turns,
-    .damps = damps,
-    .hint = hint,
+    .contribute = frictionEffect::contribute,
+    .turns = frictionEffect::turns,
+    .damps = frictionEffect::damps,
+    .hint = frictionEffect::hint,
 };
 
 } // namespace carom

@@ -15,6 +15,7 @@
 //     legend   g  `accel` [m/s²]      m  mass [kg]      x  centre of mass [m], from the world's origin
 
 namespace carom {
+namespace gravityEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts&) {
@@ -73,6 +74,7 @@ std::optional<double> gives(const Scene& scene) {
 }
 
 } // namespace
+} // namespace gravityEffect
 
 EffectWords gravityWords() {
     DeclarationRow gravity = {.name = "gravity",
@@ -101,10 +103,10 @@ constinit const EffectRow gravityRow = {
     .name = "gravity",
     .title = "Gravity",
     .help = "Accelerates every mobile body by the same constant vector.",
-    .decide = decide,
-    .contribute = contribute,
-    .stored = {.of = stored, .account = LedgerAccount::Gravity, .ofHeight = true},
-    .gives = gives,
+    .decide = gravityEffect::decide,
+    .contribute = gravityEffect::contribute,
+    .stored = {.of = gravityEffect::stored, .account = LedgerAccount::Gravity, .ofHeight = true},
+    .gives = gravityEffect::gives,
 };
 
 } // namespace carom

@@ -9,6 +9,7 @@
 // collisions, and so does the method `microcollisions`.
 
 namespace carom {
+namespace gyroscopicTermEffect {
 namespace {
 
 /// A torque of less, relative to the largest there could be, is rounding: ten times that of the products
@@ -53,13 +54,14 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 } // namespace
+} // namespace gyroscopicTermEffect
 
 extern const EffectRow gyroscopicTermRow;
 constinit const EffectRow gyroscopicTermRow = {
     .name = "gyroscopic_term",
     .title = "Gyroscopic term",
     .help = "The angular velocity of a free body precesses where its moments of inertia differ.",
-    .decide = decide,
+    .decide = gyroscopicTermEffect::decide,
     .unmetMessage =
         "the gyroscopic term is not simulated yet; the angular velocity stays constant between collisions",
 };

@@ -6,6 +6,7 @@
 // no motion, so a scene never asks for it in words. What loses no energy never comes to rest.
 
 namespace carom {
+namespace restingEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
@@ -29,14 +30,15 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 void contribute(const Scene&, Bodies& bodies) { bodies.canComeToRest = true; }
 
 } // namespace
+} // namespace restingEffect
 
 extern const EffectRow restingRow;
 constinit const EffectRow restingRow = {
     .name = "resting",
     .title = "Resting",
     .help = "Bodies at rest are left alone until something meets them, which saves time.",
-    .decide = decide,
-    .contribute = contribute,
+    .decide = restingEffect::decide,
+    .contribute = restingEffect::contribute,
 };
 
 } // namespace carom

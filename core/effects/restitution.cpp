@@ -16,6 +16,7 @@
 //              m         effective mass of the pair along the normal [kg]
 
 namespace carom {
+namespace restitutionEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts&) {
@@ -53,6 +54,7 @@ std::optional<Cause> damps(const Scene& scene) {
 }
 
 } // namespace
+} // namespace restitutionEffect
 
 EffectWords restitutionWords() {
     ParameterRow elastic = {
@@ -77,10 +79,10 @@ constinit const EffectRow restitutionRow = {
     .name = "restitution",
     .title = "Restitution",
     .help = "Bodies part with a share of the speed they met at.",
-    .decide = decide,
+    .decide = restitutionEffect::decide,
     .law = {&Body::elastic, &Bodies::elastic},
-    .gives = gives,
-    .damps = damps,
+    .gives = restitutionEffect::gives,
+    .damps = restitutionEffect::damps,
 };
 
 } // namespace carom

@@ -15,6 +15,7 @@
 // One body with a lever arm slows all that roll over it.
 
 namespace carom {
+namespace rollingResistanceEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
@@ -69,6 +70,7 @@ std::optional<Cause> damps(const Scene& scene) {
 }
 
 } // namespace
+} // namespace rollingResistanceEffect
 
 EffectWords rollingResistanceWords() {
     ParameterRow rolling = {
@@ -93,13 +95,13 @@ constinit const EffectRow rollingResistanceRow = {
     .name = "rolling_resistance",
     .title = "Rolling resistance",
     .help = "Resists rolling by a moment of at most the lever arm times the normal force.",
-    .decide = decide,
+    .decide = rollingResistanceEffect::decide,
     .unmetMessage = "rolling resistance is not simulated yet; bodies roll on without it",
     .exactObjection = "rolling resistance acts between events",
     .law = {&Body::rolling, &Bodies::rolling},
-    .contribute = contribute,
-    .turns = turns,
-    .damps = damps,
+    .contribute = rollingResistanceEffect::contribute,
+    .turns = rollingResistanceEffect::turns,
+    .damps = rollingResistanceEffect::damps,
 };
 
 } // namespace carom

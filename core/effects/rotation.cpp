@@ -8,6 +8,7 @@
 // one, so that what is drawn and written is right. Everything else that can be hit can be set spinning.
 
 namespace carom {
+namespace rotationEffect {
 namespace {
 
 EffectDecision decide(const Scene& scene, const RunFacts& run) {
@@ -42,13 +43,14 @@ EffectDecision decide(const Scene& scene, const RunFacts& run) {
 }
 
 } // namespace
+} // namespace rotationEffect
 
 extern const EffectRow rotationRow;
 constinit const EffectRow rotationRow = {
     .name = "rotation",
     .title = "Rotation",
     .help = "Bodies turn, and impulses beside their centres set them turning.",
-    .decide = decide,
+    .decide = rotationEffect::decide,
 };
 
 } // namespace carom

@@ -19,6 +19,7 @@
 //              l₀ `length` at rest [m]
 
 namespace carom {
+namespace springEffect {
 namespace {
 
 bool movable(const Scene& scene, BodyIndex body) { return body != noBody && scene.bodies[body].mobile(); }
@@ -97,8 +98,10 @@ void hint(const Scene& scene, std::vector<Diagnostic>& hints) {
 }
 
 } // namespace
+} // namespace springEffect
 
 EffectWords springWords() {
+    using namespace springEffect;
     std::vector<ParameterRow> rows = {
         {.name = "from",
          .kind = ValueKind::Label,
@@ -167,15 +170,15 @@ constinit const EffectRow springRow = {
     .name = "spring",
     .title = "Springs",
     .help = "Pull and damp along the line between two points of bodies.",
-    .decide = decide,
+    .decide = springEffect::decide,
     .unmetMessage = "springs are not simulated yet; this one exerts no force",
     .exactObjection = "springs bend the path of a body between events",
-    .contribute = contribute,
-    .stored = {stored, LedgerAccount::Spring},
-    .gives = gives,
-    .turns = turns,
-    .damps = damps,
-    .hint = hint,
+    .contribute = springEffect::contribute,
+    .stored = {springEffect::stored, LedgerAccount::Spring},
+    .gives = springEffect::gives,
+    .turns = springEffect::turns,
+    .damps = springEffect::damps,
+    .hint = springEffect::hint,
 };
 
 } // namespace carom

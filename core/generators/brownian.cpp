@@ -11,6 +11,7 @@ namespace carom {
 
 GeneratorRow brownianGenerator();
 
+namespace brownianScene {
 namespace {
 
 constexpr double radius = 0.1; ///< [m]
@@ -81,8 +82,10 @@ std::string generateBrownian(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace brownianScene
 
 GeneratorRow brownianGenerator() {
+    using namespace brownianScene;
     return {.name = "brownian",
             .help = "two gases of N particles in all diffuse into each other in an elastic box",
             .defaultN = 500,

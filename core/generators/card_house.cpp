@@ -15,6 +15,7 @@ namespace carom {
 
 GeneratorRow cardHouseGenerator();
 
+namespace cardHouseScene {
 namespace {
 
 constexpr double cardLength = 0.09, cardWidth = 0.06, thickness = 0.001; ///< [m]
@@ -86,8 +87,10 @@ std::string generateCardHouse(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace cardHouseScene
 
 GeneratorRow cardHouseGenerator() {
+    using namespace cardHouseScene;
     return {.name = "card_house",
             .help = "a house of cards of N storeys",
             .defaultN = 3,

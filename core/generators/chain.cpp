@@ -12,6 +12,7 @@ namespace carom {
 
 GeneratorRow chainGenerator();
 
+namespace chainScene {
 namespace {
 
 constexpr double radius = 0.04, pitch = 0.12; ///< [m]
@@ -80,8 +81,10 @@ std::string generateChain(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace chainScene
 
 GeneratorRow chainGenerator() {
+    using namespace chainScene;
     return {.name = "chain",
             .help = "N balls on springs hang between two hooks",
             .defaultN = 20,

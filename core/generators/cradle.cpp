@@ -15,6 +15,7 @@ namespace carom {
 
 GeneratorRow cradleGenerator();
 
+namespace cradleScene {
 namespace {
 
 constexpr double radius = 0.05, length = 0.6, halfSpread = 0.25; ///< [m]; height of the hooks over the balls
@@ -78,8 +79,10 @@ std::string generateCradle(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace cradleScene
 
 GeneratorRow cradleGenerator() {
+    using namespace cradleScene;
     return {.name = "cradle",
             .help = "Newton's cradle of N balls on threads",
             .defaultN = 5,

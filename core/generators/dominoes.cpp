@@ -14,6 +14,7 @@ namespace carom {
 
 GeneratorRow dominoesGenerator();
 
+namespace dominoesScene {
 namespace {
 
 constexpr double height = 0.048, width = 0.024, thickness = 0.0075; ///< of a common domino [m]
@@ -89,8 +90,10 @@ std::string generateDominoes(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace dominoesScene
 
 GeneratorRow dominoesGenerator() {
+    using namespace dominoesScene;
     return {.name = "dominoes",
             .help = "a row of N dominoes, the first of which is pushed over",
             .defaultN = 24,

@@ -20,6 +20,7 @@ namespace carom {
 
 GeneratorRow heapGenerator();
 
+namespace heapScene {
 namespace {
 
 constexpr double radius = 0.1, height = 0.2; ///< of a cylinder [m]
@@ -120,8 +121,10 @@ std::string generateHeap(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace heapScene
 
 GeneratorRow heapGenerator() {
+    using namespace heapScene;
     return {.name = "heap",
             .help = "N cylinders and cuboids fall into a bin and come to rest",
             .defaultN = 30,

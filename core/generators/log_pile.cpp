@@ -13,6 +13,7 @@ namespace carom {
 
 GeneratorRow logPileGenerator();
 
+namespace logPileScene {
 namespace {
 
 constexpr double radius = 0.2, length = 2; ///< [m]
@@ -65,8 +66,10 @@ std::string generateLogPile(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace logPileScene
 
 GeneratorRow logPileGenerator() {
+    using namespace logPileScene;
     return {.name = "log_pile",
             .help = "N logs lie in each other's grooves, held by friction",
             .defaultN = 6,

@@ -13,6 +13,7 @@ namespace carom {
 
 GeneratorRow mattressGenerator();
 
+namespace mattressScene {
 namespace {
 
 constexpr double radius = 0.05, pitch = 0.15; ///< [m]
@@ -108,8 +109,10 @@ std::string generateMattress(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace mattressScene
 
 GeneratorRow mattressGenerator() {
+    using namespace mattressScene;
     return {.name = "mattress",
             .help = "a net of N balls and springs (whole squares) catches a heavy sphere",
             .defaultN = 25,

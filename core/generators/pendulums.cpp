@@ -12,6 +12,7 @@ namespace carom {
 
 GeneratorRow pendulumsGenerator();
 
+namespace pendulumsScene {
 namespace {
 
 constexpr double radius = 0.04, lane = 0.12; ///< [m]
@@ -79,8 +80,10 @@ std::string generatePendulums(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace pendulumsScene
 
 GeneratorRow pendulumsGenerator() {
+    using namespace pendulumsScene;
     return {.name = "pendulums",
             .help = "N pendulums of growing haste, in step again after a cycle",
             .defaultN = 12,

@@ -16,6 +16,7 @@ namespace carom {
 
 GeneratorRow pileGenerator();
 
+namespace pileScene {
 namespace {
 
 constexpr double radius = 0.1; ///< [m]
@@ -90,8 +91,10 @@ std::string generatePile(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace pileScene
 
 GeneratorRow pileGenerator() {
+    using namespace pileScene;
     return {.name = "pile",
             .help = "N rough spheres are poured into a box and come to rest",
             .defaultN = 100,

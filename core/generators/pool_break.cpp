@@ -7,6 +7,7 @@ namespace carom {
 
 GeneratorRow poolBreakGenerator();
 
+namespace poolBreakScene {
 namespace {
 
 constexpr std::array<GeneratorOption, 3> options = poolRackOptions(0.05);
@@ -29,8 +30,10 @@ std::string generatePoolBreak(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace poolBreakScene
 
 GeneratorRow poolBreakGenerator() {
+    using namespace poolBreakScene;
     return {.name = "pool_break",
             .help = "the opening shot of a game of pool: fifteen racked balls and the cue ball",
             .options = options,

@@ -11,6 +11,7 @@ namespace carom {
 
 GeneratorRow poolBreaksGenerator();
 
+namespace poolBreaksScene {
 namespace {
 
 constexpr std::int64_t ballsPerBreak = 16;
@@ -72,8 +73,10 @@ std::string generatePoolBreaks(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace poolBreaksScene
 
 GeneratorRow poolBreaksGenerator() {
+    using namespace poolBreaksScene;
     return {.name = "pool_breaks",
             .help = "N/16 pool breaks on one large table (N balls, whole racks)",
             .defaultN = 160,

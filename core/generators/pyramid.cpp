@@ -23,6 +23,7 @@ namespace carom {
 
 GeneratorRow pyramidGenerator();
 
+namespace pyramidScene {
 namespace {
 
 constexpr double smallestRadius = 0.1, largestRadius = 0.3; ///< of the shower [m]
@@ -130,8 +131,10 @@ std::string generatePyramid(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace pyramidScene
 
 GeneratorRow pyramidGenerator() {
+    using namespace pyramidScene;
     return {.name = "pyramid",
             .help = "N spheres rain on a stepped pyramid of cylinders, later a heavy one",
             .defaultN = 500,

@@ -14,6 +14,7 @@ namespace carom {
 
 GeneratorRow slopesGenerator();
 
+namespace slopesScene {
 namespace {
 
 constexpr double radius = 0.15;              ///< of the round ones, half the edge of the cubes [m]
@@ -82,8 +83,10 @@ std::string generateSlopes(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace slopesScene
 
 GeneratorRow slopesGenerator() {
+    using namespace slopesScene;
     return {.name = "slopes",
             .help = "a sphere, a cylinder and cubes race down a slope, or stay",
             .options = options,

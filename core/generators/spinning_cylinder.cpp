@@ -19,6 +19,7 @@ namespace carom {
 
 GeneratorRow spinningCylinderGenerator();
 
+namespace spinningCylinderScene {
 namespace {
 
 constexpr std::array<GeneratorOption, 2> options = {{
@@ -63,8 +64,10 @@ std::string generateSpinningCylinder(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace spinningCylinderScene
 
 GeneratorRow spinningCylinderGenerator() {
+    using namespace spinningCylinderScene;
     return {.name = "spinning_cylinder",
             .help = "a turning cylinder drives a sphere away, then a heavier one stops its turning",
             .options = options,

@@ -19,6 +19,7 @@ namespace carom {
 
 GeneratorRow stoneWallGenerator();
 
+namespace stoneWallScene {
 namespace {
 
 constexpr double courseHeight = 0.2;               ///< [m]
@@ -106,8 +107,10 @@ std::string generateStoneWall(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace stoneWallScene
 
 GeneratorRow stoneWallGenerator() {
+    using namespace stoneWallScene;
     return {.name = "stone_wall",
             .help = "a dry-stone wall of N stones and a heavy sphere that topples it",
             .defaultN = 30,

@@ -9,6 +9,7 @@ namespace carom {
 
 GeneratorRow tableGenerator();
 
+namespace tableScene {
 namespace {
 
 constexpr double legHeight = 0.7, legRadius = 0.06, legPlace = 0.5; ///< [m]
@@ -70,8 +71,10 @@ std::string generateTable(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace tableScene
 
 GeneratorRow tableGenerator() {
+    using namespace tableScene;
     return {.name = "table",
             .help = "five cylinders make a table, two spheres land on it and collide",
             .options = options,

@@ -8,6 +8,7 @@ namespace carom {
 
 GeneratorRow towerGenerator();
 
+namespace towerScene {
 namespace {
 
 constexpr double edge = 1; ///< of a cube [m]
@@ -61,8 +62,10 @@ std::string generateTower(const GeneratorRequest& request) {
 }
 
 } // namespace
+} // namespace towerScene
 
 GeneratorRow towerGenerator() {
+    using namespace towerScene;
     return {.name = "tower",
             .help = "a tower of N cubes, each a little off and turned",
             .defaultN = 12,
