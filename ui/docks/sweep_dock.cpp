@@ -35,7 +35,7 @@ namespace carom {
 namespace {
 
 constexpr int pollInterval = 100; ///< [ms] between two checks for results; at ten times progress is in steps
-constexpr double chartInterval = 300; ///< [ms] between two charts of a sweep that is running, or more:
+constexpr double sweepChartInterval = 300; ///< [ms] between two charts of a sweep that is running, or more:
 /// Of the window's time that charts may take; at five times the window lags.
 constexpr double chartShare = 0.1;
 constexpr int formWidth = 290;  ///< [px]
@@ -326,7 +326,7 @@ void SweepDock::collect() {
     std::ranges::inplace_merge(m_results.begin(), m_results.begin() + middle, m_results.end(), {},
                                &SweepResult::run);
     showProgress();
-    const bool due = m_sinceChart.elapsed() > std::max(chartInterval, m_chartCost / chartShare);
+    const bool due = m_sinceChart.elapsed() > std::max(sweepChartInterval, m_chartCost / chartShare);
     if (!came.empty() && (due || !m_runner.isRunning())) showChart();
 }
 
