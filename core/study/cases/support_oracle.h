@@ -22,6 +22,26 @@ inline double gapBySupport(const PlacedShape& a, const PlacedShape& b, const Vec
     return n.dot((b.pose->position - a.pose->position) + (onB - onA));
 }
 
+/// The same for many directions: the poses as matrices.
+class GapBySupport {
+  public:
+    GapBySupport(const PlacedShape& a, const PlacedShape& b)
+        : m_a(*a.shape), m_b(*b.shape), m_worldFromA(a.pose->orientation.toRotationMatrix()),
+          m_worldFromB(b.pose->orientation.toRotationMatrix()),
+          m_between(b.pose->position - a.pose->position) {}
+
+    double operator()(const Vec3& n) const {
+        const Vec3 inA = m_worldFromA.transpose() * n, inB = m_worldFromB.transpose() * -n;
+        return n.dot(m_between) - inB.dot(supportOf(m_b, inB)) - inA.dot(supportOf(m_a, inA));
+    }
+
+  private:
+    const Shape& m_a;
+    const Shape& m_b;
+    Mat3 m_worldFromA, m_worldFromB;
+    Vec3 m_between;
+};
+
 /// `count` directions spread evenly: the points of a spiral with equal steps in height.
 inline std::vector<Vec3> directionsOnSphere(int count) {
     std::vector<Vec3> directions;
@@ -41,15 +61,22 @@ inline double greatestGap(const PlacedShape& a, const PlacedShape& b) {
     static const std::vector<Vec3> directions = directionsOnSphere(1500);
     const double spacing = std::sqrt(4 * std::numbers::pi / static_cast<double>(directions.size()));
 
+    const GapBySupport gapAlong(a, b);
+
     std::vector<std::pair<double, Vec3>> tried;
-    for (const Vec3& n : directions) tried.emplace_back(gapBySupport(a, b, n), n);
-    std::sort(tried.begin(), tried.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
+    tried.reserve(directions.size());
+    for (const Vec3& n : directions) tried.emplace_back(gapAlong(n), n);
+    // Only the first few are taken: a heap, with the largest gap at its front.
+    const auto isLess = [](const auto& p, const auto& q) { return p.first < q.first; };
+    std::make_heap(tried.begin(), tried.end(), isLess);
 
     double best = tried.front().first;
     std::vector<Vec3> used;
     Random random(1);
-    for (const auto& [value, start] : tried) {
-        if (used.size() == starts) break;
+    while (used.size() < starts && !tried.empty()) {
+        std::pop_heap(tried.begin(), tried.end(), isLess);
+        const auto [value, start] = tried.back();
+        tried.pop_back();
         const Vec3& from = start;
         if (std::any_of(used.begin(), used.end(),
                         [&](const Vec3& n) { return n.dot(from) > std::cos(4 * spacing); }))
@@ -69,7 +96,7 @@ inline double greatestGap(const PlacedShape& a, const PlacedShape& b) {
                 const Vec3 next =
                     (n + step * (std::cos(angle) * tangents.first + std::sin(angle) * tangents.second))
                         .normalized();
-                const double nextGap = gapBySupport(a, b, next);
+                const double nextGap = gapAlong(next);
                 if (!(nextGap > gap)) continue;
                 n = next;
                 gap = nextGap;
