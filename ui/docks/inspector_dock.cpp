@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QRegularExpression>
+#include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 
@@ -85,11 +86,15 @@ QString wordsFor(const Vec3& colour) {
 
 void setFigure(QTreeWidgetItem& row, const QString& value) {
     const QString unit = row.data(Value, unitRole).toString();
-    row.setData(Value, figureRole, value);
     const bool bare = unit.isEmpty() || value.isEmpty() || value == nothing;
     const QString words = bare ? value : value + u' ' + unit;
+    {
+        // The tree measures its rows with every change that it is told of; one tells of all three.
+        const QSignalBlocker untold(row.treeWidget() != nullptr ? row.treeWidget()->model() : nullptr);
+        row.setData(Value, figureRole, value);
+        row.setToolTip(Value, words);
+    }
     row.setText(Value, words);
-    row.setToolTip(Value, words);
 }
 
 /// Numbers with commas between them, as the scene language writes them.
