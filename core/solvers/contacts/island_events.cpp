@@ -50,16 +50,30 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
     double first = duration;
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
         const ContactPair& pair = m_contacts.pairs[p];
-        double gap = std::numeric_limits<double>::infinity();
-        for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
-            if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
-        if (!(gap <= first * fastestApproach(input, pair))) continue;
+        if (!mayMeet(input, p, first)) continue;
         m_work += comparisonsAnImpact * collideWork(input.bodies, pair);
         if (remaining(input) <= 0) return first; // the first one found so far
         first = m_held[p] != 0 ? std::min(first, nextCorner(input, pair, first, duration))
                                : std::min(first, nextContact(input, pair, first, duration));
     }
     return first;
+}
+
+// Whether a pair has open points, and comes so near within `duration` that they may close.
+bool IslandMotion::mayMeet(const MotionInput& input, std::uint32_t p, double duration) const {
+    const ContactPair& pair = m_contacts.pairs[p];
+    double gap = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
+        if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
+    return gap <= duration * fastestApproach(input, pair);
+}
+
+// Whether there may be impacts within the part, which the budget did not allow to locate.
+bool IslandMotion::mayMissImpact(const MotionInput& input, double duration) {
+    markHeld();
+    for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p)
+        if (mayMeet(input, p, duration)) return true;
+    return false;
 }
 
 // Marks pairs that a contact force acts in, or that touch and neither close nor separate.

@@ -81,6 +81,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
             solveVelocities(input, duration, findsImpacts);
         }
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
+        if (findsImpacts && remaining(input) <= 0 && mayMissImpact(input, duration)) return giveUp();
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) recordForces(input, duration);
         if (duration == left) settle(input, island);

@@ -148,6 +148,8 @@ class IslandMotion {
     void rememberVelocities();
     double changeOfVelocities();
     double firstImpact(const MotionInput& input, double duration);
+    bool mayMeet(const MotionInput& input, std::uint32_t p, double duration) const;
+    bool mayMissImpact(const MotionInput& input, double duration);
     double relocated(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
     double findStopTime(const MotionInput& input, const Braked& braked, double duration);
