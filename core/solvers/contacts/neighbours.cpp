@@ -211,8 +211,7 @@ void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex 
     const std::size_t count = overlapping(m_columns, m_columns.box(m_number[body]), {&all, 1}, m_hits.data());
     for (std::size_t k = 0; k < count; ++k) {
         const BodyIndex other = bodies.bounded[m_hits[k]];
-        const BodyPair pair{std::min(body, other), std::max(body, other)};
-        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, state, pair)) continue;
+        if (other == body || m_isOutrun[other] == 2 || !doesSkinReach(bodies, state, body, other)) continue;
         m_around[body].push_back(other);
         ++m_ends;
         if (bodies.mobile[other] == 0) continue;
@@ -266,6 +265,17 @@ double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
 
 Aabb Neighbours::boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const {
     return grown(bodies.boxAt(body, state.pose[body]), skinOf(bodies, body));
+}
+
+// Whether the skin of a body that is found anew touches that of another one, which is where the list found
+// it.
+bool Neighbours::doesSkinReach(const Bodies& bodies, const State& state, BodyIndex body,
+                               BodyIndex other) const {
+    const bool isThere = bodies.mobile[other] == 0 || m_isOutrun[other] != 0;
+    const Vec3& at = isThere ? state.pose[other].position : m_origin[other].position;
+    const double gap = (at - state.pose[body].position).norm() -
+                       (bodies.boundingRadius[body] + bodies.boundingRadius[other]);
+    return gap <= skinOf(bodies, body) + skinOf(bodies, other);
 }
 
 bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const {

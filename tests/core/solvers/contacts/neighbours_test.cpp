@@ -156,6 +156,31 @@ class NeighboursTest : public QObject {
                 areWithin(crowd.bodies, crowd.state, {std::min(k, asking), std::max(k, asking)}, side / 2))
                 QVERIFY(std::binary_search(around.begin(), around.end(), k));
     }
+
+    // A body that has moved away within its skin may come back: who is found anew meanwhile must be listed
+    // with it.
+    void whoComesBackIsListed() {
+        Scene scene;
+        for (const double x : {0.0, 5.0}) scene.bodies.push_back(test::sphere(0.1, 1, Vec3(x, 0, 0)));
+        const Bodies bodies = bodiesOf(scene);
+        State state = initialStateOf(scene);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(bodies);
+        const auto update = [&] {
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, *broadphase);
+        };
+        update();
+        QVERIFY(!neighbours.covers(0, 1.0));
+        neighbours.search(bodies, state, *broadphase);
+        state.pose[0].position.x() = 1.9; // within what it asked for and the search has added
+        update();
+        state.pose[1].position.x() = -0.5;
+        update();
+        state.pose[0].position.x() = -0.3;
+        update();
+        QVERIFY(std::ranges::count(neighbours.around(0), BodyIndex{1}) == 1);
+        QCOMPARE(neighbours.searches(), 1U);
+    }
 };
 
 } // namespace carom
