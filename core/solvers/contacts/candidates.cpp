@@ -17,7 +17,7 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 } // namespace
 
 Candidates::Candidates(const Bodies& bodies)
-    : m_isMember(bodies.count(), 0), m_reach(bodies.count(), 0.0), m_ball(bodies.count()) {
+    : m_kind(bodies.count(), Kind::Immobile), m_reach(bodies.count(), 0.0), m_ball(bodies.count()) {
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
         const bool wall = isWall(bodies.shape[i]);
         m_ball[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
@@ -33,12 +33,12 @@ double Candidates::gapOf(const Bodies& bodies, const State& state, BodyPair pair
 
 bool Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed, Neighbours& neighbours) {
-    std::fill(m_isMember.begin(), m_isMember.end(), std::uint8_t{0});
+    for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
     bool covered = true;
     double farthest = 0;
     for (const BodyIndex i : bodies.bounded) m_ball[i].centre = state.pose[i].position;
     for (const BodyIndex i : members) {
-        m_isMember[i] = 1;
+        m_kind[i] = placed[i] != 0 ? Kind::Placed : Kind::Member;
         m_reach[i] = neighbours.reach(i);
         farthest = std::max(farthest, m_reach[i]);
         covered = neighbours.covers(i, roomFor(bodies, i, m_reach[i])) && covered;
@@ -50,14 +50,20 @@ bool Candidates::look(const Bodies& bodies, const State& state, std::span<const 
     reserveFor(neighbours.ends(), m_downward);
     for (const BodyIndex i : members) {
         if (placed[i] != 0) continue;
+        const Ball ball = m_ball[i];
         for (const BodyIndex k : neighbours.around(i)) {
-            const bool mobile = bodies.mobile[k] != 0;
-            if (mobile && ((k < i && placed[k] == 0) || m_isMember[k] == 0)) continue;
+            const Kind kind = m_kind[k];
+            if (kind == Kind::Left || (kind == Kind::Member && k < i)) continue;
+            const Ball& other = m_ball[k];
+            const double margin =
+                std::max(2 * farthest, Neighbours::leastMargin * std::min(ball.radius, other.radius));
+            const double within = ball.radius + other.radius + margin;
+            if ((other.centre - ball.centre).squaredNorm() > within * within) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             const Near near{pair, gapOf(bodies, state, pair)};
-            if (near.gap > 2 * farthest && near.gap > leastMarginOf(pair)) continue;
+            if (near.gap > margin) continue;
             (i < k ? m_upward : m_downward).push_back(near);
-            if (mobile) covered = shareReach(bodies, state, near, neighbours) && covered;
+            if (kind != Kind::Immobile) covered = shareReach(bodies, state, near, neighbours) && covered;
         }
     }
     return covered;

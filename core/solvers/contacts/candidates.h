@@ -5,6 +5,7 @@
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/neighbours.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -47,11 +48,13 @@ class Candidates {
     double gapOf(const Bodies& bodies, const State& state, BodyPair pair) const;
     bool shareReach(const Bodies& bodies, const State& state, const Near& near, Neighbours& neighbours);
 
-    std::vector<std::uint8_t> m_isMember; // by body
-    std::vector<double> m_reach;          // by body [m]
-    std::vector<Ball> m_ball;             // by body
-    std::vector<Near> m_upward;           // from a member to a larger index, ascending
-    std::vector<Near> m_downward;         // from a member to something immobile or placed of smaller index
+    /// Left: mobile, and no member.
+    enum class Kind : std::uint8_t { Immobile, Left, Placed, Member };
+    std::vector<Kind> m_kind;     // by body
+    std::vector<double> m_reach;  // by body [m]
+    std::vector<Ball> m_ball;     // by body
+    std::vector<Near> m_upward;   // from a member to a larger index, ascending
+    std::vector<Near> m_downward; // from a member to something immobile or placed of smaller index
     std::vector<BodyPair> m_up, m_down, m_pairs;
 };
 
