@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/contacts.h"
+
 #include "core/base/clock.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/shapes/manifold.h"
@@ -17,8 +19,6 @@
 #include "core/solvers/contacts/refinement.h"
 #include "core/solvers/contacts/sleeping_bodies.h"
 #include "core/solvers/contacts/work_budget.h"
-#include "core/solvers/local_solver.h"
-#include "core/solvers/solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +54,6 @@ constexpr double lastingSkin = 0.05;
 /// Part of what is saved for islands of any kind that one frame may take. At twice, one frame may take all of
 /// it; at half, an island that needs much at once is left to the base path earlier.
 constexpr double mostOfReserve = 0.5;
-
-/// The setting `iterations` over this is the number of passes; 20 is its default. At half, a run with the
-/// default makes two passes for each one now.
-constexpr int iterationsOfOnePass = 20;
 
 class Contacts final : public Solver {
   public:
@@ -106,6 +102,7 @@ class Contacts final : public Solver {
     void enterBase(const SolverInput& input);
     void enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
                double skin);
+    bool comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const;
     void leaveMarked(const SolverInput& input);
     void sleepWhatRests(const SolverInput& input);
     template<class Is>
@@ -357,7 +354,8 @@ void Contacts::enterBase(const SolverInput& input) {
     for (const std::uint32_t island : m_refinement.stepped()) {
         m_found.makeManifolds(here(input), m_islands[island].pairs, m_work);
         const std::span<const BodyIndex> bodies = m_islands[island].bodies;
-        const bool isBrief = m_joins[island] == 0 && m_refinement.isTriedSoon(island);
+        const bool isBrief =
+            m_joins[island] == 0 && (m_refinement.isTriedSoon(island) || comesFar(input, bodies));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         list.insert(list.end(), bodies.begin(), bodies.end());
         for (const BodyIndex body : bodies) m_backOff[body] = m_refinement.backOffOf(island);
@@ -368,6 +366,17 @@ void Contacts::enterBase(const SolverInput& input) {
     m_found.forgetTaken([this](BodyPair pair) {
         return m_base.has(pair.a) || m_base.has(pair.b) || m_brief.has(pair.a) || m_brief.has(pair.b);
     });
+}
+
+// Whether bodies that enter have more pairs within their reach in a frame than within that in a substep,
+// taken as often as there are substeps. Their numbers are as the volumes, (r + reach)³.
+bool Contacts::comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const {
+    double reach = 0, size = 0;
+    for (const BodyIndex i : bodies) {
+        reach += m_neighbours.reach(i);
+        size += input.bodies.boundingRadius[i];
+    }
+    return std::pow((size + input.parts * reach) / (size + reach), 3) > input.parts;
 }
 
 void Contacts::enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
@@ -537,59 +546,10 @@ ContactSet Contacts::contacts(const State& state) const {
     return merged(merged(m_contacts, m_sleeping.contacts()), stepped);
 }
 
-/// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on
-/// what was saved. A tower of 100 cubes built by hand lands in four frames that take twice a second in all:
-/// at half the reserve it falls. At half the effort steps of the pyramid overlap; at twice as much a pile
-/// takes 50 times what it takes by default.
-constexpr double accurateEffort = 12, accurateReserve = 100;
-/// Ratio of masses in contact up to which sweeps support a body in an island that is too large to be solved
-/// exactly. At twice that a heavy body sinks in twice as far.
-constexpr double mostMassRatio = 1000;
-
-MassRatioLimit massRatioLimit(const SolverSettings& settings, std::size_t points) {
-    if (points <= pointsRefined || settings.tolerance < accurateTolerance) return {};
-    return {.most = mostMassRatio,
-            .reason = std::to_string(settings.iterations) +
-                      " iterations over a pile of this size may not hold that, `preset accurate` would",
-            .parameter = "preset",
-            .word = "accurate"};
-}
-
-std::unique_ptr<Solver> make(const Bodies& bodies, const SolverSettings& settings) {
-    return std::make_unique<Contacts>(bodies, settings);
-}
-
-std::unique_ptr<Solver> create(const Bodies& bodies, const SolverSettings& settings) {
-    return inOwnTerms(bodies, settings, Numbering::Canonical, make);
-}
-
 } // namespace
 
-extern const SolverRow contactsRow;
-constinit const SolverRow contactsRow = {
-    .name = "contacts",
-    .title = "Contacts",
-    .help =
-        "Moves any scene at a bounded cost; islands the budget allows are solved for their contact forces "
-        "to the tolerance, friction included, with impacts located within the substep.",
-    .source =
-        "P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like "
-        "solution methods, 1991",
-    .create = create,
-    .abilities = {.friction = true,
-                  .rollingResistance = true,
-                  .springs = true,
-                  .bentPaths = true,
-                  .locatesImpacts = true,
-                  .resting = true,
-                  .gyroscopicTerm = true},
-    .isGeneral = true,
-    .integrator = "midpoint", // stable at any step, as the method is
-    .iterations = iterationsOfOnePass,
-    .presets = {{{.substeps = 1, .tolerance = 1e-3, .effort = 0.25},
-                 {.substeps = 4, .tolerance = 1e-6, .effort = 1},
-                 {.substeps = 8, .tolerance = 1e-10, .effort = accurateEffort, .reserve = accurateReserve}}},
-    .massRatioLimit = massRatioLimit,
-};
+std::unique_ptr<Solver> makeContacts(const Bodies& bodies, const SolverSettings& settings) {
+    return std::make_unique<Contacts>(bodies, settings);
+}
 
 } // namespace carom
