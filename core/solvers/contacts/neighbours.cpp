@@ -55,6 +55,8 @@ Neighbours::Neighbours(const Bodies& bodies)
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
         m_mobile.push_back(bodies.mobile[i]);
     }
+    for (const BodyIndex i : bodies.bounded)
+        if (bodies.mobile[i] == 0) m_skin[i] = leastMargin * bodies.boundingRadius[i];
     for (const BodyIndex i : bodies.mobileBodies) m_around[i].reserve(usualAround);
     m_outrun.reserve(2 * bodies.count());
     m_columns.resize(bodies.bounded.size());
@@ -211,7 +213,7 @@ void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex 
     const std::size_t count = overlapping(m_columns, m_columns.box(m_number[body]), {&all, 1}, m_hits.data());
     for (std::size_t k = 0; k < count; ++k) {
         const BodyIndex other = bodies.bounded[m_hits[k]];
-        if (other == body || m_isOutrun[other] == 2 || !doesSkinReach(bodies, state, body, other)) continue;
+        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, state, body, other)) continue;
         m_around[body].push_back(other);
         ++m_ends;
         if (bodies.mobile[other] == 0) continue;
@@ -244,7 +246,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     m_ends = 0;
     auto wall = m_wallPairs.begin();
     for (const BodyPair pair : broadphase.pairs()) { // ascending, so each body's list is, too
-        if (!doSkinsTouch(bodies, state, pair)) continue;
+        if (!doSkinsTouch(bodies, state, pair.a, pair.b)) continue;
         while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++);
         addPair(bodies, pair);
     }
@@ -259,27 +261,18 @@ void Neighbours::addPair(const Bodies& bodies, BodyPair pair) {
     }
 }
 
-double Neighbours::skinOf(const Bodies& bodies, BodyIndex body) const {
-    return bodies.mobile[body] != 0 ? m_skin[body] : leastMargin * bodies.boundingRadius[body];
-}
-
 Aabb Neighbours::boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const {
-    return grown(bodies.boxAt(body, state.pose[body]), skinOf(bodies, body));
+    return grown(bodies.boxAt(body, state.pose[body]), m_skin[body]);
 }
 
-// Whether the skin of a body that is found anew touches that of another one, which is where the list found
-// it.
-bool Neighbours::doesSkinReach(const Bodies& bodies, const State& state, BodyIndex body,
-                               BodyIndex other) const {
+// Whether the skins of two bodies touch, of which one is found anew and the other is where the list found it.
+bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyIndex body,
+                              BodyIndex other) const {
     const bool isThere = bodies.mobile[other] == 0 || m_isOutrun[other] != 0;
     const Vec3& at = isThere ? state.pose[other].position : m_origin[other].position;
-    const double gap = (at - state.pose[body].position).norm() -
-                       (bodies.boundingRadius[body] + bodies.boundingRadius[other]);
-    return gap <= skinOf(bodies, body) + skinOf(bodies, other);
-}
-
-bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const {
-    return boundingGap(bodies, state, pair) <= skinOf(bodies, pair.a) + skinOf(bodies, pair.b);
+    const double within =
+        bodies.boundingRadius[body] + bodies.boundingRadius[other] + m_skin[body] + m_skin[other];
+    return (at - state.pose[body].position).squaredNorm() <= within * within;
 }
 
 void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {

@@ -114,10 +114,8 @@ class Neighbours {
     static constexpr double leastMargin = 0.01;
 
   private:
-    double skinOf(const Bodies& bodies, BodyIndex body) const;
     Aabb boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const;
-    bool doSkinsTouch(const Bodies& bodies, const State& state, BodyPair pair) const;
-    bool doesSkinReach(const Bodies& bodies, const State& state, BodyIndex body, BodyIndex other) const;
+    bool doSkinsTouch(const Bodies& bodies, const State& state, BodyIndex body, BodyIndex other) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     void noteTypical(const Bodies& bodies, std::span<const BodyIndex> list);
     bool areFewOutrun() const;
