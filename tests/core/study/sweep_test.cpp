@@ -170,6 +170,10 @@ class SweepTest : public QObject {
         row("simulation.substeps=1:4:3", "`substeps` is 2.5; it must be a whole number");
         row("simulation.method=contact", "did you mean `contacts`?");
         row("ball.mass=uniform 1:2", "a law needs a number of draws");
+        row("ball.mass=uniform 1", "a uniform law has two numbers, least:most");
+        row("ball.mass=normal 1:2:3", "a normal law has two numbers, mean:deviation");
+        row("ball.mass=uniform 2:1", "the least is above the most");
+        row("ball.mass=normal 1:-2", "the deviation is below 0");
         row("generate.n=1,2", "the text has no `generate` declaration");
         row("air.wind.x=1,2", "the first run has errors: air lacks `density`");
     }
