@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/plot.h"
 
-#include "ui/base/chart_png.h"
 #include "ui/base/file_output.h"
 #include "ui/widgets/plot_drawing.h"
 #include "ui/widgets/qcustomplot_header.h"
@@ -55,7 +54,7 @@ QByteArray encoded(QCustomPlot& plot, const QString& ending, const QSize& size) 
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (ending == QLatin1StringView("png")) {
-        return chartPng(plot.toPixmap(size.width(), size.height(), pngScale).toImage());
+        plot.toPixmap(size.width(), size.height(), pngScale).save(&buffer, "PNG");
     } else if (ending == QLatin1StringView("svg")) {
         QSvgGenerator svg;
         svg.setOutputDevice(&buffer);
