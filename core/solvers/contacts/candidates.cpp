@@ -55,11 +55,10 @@ bool Candidates::look(const Bodies& bodies, const State& state, std::span<const 
             const Kind kind = m_kind[k];
             if (kind == Kind::Left || (kind == Kind::Member && k < i)) continue;
             const Ball& other = m_ball[k];
-            const double margin =
-                std::max(2 * farthest, Neighbours::leastMargin * std::min(ball.radius, other.radius));
+            const BodyPair pair{std::min(i, k), std::max(i, k)};
+            const double margin = std::max(2 * farthest, leastMarginOf(pair));
             const double within = ball.radius + other.radius + margin;
             if ((other.centre - ball.centre).squaredNorm() > within * within) continue;
-            const BodyPair pair{std::min(i, k), std::max(i, k)};
             const Near near{pair, gapOf(bodies, state, pair)};
             if (near.gap > margin) continue;
             (i < k ? m_upward : m_downward).push_back(near);
