@@ -16,13 +16,7 @@
 
 namespace carom {
 
-inline double gapBySupport(const PlacedShape& a, const PlacedShape& b, const Vec3& n) {
-    const Vec3 onA = a.pose->directionToWorld(supportOf(*a.shape, a.pose->directionToBody(n)));
-    const Vec3 onB = b.pose->directionToWorld(supportOf(*b.shape, b.pose->directionToBody(-n)));
-    return n.dot((b.pose->position - a.pose->position) + (onB - onA));
-}
-
-/// The same for many directions: the poses as matrices.
+/// The gap along a direction of the world; for many directions, hence the poses as matrices.
 class GapBySupport {
   public:
     GapBySupport(const PlacedShape& a, const PlacedShape& b)
@@ -41,6 +35,9 @@ class GapBySupport {
     Mat3 m_worldFromA, m_worldFromB;
     Vec3 m_between;
 };
+inline double gapBySupport(const PlacedShape& a, const PlacedShape& b, const Vec3& n) {
+    return GapBySupport(a, b)(n);
+}
 
 /// `count` directions spread evenly: the points of a spiral with equal steps in height.
 inline std::vector<Vec3> directionsOnSphere(int count) {
