@@ -100,19 +100,17 @@ class AccuracyTest : public QObject {
                            allPoses[i % 5], i % 7 == 0 ? 30 : 3);
             const Proximity found = proximityOf(pair.a(), pair.b());
             const double gap = gapBySupport(pair.a(), pair.b(), found.normal);
+            const auto name = [&] { return nameOfTrial(i, found.distance, gap); }; // only where a check fails
             worst = std::max(worst, std::abs(gap - found.distance) / pair.size());
-            QVERIFY2(std::abs(gap - found.distance) <= 1e-14 * pair.size(),
-                     nameOfTrial(i, found.distance, gap).constData());
-            QVERIFY2(std::abs(found.normal.norm() - 1) <= 1e-14,
-                     nameOfTrial(i, found.distance, gap).constData());
+            QVERIFY2(std::abs(gap - found.distance) <= 1e-14 * pair.size(), name().constData());
+            QVERIFY2(std::abs(found.normal.norm() - 1) <= 1e-14, name().constData());
             const Vec3 between = found.onB - found.onA;
             const double miss = std::max({(between - found.distance * found.normal).norm(),
                                           std::abs(distanceFromShape(pair.a(), found.onA)),
                                           std::abs(distanceFromShape(pair.b(), found.onB))});
             worstWitness = std::max(worstWitness, miss / pair.size());
-            QVERIFY2(
-                miss <= 1e-7 * pair.size(),
-                nameOfTrial(i, found.distance, gap).constData()); // the square root of the gap's own accuracy
+            QVERIFY2(miss <= 1e-7 * pair.size(),
+                     name().constData()); // the square root of the gap's own accuracy
         }
         qInfo("seed %llu: gap off by at most %.1e, witnesses by %.1e of the size",
               static_cast<unsigned long long>(seed), worst, worstWitness);
