@@ -333,6 +333,23 @@ void findPoints(const ManifoldInput& input, double margin, PersistentManifold& m
     takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
+/// Within this gap two bodies may touch in the substep however slow they are [m].
+double slackOf(const ManifoldInput& input, BodyPair pair) {
+    const Forces& forces = input.bodies.forces;
+    return slackPart * smallerSize(input.bodies, pair) +
+           input.gravity.norm() * input.duration * input.duration + forces.reach(pair.a, input.duration) +
+           forces.reach(pair.b, input.duration);
+}
+
+/// How fast the surfaces of both come nearer at most because the bodies turn [m/s].
+double surfaceSpeedOf(const ManifoldInput& input, BodyPair pair) {
+    double speed = 0;
+    for (const BodyIndex i : {pair.a, pair.b})
+        if (!isSphere(input.bodies, i))
+            speed += input.bodies.boundingRadius[i] * input.state.angularVelocity[i].norm();
+    return speed;
+}
+
 // Whether the bounding balls of two bodies show that these cannot touch within the substep: then the manifold
 // is open.
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
@@ -355,17 +372,20 @@ double smallerSize(const Bodies& bodies, BodyPair pair) {
     return std::min(a, b);
 }
 
+bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap) {
+    const double slack = slackOf(input, pair);
+    if (gap <= slack) return true;
+    const Vec3 velocity = input.state.velocity[pair.b] - input.state.velocity[pair.a];
+    return gap <= (surfaceSpeedOf(input, pair) - normal.dot(velocity)) * input.duration + slack;
+}
+
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
     const State& state = input.state;
     const Forces& forces = input.bodies.forces;
-    const double slack = slackPart * smallerSize(input.bodies, pair) +
-                         input.gravity.norm() * input.duration * input.duration +
-                         forces.reach(pair.a, input.duration) + forces.reach(pair.b, input.duration);
+    const double slack = slackOf(input, pair);
     if (gap <= slack) return true;
-    double speed = (state.velocity[pair.b] - state.velocity[pair.a]).norm();
-    for (const BodyIndex i : {pair.a, pair.b})
-        if (!isSphere(input.bodies, i))
-            speed += input.bodies.boundingRadius[i] * state.angularVelocity[i].norm();
+    const double speed =
+        (state.velocity[pair.b] - state.velocity[pair.a]).norm() + surfaceSpeedOf(input, pair);
     if (gap > speed * input.duration + slack) return false;
     const bool isBallistic = !forces.actOn(pair.a) && !forces.actOn(pair.b);
     if (!areSpheres(input.bodies, pair) || !isBallistic) return true;
@@ -383,8 +403,9 @@ bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold&
     if (manifold.hasNormal) {
         if (manifold.count > 0) follow(solids, manifold);
         // A lower bound of the gap, along the normal of before.
-        const double gap = gapAlong(solids.a.turn * manifold.normal, solids.a, solids.b);
-        manifold.open = gap > margin || !canMeet(input, pair, gap);
+        const Vec3 normal = solids.a.turn * manifold.normal;
+        const double gap = gapAlong(normal, solids.a, solids.b);
+        manifold.open = gap > margin || !canMeetAlong(input, pair, normal, gap);
         if (manifold.open) {
             manifold.gap = gap;
             for (Point& point : pointsOf(manifold)) point.force.setZero();

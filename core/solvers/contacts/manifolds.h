@@ -101,6 +101,8 @@ double smallerSize(const Bodies& bodies, BodyPair pair);
 /// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
 /// Exact for spheres; otherwise true if in doubt.
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);
+/// The same of a pair that is at least `gap` metres apart along this normal, from A to B.
+bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap);
 /// From A to B, in the world.
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold);
 /// Updates a manifold to the present poses. If the bodies cannot touch within the substep as they move, it is

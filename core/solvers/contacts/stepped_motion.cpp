@@ -66,7 +66,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_isFlipped.clear();
     m_open.clear();
     m_general.clear();
-    m_isAscending = true;
+    m_ascending = 0;
     m_isUnordered = false;
     m_balls.clear();
     m_forced.clear();
@@ -124,7 +124,8 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
         addBall(input, index, laws, manifolds);
         return;
     }
-    m_isAscending = m_isAscending && (m_general.empty() || m_entries[m_general.back()] < entry);
+    if (m_ascending == m_general.size() && (m_general.empty() || m_entries[m_general.back()] < entry))
+        ++m_ascending;
     m_general.push_back(index);
     m_open.emplace_back();
     if (entry.place == Manifolds::none) m_entries.back().place = manifolds.add(entry.pair);
@@ -163,14 +164,52 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
 // Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
 // which they were added: a heap whose lowest contacts are solved first does not come to rest.
 void SteppedMotion::order(const SteppedInput& input) {
-    if (!std::exchange(m_isAscending, true)) orderGeneral();
+    if (m_ascending < m_general.size()) orderGeneral();
     if (std::exchange(m_isUnordered, false)) orderBalls(input);
 }
 
+// Inserts the pairs that were added among those that are in order.
 void SteppedMotion::orderGeneral() {
-    std::sort(m_general.begin(), m_general.end(),
-              [this](std::uint32_t one, std::uint32_t other) { return m_entries[one] < m_entries[other]; });
-    m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
+    const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
+        return m_entries[one] < m_entries[other];
+    };
+    m_added.assign(m_general.begin() + static_cast<std::ptrdiff_t>(m_ascending), m_general.end());
+    std::sort(m_added.begin(), m_added.end(), isBefore);
+    std::size_t end = m_ascending, to = m_general.size(); // from the end on, so that each moves once
+    while (!m_added.empty()) {
+        const std::uint32_t entry = m_added.back();
+        const std::size_t place = static_cast<std::size_t>(
+            std::upper_bound(m_general.begin(), m_general.begin() + static_cast<std::ptrdiff_t>(end), entry,
+                             isBefore) -
+            m_general.begin());
+        while (end > place) renumberGeneral(--end, --to);
+        m_general[--to] = entry;
+        m_open[to] = {};
+        m_added.pop_back();
+    }
+    m_ascending = m_general.size();
+}
+
+void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
+    m_general[to] = m_general[from];
+    m_open[to] = m_open[from];
+    m_open[to].watched.open = static_cast<std::uint32_t>(to);
+}
+
+// Removes the pairs of general shapes that are gone.
+void SteppedMotion::dropGone() {
+    const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
+    std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
+                                                m_general.begin());
+    std::size_t ascending = std::min(kept, m_ascending);
+    for (std::size_t number = kept; number < m_general.size(); ++number) {
+        if (isGone(m_general[number])) continue;
+        ascending += number < m_ascending ? 1 : 0;
+        renumberGeneral(number, kept++);
+    }
+    m_general.resize(kept);
+    m_open.resize(kept);
+    m_ascending = ascending;
 }
 
 // Sorts the pairs of balls of islands that are not in order.

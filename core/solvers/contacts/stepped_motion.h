@@ -113,22 +113,14 @@ class SteppedMotion {
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
     template<class Is>
     void drop(const Is& is, Manifolds& manifolds) {
+        bool isAny = false;
         for (Entry& entry : m_entries) {
             if (entry.isGone || !is(entry)) continue;
-            entry.isGone = true;
+            isAny = entry.isGone = true;
             if (entry.place != Manifolds::none) manifolds.remove(std::exchange(entry.place, Manifolds::none));
             reorder(rootOf(m_island[numberOf(entry.pair)]));
         }
-        std::uint32_t kept = 0;
-        for (std::uint32_t number = 0; number < m_general.size(); ++number) {
-            if (m_entries[m_general[number]].isGone) continue;
-            m_general[kept] = m_general[number];
-            m_open[kept] = m_open[number];
-            m_open[kept].watched.open = kept;
-            ++kept;
-        }
-        m_general.resize(kept);
-        m_open.resize(kept);
+        if (isAny) dropGone();
     }
     /// Whether the bodies of a pair are so near that they touch, or soon do.
     static bool isNear(const SteppedInput& input, BodyPair pair);
@@ -217,17 +209,17 @@ class SteppedMotion {
         double gap = 0;                  ///< along the normal, when the rows were made [m]
         double radiusA = 0, radiusB = 0; ///< of the bodies, as far as they turn: 0 for balls [m]
     };
-    /// A pair that could not meet at its last update. It is not updated again while its gap, less all
-    /// distances that the two have moved since, is too large for them to meet.
+    /// A pair that could not meet at its last update. It is not updated again while its gap along the normal
+    /// of then, less what the two may have closed of it since, is too large for them to meet.
     struct OpenPair {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
     };
-    /// How far the surface of a body has moved since the last look, and how far it may move until the next
-    /// [m].
+    /// How far a body has moved since the last look, and how far it may move until the next.
     struct Travel {
-        double came = 0, comes = 0;
+        Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
+        double turned = 0, turns = 0;                   ///< its surface at most, beyond its centre [m]
     };
     /// An entry.
     struct Numbered {
@@ -258,6 +250,8 @@ class SteppedMotion {
     void settle();
     void order(const SteppedInput& input);
     void orderGeneral();
+    void renumberGeneral(std::size_t from, std::size_t to);
+    void dropGone();
     void orderBalls(const SteppedInput& input);
     void keepUnmarked(const Bodies& bodies, NewNumbers& numbers);
     void addBall(const SteppedInput& input, std::uint32_t entry, const ContactPair& laws,
@@ -350,7 +344,7 @@ class SteppedMotion {
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
-    bool m_isAscending = true;             // they are
+    std::size_t m_ascending = 0;           // so many of the first are in order
     bool m_isUnordered = false;            // balls of some island
     std::vector<OpenPair> m_open;          // by number in m_general
     BallRows m_balls;
@@ -359,7 +353,7 @@ class SteppedMotion {
     Scratch<std::vector<Watched>> m_watched;
     Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
     Scratch<PairSort<Numbered>> m_sort;
-    Scratch<std::vector<std::uint32_t>> m_order;
+    Scratch<std::vector<std::uint32_t>> m_order, m_added;
     Scratch<std::vector<Travel>> m_travel;       // by number
     Scratch<std::vector<Coming>> m_coming;       // by number
     Scratch<std::vector<std::uint32_t>> m_turns; // numbers of those that turn in the step

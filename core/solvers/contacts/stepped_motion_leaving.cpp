@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/stepped_motion.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 #include <vector>
@@ -83,6 +85,9 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     }
     m_entries.resize(kept);
     m_isFlipped.resize(kept);
+    m_ascending -= static_cast<std::size_t>(
+        std::count_if(m_general.begin(), m_general.begin() + static_cast<std::ptrdiff_t>(m_ascending),
+                      [&](std::uint32_t entry) { return numbers.entries[entry] == gone; }));
     std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
     for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew

@@ -103,9 +103,9 @@ void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
         const BodyIndex body = m_list[i - 1];
         const SolverBody& from = m_bodies[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
-        m_travel[i] = {vectorOf(m_moved[i].shift).norm() + radius * m_moved[i].angle,
-                       duration * (vectorOf(from.velocity).norm() + radius * vectorOf(from.spin).norm()) +
-                           input.bodies.forces.reach(body, duration)};
+        m_travel[i] = {
+            vectorOf(m_moved[i].shift), duration * vectorOf(from.velocity), radius * m_moved[i].angle,
+            duration * radius * vectorOf(from.spin).norm() + input.bodies.forces.reach(body, duration)};
     }
 }
 
@@ -113,8 +113,9 @@ bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
     double& gap = pair.watched.gap;
     if (!(gap > 0)) return false;
     const Travel &a = m_travel[pair.watched.a], &b = m_travel[pair.watched.b];
-    gap -= a.came + b.came;
-    return gap > pair.slack + fall + a.comes + b.comes;
+    gap += pair.watched.normal.dot(b.came - a.came) - a.turned - b.turned;
+    const double comes = pair.watched.normal.dot(a.comes - b.comes) + a.turns + b.turns;
+    return gap > pair.slack + fall + std::max(0.0, comes);
 }
 
 SteppedMotion::OpenPair SteppedMotion::openPairOf(const ManifoldInput& here, std::uint32_t number,

@@ -129,6 +129,30 @@ CAROM_WIDE void passGaps(std::span<const RowGroup> groups, RowPoint* points, con
     }
 }
 
+// The number of impacts, whose bodies become active.
+CAROM_WIDE int passActivate(std::span<const RowGroup> groups, const RowPoint* points,
+                            const ActiveBodies& active) {
+    int struck = 0;
+    for (const RowGroup& group : groups) {
+        if (!group.bounces) continue;
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            const Wide lanes = isImpact(points[group.firstPoint + k]) ? wideOf(1) : Wide{};
+            if (!anyLane(lanes)) continue;
+            struck += lanesOf(lanes);
+            activateLanes(group, lanes, active);
+        }
+    }
+    return struck;
+}
+
+CAROM_WIDE void passForget(std::span<const RowGroup> groups, RowPoint* points, double resting) {
+    for (const RowGroup& group : groups) {
+        if (!group.bounces) continue;
+        for (std::uint32_t k = 0; k < group.points; ++k)
+            forgetImpulse(group, points[group.firstPoint + k], resting);
+    }
+}
+
 CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoint* points,
                          SolverBody* bodies) {
     for (std::size_t i = 0; i < count; ++i) warmGroup(groups[i], points, bodies);
@@ -182,17 +206,7 @@ double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const St
 }
 
 int activate(const ContactRows& rows, const ActiveBodies& active) {
-    int struck = 0;
-    for (const RowGroup& group : rows.groups()) {
-        if (!group.bounces) continue;
-        for (std::uint32_t k = 0; k < group.points; ++k) {
-            const RowPoint& row = rows.points()[group.firstPoint + k];
-            const Wide lanes = isImpact(row) ? wideOf(1) : Wide{};
-            struck += lanesOf(lanes);
-            activateLanes(group, lanes, active);
-        }
-    }
-    return struck;
+    return passActivate(rows.groups(), rows.points().data(), active);
 }
 
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
@@ -200,12 +214,7 @@ void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings
     for (int pass = 0; pass < passes; ++pass)
         sweep(Pass::Rebound,
               {rows.groups(), rows.points().data(), bodies.data(), settings, pass % 2 != 0, active});
-    for (const RowGroup& group : rows.groups()) {
-        if (!group.bounces) continue;
-        for (std::uint32_t k = 0; k < group.points; ++k) {
-            forgetImpulse(group, rows.points()[group.firstPoint + k], settings.resting);
-        }
-    }
+    passForget(rows.groups(), rows.points().data(), settings.resting);
 }
 
 } // namespace carom

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 // Contacts that outlast the substep: kept while two bodies move little against each other, found anew beyond,
@@ -406,6 +407,19 @@ class ManifoldsTest : public QObject {
         qInfo("%d pairs open, %d of them touched", open, touched);
         QVERIFY(open > 50);
         QCOMPARE(touched, 0);
+    }
+
+    // What counts is how fast they close the gap between them, not how fast they move.
+    void bodiesThatPassAlongsideEachOtherAreOpen() {
+        constexpr double gap = 0.02, speed = 10; // a substep at this speed is twice the gap [m, m/s]
+        for (const auto& [velocity, isOpen] :
+             {std::pair(Vec3(speed, 0, 0), true), {Vec3(0, speed, 0), true}, {Vec3(0, -speed, 0), false}}) {
+            Two two(cuboid({1, 1, 1}, 1, {0, 0.5, 0}), cuboid({1, 1, 1}, 1, {0, 1.5 + gap, 0}));
+            two.update();
+            two.state.velocity[1] = velocity;
+            two.update();
+            QCOMPARE(two.manifold.open, isOpen);
+        }
     }
 
     void spheresThatPassEachOtherByAreNotStopped() {
