@@ -52,6 +52,16 @@ struct RowScene {
     Vec3 angularMomentum() const; ///< about the origin
 };
 
+/// Forces [N] given as impulses become impulses over so many seconds.
+inline void scaleImpulses(ContactRows& rows, double duration) {
+    for (RowPoint& point : rows.points()) {
+        point.normal *= duration;
+        point.along1 *= duration;
+        point.along2 *= duration;
+    }
+    for (RollingRow& row : rows.rolling()) row.torque *= duration;
+}
+
 inline double kineticEnergyOf(const SolverBody& body) {
     const Vec3 spin = vectorOf(body.spin);
     return 0.5 * vectorOf(body.velocity).squaredNorm() / body.inverseMass +

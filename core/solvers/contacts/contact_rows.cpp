@@ -41,36 +41,126 @@ struct Response {
     }
 };
 
-// Computes effective masses and tangents of rows once all pairs are there, and converts their impulses from
-// world coordinates to these axes.
-CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const SolverBody* bodies) {
-    const Wide zero{}, one = wideOf(1);
-    for (RowGroup& group : groups) {
-        Motion a, b;
+/// Four bodies of a group, and its axes.
+struct PairOfBodies {
+    Motion a, b;
+    Wide3 n, t1, t2;
+
+    CAROM_INLINE PairOfBodies(const SolverBody* bodies, const RowGroup& group)
+        : n(load(group.normal)), t1(tangentOf(n)), t2(cross(n, t1)) {
         gather(bodies, group.a, a);
         gather(bodies, group.b, b);
-        const Wide3 n = load(group.normal), t1 = tangentOf(n), t2 = cross(n, t1);
-        store(group.tangent, t1);
+    }
+};
+
+// Computes the effective masses of a row that has its arms, in the lanes that are used, and gives it an
+// impulse, which is in world coordinates.
+template<class Used>
+CAROM_INLINE void prepareRow(const PairOfBodies& pair, const Wide3& impulse, const Used& used,
+                             RowPoint& row) {
+    const Wide zero{}, one = wideOf(1);
+    Response response{};
+    response.add(pair.a, load(row.armA), pair.n, pair.t1, pair.t2);
+    response.add(pair.b, load(row.armB), pair.n, pair.t1, pair.t2);
+    const Wide mean = 0.5 * (response.aa + response.bb), half = 0.5 * (response.aa - response.bb);
+    const Wide larger = mean + rootOf(half * half + response.ab * response.ab);
+    row.massNormal = used ? one / response.nn : zero;
+    row.massTangent = used ? one / larger : zero;
+    row.perNormal = used ? response.nn : zero;
+    row.perTangent = used ? larger : zero;
+    row.coupling1 = response.n1;
+    row.coupling2 = response.n2;
+    const Wide normal = dot(pair.n, impulse);
+    const auto presses = used & (normal > zero); // else the bodies have passed each other
+    row.normal = presses ? normal : zero;
+    row.along1 = presses ? dot(pair.t1, impulse) : zero;
+    row.along2 = presses ? dot(pair.t2, impulse) : zero;
+}
+
+// Prepares rows once all pairs are there.
+CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const SolverBody* bodies) {
+    for (RowGroup& group : groups) {
+        const PairOfBodies pair(bodies, group);
+        store(group.tangent, pair.t1);
         for (std::uint32_t k = 0; k < group.points; ++k) {
             RowPoint& row = points[group.firstPoint + k];
-            Response response{};
-            response.add(a, load(row.armA), n, t1, t2);
-            response.add(b, load(row.armB), n, t1, t2);
-            const auto used = row.massNormal > zero;
-            const Wide mean = 0.5 * (response.aa + response.bb), half = 0.5 * (response.aa - response.bb);
-            const Wide larger = mean + rootOf(half * half + response.ab * response.ab);
-            row.massNormal = used ? one / response.nn : zero;
-            row.massTangent = used ? one / larger : zero;
-            row.perNormal = used ? response.nn : zero;
-            row.perTangent = used ? larger : zero;
-            row.coupling1 = response.n1;
-            row.coupling2 = response.n2;
-            const Wide3 impulse{row.normal, row.along1, row.along2};
-            const Wide normal = dot(n, impulse);
-            const auto presses = normal > zero; // else the bodies have passed each other
-            row.normal = presses ? normal : zero;
-            row.along1 = presses ? dot(t1, impulse) : zero;
-            row.along2 = presses ? dot(t2, impulse) : zero;
+            prepareRow(pair, {row.normal, row.along1, row.along2}, row.massNormal > Wide{}, row);
+        }
+    }
+}
+
+/// Four frames.
+struct Frames {
+    std::array<Wide3, 3> rows;
+    Wide3 centre;
+
+    CAROM_INLINE Frames(const BodyFrame* frames, const std::array<std::uint32_t, 4>& index) {
+        constexpr std::size_t stride = strideOf<BodyFrame>;
+        const double* first = frames->rows.data();
+        gatherFour(first, stride, index, rows[0].x, rows[0].y, rows[0].z, centre.x);
+        gatherFour(first + 4, stride, index, rows[1].x, rows[1].y, rows[1].z, centre.y);
+        gatherFour(first + 8, stride, index, rows[2].x, rows[2].y, rows[2].z, centre.z);
+    }
+    CAROM_INLINE Wide3 turn(const Wide3& v) const {
+        return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+    }
+};
+
+/// Four doubles of each lane, from double number `offset` of its point `k` on.
+CAROM_INLINE void gatherPoint(const std::array<CarriedPoint*, wideLanes>& first, std::size_t k,
+                              std::size_t offset, std::array<Wide, 4>& to) {
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        __builtin_memcpy(&to[lane], first[lane][k].onA.data() + offset, sizeof(Wide));
+    transpose(to[0], to[1], to[2], to[3]);
+}
+
+// Makes rows of carried points, and returns their deepest overlap.
+CAROM_WIDE double fillRows(std::span<RowGroup> groups, std::span<const CarriedGroup> carried,
+                           RowPoint* points, const SolverBody* bodies, const BodyFrame* frames,
+                           double duration) {
+    const Wide zero{}, time = wideOf(duration);
+    Wide deepest{};
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        RowGroup& group = groups[i];
+        const CarriedGroup& from = carried[i];
+        const PairOfBodies pair(bodies, group);
+        store(group.tangent, pair.t1);
+        const Frames a(frames, from.frameA), b(frames, from.frameB);
+        const Wide3 between = b.centre - a.centre;
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            std::array<Wide, 4> one, two, three; // Ax Ay Az Bx, By Bz .. Fx, .. Fx Fy Fz; B overlaps
+            gatherPoint(from.first, k, 0, one);
+            gatherPoint(from.first, k, 3, two);
+            gatherPoint(from.first, k, 5, three);
+            const Wide3 onA = a.turn({one[0], one[1], one[2]}), onB = b.turn({two[0], two[1], two[2]});
+            const Wide3 gap = between + onB - onA, part = from.middle * gap;
+            RowPoint& row = points[group.firstPoint + k];
+            store(row.armA, onA + part);
+            store(row.armB, onB - part);
+            const auto used = wideOf(k) < from.count;
+            row.start = row.gap = used ? dot(pair.n, gap) : zero;
+            row.approach = zero;
+            deepest = larger(deepest, -row.gap);
+            prepareRow(pair, time * Wide3{three[1], three[2], three[3]}, used, row);
+        }
+    }
+    return std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+}
+
+CAROM_WIDE void storeRows(std::span<const RowGroup> groups, std::span<const CarriedGroup> carried,
+                          const RowPoint* points, double duration) {
+    const Wide perTime = wideOf(1 / duration);
+    for (std::size_t i = 0; i < carried.size(); ++i) {
+        const RowGroup& group = groups[i];
+        const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            const RowPoint& row = points[group.firstPoint + k];
+            const Wide3 impulse = row.normal * n + row.along1 * t1 + row.along2 * t2;
+            const Wide3 force = perTime * impulse;
+            std::array<Wide, 4> lanes{force.x, force.y, force.z, Wide{}};
+            transpose(lanes[0], lanes[1], lanes[2], lanes[3]);
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                __builtin_memcpy(carried[i].first[lane][k].force.data(), &lanes[lane], sizeof(Vec3));
         }
     }
 }
@@ -80,12 +170,13 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
 void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
     m_immobile = immobile;
     m_groups.clear();
-    m_points.clear();
+    m_pointCount = 0;
+    m_carried.clear();
     m_rolling.clear();
     m_prepared = 0;
-    if (m_points.capacity() == 0) { // for islands of the usual size
+    if (m_points.empty()) { // for islands of the usual size
         m_groups.reserve(fewGroups);
-        m_points.reserve(2 * fewGroups);
+        m_points.resize(2 * fewGroups);
     }
     m_packer.clear();
     m_packer.reserve(bodies);
@@ -99,20 +190,19 @@ RowGroup& ContactRows::addGroup(std::uint32_t points) {
     group.normal.fill(Wide{});
     group.tangent.fill(Wide{});
     group.friction = group.restitution = group.push = group.hard = Wide{};
-    group.firstPoint = static_cast<std::uint32_t>(m_points.size());
+    group.firstPoint = static_cast<std::uint32_t>(m_pointCount);
     group.points = points;
-    m_points.resize(m_points.size() + points, RowPoint{}); // zero masses: empty lanes have no effect
+    m_pointCount += points;
+    if (m_points.size() < m_pointCount) m_points.resize(2 * m_pointCount);
     return group;
 }
 
-void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
-    const std::uint32_t count = static_cast<std::uint32_t>(pair.points.size());
-    if (count == 0) return;
-    const std::size_t size = count == 1 ? 0 : count == 2 ? 1 : 2; // 1, 2 and 4 points
+// Gives a pair a lane of a group.
+LanePacker::Place ContactRows::place(const PairInput& pair, std::size_t points, std::uint32_t source) {
+    const std::size_t size = points == 1 ? 0 : points == 2 ? 1 : 2; // 1, 2 and 4 points
     const LanePacker::Place place = m_packer.place(pair.a, pair.b, m_immobile, size);
     RowGroup& group = place.isNew ? addGroup(std::uint32_t{1} << size) : m_groups[place.group];
     const std::size_t lane = place.lane;
-
     group.a[lane] = pair.a;
     group.b[lane] = pair.b;
     group.source[lane] = source;
@@ -122,6 +212,16 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     group.push[lane] = pair.push;
     group.hard[lane] = pair.a == m_immobile || pair.b == m_immobile ? 1 : 0;
     group.bounces = group.bounces || pair.restitution > 0;
+    return place;
+}
+
+void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
+    if (pair.points.empty()) return;
+    const LanePacker::Place place = this->place(pair, pair.points.size(), source);
+    const RowGroup& group = m_groups[place.group];
+    const std::size_t lane = place.lane;
+    if (place.isNew) // without masses: empty lanes have no effect
+        std::fill_n(m_points.begin() + group.firstPoint, group.points, RowPoint{});
     for (std::size_t k = 0; k < pair.points.size(); ++k) {
         const PointInput& from = pair.points[k];
         RowPoint& to = m_points[group.firstPoint + k];
@@ -133,27 +233,62 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
         to.along1[lane] = from.impulse.y();
         to.along2[lane] = from.impulse.z();
     }
-    if (pair.rolling > 0) {
-        const Mat3 response = inverseInertiaOf(bodies[pair.a]) + inverseInertiaOf(bodies[pair.b]);
-        const Tangents tangents = tangentsOf(pair.normal);
-        const Vec3 first = response * tangents.first, second = response * tangents.second;
-        m_rolling.push_back(
-            {.a = pair.a,
-             .b = pair.b,
-             .group = place.group,
-             .lane = place.lane,
-             .normal = pair.normal,
-             .rolling = pair.rolling,
-             .inertia = 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
-                                             tangents.second.dot(second)),
-             .torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal});
-    }
+    if (pair.rolling > 0) addRolling(pair, place, bodies);
 }
 
-void ContactRows::end(std::span<const SolverBody> bodies) {
+void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
+                      std::span<const SolverBody> bodies) {
+    if (points.count == 0) return;
+    const LanePacker::Place place = this->place(pair, points.count, source);
+    if (place.isNew) {
+        CarriedGroup& carried = m_carried.emplace_back();
+        carried.first.fill(m_none.data());
+        carried.count = carried.middle = Wide{};
+    }
+    CarriedGroup& carried = m_carried[place.group];
+    const std::size_t lane = place.lane;
+    carried.first[lane] = points.first;
+    carried.frameA[lane] = points.frameA;
+    carried.frameB[lane] = points.frameB;
+    carried.count[lane] = static_cast<double>(points.count);
+    carried.middle[lane] = points.middle;
+    if (pair.rolling > 0) addRolling(pair, place, bodies);
+}
+
+void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& place,
+                             std::span<const SolverBody> bodies) {
+    const Mat3 response = inverseInertiaOf(bodies[pair.a]) + inverseInertiaOf(bodies[pair.b]);
+    const Tangents tangents = tangentsOf(pair.normal);
+    const Vec3 first = response * tangents.first, second = response * tangents.second;
+    m_rolling.push_back(
+        {.a = pair.a,
+         .b = pair.b,
+         .group = place.group,
+         .lane = place.lane,
+         .normal = pair.normal,
+         .rolling = pair.rolling,
+         .inertia = 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
+                                         tangents.second.dot(second)),
+         .torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal});
+}
+
+double ContactRows::end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames,
+                        double duration) {
     m_packer.closeAll();
-    prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
+    double deepest = 0;
+    if (m_prepared < m_carried.size())
+        deepest = fillRows(groups().subspan(m_prepared), m_carried, m_points.data(), bodies.data(),
+                           frames.data(), duration);
+    else
+        prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
+    for (RollingRow& row : m_rolling)
+        if (row.group >= m_prepared) row.torque *= duration;
     m_prepared = m_groups.size();
+    return deepest;
+}
+
+void ContactRows::storeForces(double duration) const {
+    storeRows(m_groups, m_carried, m_points.data(), duration);
 }
 
 Vec3 ContactRows::impulseOf(const RowGroup& group, int lane, std::size_t point) const {

@@ -31,6 +31,38 @@ struct PointInput {
     Vec3 impulse = Vec3::Zero();                   ///< on B, world [N s]; where the solve begins
 };
 
+/// One contact point as it is carried from step to step.
+struct CarriedPoint {
+    Vec3 onA = Vec3::Zero(),
+         onB = Vec3::Zero();   ///< in the frames of the bodies, of walls in the world [m]
+    Vec3 force = Vec3::Zero(); ///< on B, world [N]
+};
+static_assert(sizeof(CarriedPoint) == 9 * sizeof(double)); // loaded as such
+
+/// Where a body is: a row of its rotation matrix and a coordinate of its centre [m], three times. Four are
+/// loaded at once.
+struct alignas(32) BodyFrame {
+    std::array<double, 12> rows{};
+
+    BodyFrame() = default;
+    BodyFrame(const Mat3& turn, const Vec3& centre) {
+        for (Eigen::Index row = 0; row < 3; ++row) {
+            const std::size_t first = 4 * static_cast<std::size_t>(row);
+            for (Eigen::Index k = 0; k < 3; ++k) rows[first + static_cast<std::size_t>(k)] = turn(row, k);
+            rows[first + 3] = centre[row];
+        }
+    }
+};
+
+/// The points of a pair that are carried; there is room for four, whatever their number.
+struct CarriedPoints {
+    CarriedPoint* first = nullptr;
+    std::size_t count = 0;
+    std::uint32_t frameA = 0, frameB = 0; ///< indices of frames
+    double middle = 0; ///< impulses act in this part of the gap from either body: ½ in the middle, 0 on the
+                       ///< surface of each
+};
+
 /// A pair of bodies with its points, as it is given.
 struct PairInput {
     std::uint32_t a = 0, b = 0;  ///< indices of bodies; `immobile` below for what cannot move
@@ -70,6 +102,13 @@ struct alignas(32) RowGroup {
     bool bounces = false;                          ///< restitution in some lane
 };
 
+/// The carried points of the pairs of a group.
+struct alignas(32) CarriedGroup {
+    std::array<CarriedPoint*, wideLanes> first{};
+    std::array<std::uint32_t, wideLanes> frameA{}, frameB{};
+    Wide count, middle;
+};
+
 /// Rolling resistance of a pair: a torque across the normal, at most `rolling` times the normal impulse. Few
 /// scenes have it, so it is solved one pair at a time.
 struct RollingRow {
@@ -92,36 +131,42 @@ class ContactRows {
     void begin(std::size_t bodies, std::uint32_t immobile);
     std::uint32_t immobile() const { return m_immobile; }
     void add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
+    /// The same of a pair without points, which has these instead. They must stay where they are.
+    void add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
+             std::span<const SolverBody> bodies);
     /// To be called after the last pair, of all or of those that are added later.
-    void end(std::span<const SolverBody> bodies);
-
-    /// Forces [N] given as impulses become impulses over so many seconds.
-    void scaleImpulses(double duration) {
-        for (RowPoint& point : m_points) {
-            point.normal *= duration;
-            point.along1 *= duration;
-            point.along2 *= duration;
-        }
-        for (RollingRow& row : m_rolling) row.torque *= duration;
-    }
+    void end(std::span<const SolverBody> bodies) { end(bodies, {}, 1); }
+    /// The same with the frames of carried points, whose forces become impulses over `duration` [s]. Returns
+    /// the deepest overlap of these points [m].
+    double end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames, double duration);
+    /// Carried points get the forces that their impulses are over `duration` [s].
+    void storeForces(double duration) const;
+    /// The groups from here on have no carried points.
+    std::size_t carriedGroups() const { return m_carried.size(); }
 
     std::span<RowGroup> groups() { return m_groups; }
-    std::span<RowPoint> points() { return m_points; }
+    std::span<RowPoint> points() { return std::span(m_points).first(m_pointCount); }
     std::span<RollingRow> rolling() { return m_rolling; }
     std::span<const RowGroup> groups() const { return m_groups; }
-    std::span<const RowPoint> points() const { return m_points; }
+    std::span<const RowPoint> points() const { return std::span(m_points).first(m_pointCount); }
     std::span<const RollingRow> rolling() const { return m_rolling; }
     /// The impulse of a point of lane `lane` [N s], on B, world.
     Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
 
   private:
+    LanePacker::Place place(const PairInput& pair, std::size_t points, std::uint32_t source);
     RowGroup& addGroup(std::uint32_t points);
+    void addRolling(const PairInput& pair, const LanePacker::Place& place,
+                    std::span<const SolverBody> bodies);
 
     std::uint32_t m_immobile = 0;
     std::size_t m_prepared = 0; // groups whose pairs are all there
     LanePacker m_packer;        // its kinds are the sizes
     std::vector<RowGroup> m_groups;
     std::vector<RowPoint> m_points;
+    std::size_t m_pointCount = 0;        // of m_points; others are of earlier rows
+    std::vector<CarriedGroup> m_carried; // by group, of the first ones
+    std::array<CarriedPoint, 4> m_none;  // of an empty lane
     std::vector<RollingRow> m_rolling;
 };
 

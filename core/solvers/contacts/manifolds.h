@@ -56,11 +56,7 @@ struct PersistentManifold {
     /// times as often.
     static constexpr double keptWithin = 0.0002, keptAngle = 0.0002;
 
-    struct Point {
-        Vec3 onA = Vec3::Zero(),
-             onB = Vec3::Zero();   ///< in the frames of the bodies, of walls in the world [m]
-        Vec3 force = Vec3::Zero(); ///< on B, world [N]
-    };
+    using Point = CarriedPoint;
     BodyPair pair;
     int count = 0;
     bool round = false; ///< computed each time

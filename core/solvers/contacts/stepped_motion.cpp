@@ -65,6 +65,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_entries.clear();
     m_isFlipped.clear();
     m_open.clear();
+    m_laws.clear();
     m_general.clear();
     m_ascending = 0;
     m_isUnordered = false;
@@ -491,7 +492,8 @@ void SteppedMotion::turnBalls(const SteppedInput& input) {
 
 void SteppedMotion::storeForces(Manifolds& manifolds) const {
     const double perStep = 1 / m_step;
-    for (const RowGroup& group : m_rows.groups())
+    m_rows.storeForces(m_step);
+    for (const RowGroup& group : m_rows.groups().subspan(m_rows.carriedGroups()))
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if (group.source[lane] == ContactRows::noPair) continue;
             PersistentManifold& manifold = manifolds[m_entries[group.source[lane]].place];

@@ -216,6 +216,10 @@ class SteppedMotion {
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
     };
+    /// The law of the contact of a pair, once it has had one.
+    struct PairLaws {
+        double friction = 0, restitution = 0, rolling = 0, push = 0; ///< as in PairInput; push is above 0
+    };
     /// How far a body has moved since the last look, and how far it may move until the next.
     struct Travel {
         Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
@@ -262,6 +266,9 @@ class SteppedMotion {
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
+    void addRow(const ManifoldInput& here, std::uint32_t entry, PersistentManifold& manifold);
+    PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
+    std::uint32_t frameOf(const ManifoldInput& here, BodyIndex body, bool turns);
     void findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
                       SteppedReport& report);
     void findMoving();
@@ -347,9 +354,12 @@ class SteppedMotion {
     std::size_t m_ascending = 0;           // so many of the first are in order
     bool m_isUnordered = false;            // balls of some island
     std::vector<OpenPair> m_open;          // by number in m_general
+    Scratch<std::vector<PairLaws>> m_laws; // by entry
     BallRows m_balls;
     // Of a look or a step.
     Scratch<ContactRows> m_rows;
+    Scratch<std::vector<BodyFrame>> m_frames;
+    Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
     Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
     Scratch<PairSort<Numbered>> m_sort;

@@ -90,6 +90,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
                       [&](std::uint32_t entry) { return numbers.entries[entry] == gone; }));
     std::erase_if(m_general, [&](std::uint32_t entry) { return numbers.entries[entry] == gone; });
     for (std::uint32_t& entry : m_general) entry = numbers.entries[entry];
+    m_laws.clear();
     m_open.assign(m_general.size(), {}); // numbers change: they are looked at anew
     std::erase_if(m_links, [&](std::uint32_t link) {
         const SpringForce& spring = bodies.springs[link];

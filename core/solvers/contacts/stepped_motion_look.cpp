@@ -29,8 +29,6 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     report.contacts += m_heldContacts;
     report.maxPenetration =
         std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
-    m_rows.end(m_bodies);
-    m_rows.scaleImpulses(m_step);
 }
 
 // Lists the bodies that do not stand still, and the pairs with such a body that are not of two balls.
@@ -53,6 +51,9 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration, Man
     m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
     reserveFor(m_general.size(), m_watched);
+    m_frames.clear();
+    m_frameOf.assign(m_bodies.size(), BallRows::noPair);
+    m_laws.resize(m_entries.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
     const double fall = input.gravity.norm() * duration * duration;
     for (const std::uint32_t number : std::span<const std::uint32_t>(m_moving)) {
@@ -75,26 +76,62 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration, Man
         if (manifold.count == 0) continue;
         ++report.contacts;
         if (manifold.open) continue;
-        const PlacedManifold contact = placed(here, manifold);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(contact.count); ++k)
-            m_deepest = std::max(m_deepest, -contact.points[k].separation);
-        addRow(input, entry, contact);
+        addRow(here, entry, manifold);
     }
+    m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step));
+}
+
+// What is the same for a pair at every look.
+PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
+    const BodyPair pair = m_entries[entry].pair;
+    PairLaws& laws = m_laws[entry];
+    if (!(laws.push > 0)) {
+        const ContactPair of = pairOf(bodies, pair, 0);
+        laws = {of.friction, of.restitution, of.rolling, mostCorrection * of.size / m_substep};
+    }
+    return {.a = m_local[pair.a],
+            .b = m_local[pair.b],
+            .friction = laws.friction,
+            .restitution = laws.restitution,
+            .rolling = laws.rolling,
+            .push = laws.push,
+            .points = {}};
 }
 
 void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact) {
-    const BodyPair pair = m_entries[entry].pair;
-    const ContactPair laws = pairOf(input.bodies, pair, 0);
-    m_rows.add({.a = m_local[pair.a],
-                .b = m_local[pair.b],
-                .normal = contact.normal,
-                .friction = laws.friction,
-                .restitution = laws.restitution,
-                .rolling = laws.rolling,
-                .torque = contact.torque,
-                .push = mostCorrection * laws.size / m_substep,
-                .points = std::span(contact.points).first(static_cast<std::size_t>(contact.count))},
+    PairInput pair = inputOf(input.bodies, entry);
+    pair.normal = contact.normal;
+    pair.torque = contact.torque;
+    pair.points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
+    m_rows.add(pair, entry, m_bodies);
+}
+
+void SteppedMotion::addRow(const ManifoldInput& here, std::uint32_t entry, PersistentManifold& manifold) {
+    const auto [a, b] = manifold.pair;
+    PairInput pair = inputOf(here.bodies, entry);
+    pair.normal = normalOf(here, manifold);
+    pair.torque = manifold.torque;
+    const bool isBetween = here.bodies.mobile[a] != 0 && here.bodies.mobile[b] != 0 &&
+                           !(isSphere(here.bodies, a) && isSphere(here.bodies, b));
+    m_rows.add(pair,
+               {.first = manifold.points.data(),
+                .count = static_cast<std::size_t>(manifold.count),
+                .frameA = frameOf(here, a, !manifold.round),
+                .frameB = frameOf(here, b, !manifold.round),
+                .middle = isBetween ? 0.5 : 0},
                entry, m_bodies);
+}
+
+// The place in m_frames of a body's frame, or of one along the axes of the world.
+std::uint32_t SteppedMotion::frameOf(const ManifoldInput& here, BodyIndex body, bool turns) {
+    const std::uint32_t number = m_local[body], next = static_cast<std::uint32_t>(m_frames.size());
+    const bool isKept = number != immobile && turns;
+    if (isKept && m_frameOf[number] != BallRows::noPair) return m_frameOf[number];
+    if (isKept) m_frameOf[number] = next;
+    const Pose& pose = here.state.pose[body];
+    m_frames.emplace_back(turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()),
+                          pose.position);
+    return next;
 }
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {

@@ -233,16 +233,76 @@ class ContactRowsTest : public QObject {
         QCOMPARE(scene.rows().groups().size(), 200U / wideLanes);
     }
 
-    void forcesBecomeImpulses() {
-        for (const RowScene& scene : manyScenes()) {
-            ContactRows rows = scene.rows();
-            rows.scaleImpulses(0.25); // a power of two: exact
-            const ContactRows whole = scene.rows();
-            for (const RowGroup& group : whole.groups())
-                for (int lane = 0; lane < wideLanes; ++lane)
-                    for (std::uint32_t k = 0; k < group.points; ++k)
-                        QVERIFY(rows.impulseOf(group, lane, k) ==
-                                Vec3(0.25 * whole.impulseOf(group, lane, k)));
+    // Points in the frames of the bodies give the rows that the same points in the world give, and get their
+    // forces back.
+    void carriedPointsBecomeTheSameRows() {
+        constexpr double duration = 0.25;
+        Random random(test::seed, 4);
+        for (RowScene scene : manyScenes()) {
+            std::vector<Mat3> turns;
+            std::vector<BodyFrame> frames;
+            for (const Vec3& place : scene.places) {
+                turns.push_back(fromRotationVector(test::uniformIn(random, 3)).toRotationMatrix());
+                frames.emplace_back(turns.back(), place);
+            }
+            std::vector<std::array<CarriedPoint, 4>> carried(scene.pairs.size());
+            ContactRows rows;
+            rows.begin(scene.bodies.size(), scene.immobile());
+            double deepest = 0;
+            for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+                OwnedPair& pair = scene.pairs[i];
+                const auto [a, b] = std::pair(pair.laws.a, pair.laws.b);
+                const double middle = i % 2 == 0 ? 0.5 : 0;
+                for (std::size_t k = 0; k < pair.points.size(); ++k) {
+                    CarriedPoint& point = carried[i][k];
+                    point = {test::uniformIn(random, 1), test::uniformIn(random, 1),
+                             test::uniformIn(random, 1) + pair.laws.normal};
+                    const Vec3 onA = turns[a] * point.onA, onB = turns[b] * point.onB;
+                    const Vec3 gap = scene.places[b] + onB - scene.places[a] - onA;
+                    pair.points[k] = {onA + middle * gap, onB - middle * gap, pair.laws.normal.dot(gap),
+                                      duration * point.force};
+                    deepest = std::max(deepest, -pair.points[k].separation);
+                }
+                PairInput laws = pair.laws;
+                rows.add(laws, {carried[i].data(), pair.points.size(), a, b, middle},
+                         static_cast<std::uint32_t>(i), scene.bodies);
+                pair.laws.torque *= duration;
+            }
+            QVERIFY(std::abs(rows.end(scene.bodies, frames, duration) - deepest) < roundingOfRows);
+            const ContactRows expected = scene.rows();
+            QCOMPARE(rows.groups().size(), expected.groups().size());
+            QCOMPARE(rows.points().size(), expected.points().size());
+            const auto isNear = [](const Wide& one, const Wide& other, std::size_t lane) {
+                return std::abs(one[lane] - other[lane]) <=
+                       roundingOfRows * std::max({1.0, std::abs(one[lane]), std::abs(other[lane])});
+            };
+            const std::vector<std::array<CarriedPoint, 4>> before = carried;
+            rows.storeForces(duration);
+            for (const RowGroup& group : expected.groups())
+                for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                    for (std::uint32_t k = 0; k < group.points; ++k) {
+                        const RowPoint &one = rows.points()[group.firstPoint + k],
+                                       &other = expected.points()[group.firstPoint + k];
+                        for (const Wide RowPoint::*field :
+                             {&RowPoint::start, &RowPoint::gap, &RowPoint::massNormal, &RowPoint::massTangent,
+                              &RowPoint::perNormal, &RowPoint::perTangent, &RowPoint::normal,
+                              &RowPoint::along1, &RowPoint::along2, &RowPoint::approach})
+                            QVERIFY(isNear(one.*field, other.*field, lane));
+                        if (!(other.massNormal[lane] > 0)) continue;
+                        for (std::size_t axis = 0; axis < 3; ++axis) {
+                            QVERIFY(isNear(one.armA[axis], other.armA[axis], lane));
+                            QVERIFY(isNear(one.armB[axis], other.armB[axis], lane));
+                        }
+                        QVERIFY(isNear(one.coupling1, other.coupling1, lane));
+                        QVERIFY(isNear(one.coupling2, other.coupling2, lane));
+                        const std::size_t source = group.source[lane];
+                        const Vec3& was = before[source][k].force;
+                        const bool presses = was.dot(scene.pairs[source].laws.normal) > 0;
+                        QVERIFY((carried[source][k].force - (presses ? was : Vec3(Vec3::Zero()))).norm() <
+                                roundingOfRows);
+                    }
+            for (std::size_t i = 0; i < rows.rolling().size(); ++i)
+                QVERIFY((rows.rolling()[i].torque - expected.rolling()[i].torque).norm() < roundingOfRows);
         }
     }
 
