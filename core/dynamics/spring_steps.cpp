@@ -53,6 +53,10 @@ constexpr int mostCuts = 64;
 constexpr int mostFiner = 8;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
+[[gnu::always_inline]] inline Wide dot(const std::array<Wide, 3>& one, const std::array<Wide, 3>& other) {
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+}
+
 } // namespace
 
 SpringSteps::End SpringSteps::endOf(const SpringNetwork& network, const State& state, BodyIndex body,
@@ -103,6 +107,7 @@ void SpringSteps::load(const SpringNetwork& network, const State& state) {
         for (const End* end : {&link.from, &link.to})
             if (end->body >= 0) link.yield += m_moving[static_cast<std::size_t>(end->body)].inverseMass;
     }
+    groupLinks();
 }
 
 // No velocity vanishes faster than at the sum of the rates of two bodies that a damper joins (W. Anderson, T.
@@ -128,54 +133,136 @@ void SpringSteps::beginLinks(double T, double guess) {
     for (Link& link : m_links) {
         begin(link.from);
         begin(link.to);
-        link.before = (link.to.before - link.from.before).norm();
+        link.span = link.to.before - link.from.before;
+        link.before = link.span.norm();
+        link.pull = T * link.stiffness;
+        const double share = (0.25 * link.pull + 0.5 * link.damping) * T * link.yield;
+        link.share = share / (1 + share);
         link.push *= guess;
         const double far = std::max({link.before, link.to.before.norm(), link.from.before.norm()});
         m_rounding = std::max(m_rounding, rounding * far * std::abs(T) * link.stiffness * link.yield);
         if (link.to.body >= 0) m_moving[static_cast<std::size_t>(link.to.body)].impulse += link.push;
         if (link.from.body >= 0) m_moving[static_cast<std::size_t>(link.from.body)].impulse -= link.push;
     }
+    loadFours();
+}
+
+// Springs that turn nothing are looked at four at a time. Those in between stay in order.
+void SpringSteps::groupLinks() {
+    const auto turns = [](const End& end) { return end.body >= 0 && !end.isCentre; };
+    const auto turnsNothing = [&](const Link& link) { return !turns(link.from) && !turns(link.to); };
+    m_fours.clear();
+    for (std::size_t first = 0; first + wideLanes <= m_links.size();) {
+        const auto link = m_links.begin() + static_cast<std::ptrdiff_t>(first);
+        const bool four = std::all_of(link, link + wideLanes, turnsNothing);
+        if (four) m_fours.emplace_back().first = first;
+        first += four ? wideLanes : 1;
+    }
+}
+
+void SpringSteps::loadFours() {
+    for (Four& four : m_fours)
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            const Link& link = m_links[four.first + lane];
+            for (Eigen::Index axis = 0; axis < 3; ++axis) {
+                four.span[static_cast<std::size_t>(axis)][lane] = link.span[axis];
+                four.push[static_cast<std::size_t>(axis)][lane] = link.push[axis];
+            }
+            four.pull[lane] = link.pull;
+            four.share[lane] = link.share;
+            four.damping[lane] = link.damping;
+            four.length[lane] = link.length;
+            four.before[lane] = link.before;
+        }
 }
 
 // The impulses of all springs, by where their ends are at the end of the part so far.
-void SpringSteps::pull(double T) {
+void SpringSteps::pull() {
     m_looks += m_links.size();
     for (Moving& body : m_moving) {
         body.impulse.setZero();
         body.torque.setZero();
     }
-    const auto arm = [&](const End& end) {
-        return Vec3(m_moving[static_cast<std::size_t>(end.body)].q1 * end.at);
+    auto four = m_fours.begin();
+    for (std::size_t i = 0; i < m_links.size();) {
+        const bool isFour = four != m_fours.end() && four->first == i;
+        isFour ? pullFour(*four++) : pullOne(m_links[i]);
+        i += isFour ? wideLanes : 1;
+    }
+}
+
+Vec3 SpringSteps::placeOf(const End& end, Vec3& arm) const {
+    if (end.body < 0) return end.before;
+    const Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+    if (end.isCentre) return body.x1;
+    arm = body.q1 * end.at;
+    return body.x1 + arm;
+}
+
+void SpringSteps::push(const End& end, const Vec3& armAfter, const Vec3& impulse) {
+    if (end.body < 0) return;
+    Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+    body.impulse += impulse;
+    if (!end.isCentre) body.torque += 0.5 * (end.armBefore + armAfter).cross(impulse);
+}
+
+void SpringSteps::pullOne(Link& link) {
+    Vec3 armFrom = Vec3::Zero(), armTo = Vec3::Zero();
+    const Vec3 last = placeOf(link.to, armTo) - placeOf(link.from, armFrom);
+    const Vec3 middle = 0.5 * (last + link.span);
+    const double after = last.norm(), length = 0.5 * (link.before + after);
+    const double impulse = link.pull * (length - link.length) + link.damping * (after - link.before);
+    const Vec3 found = length > 0 ? Vec3((-impulse / length) * middle) : Vec3(-impulse * Vec3::UnitY());
+    const Vec3 off = found - link.push;
+    link.push += off;
+    if (after > 0) link.push -= (link.share * off.dot(last) / (after * after)) * last;
+    push(link.to, armTo, link.push);
+    push(link.from, armFrom, -link.push);
+}
+
+// As pullOne(), each spring in a lane. False if one has no length.
+CAROM_WIDE bool SpringSteps::findImpulses(Four& springs) {
+    const Wide after = rootOf(dot(springs.last, springs.last));
+    for (int lane = 0; lane < wideLanes; ++lane)
+        if (!(after[lane] > 0)) return false;
+    const Wide length = 0.5 * (springs.before + after);
+    const Wide impulse =
+        springs.pull * (length - springs.length) + springs.damping * (after - springs.before);
+    const Wide perLength = -impulse / length;
+    std::array<Wide, 3> off;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Wide middle = 0.5 * (springs.last[axis] + springs.span[axis]);
+        off[axis] = perLength * middle - springs.push[axis];
+        springs.push[axis] += off[axis];
+    }
+    const Wide along = springs.share * dot(off, springs.last) / (after * after);
+    for (std::size_t axis = 0; axis < 3; ++axis) springs.push[axis] -= along * springs.last[axis];
+    return true;
+}
+
+// The same for four springs that turn nothing.
+void SpringSteps::pullFour(Four& four) {
+    const auto placeOfCentre = [this](const End& end) {
+        return end.body < 0 ? end.before : m_moving[static_cast<std::size_t>(end.body)].x1;
     };
-    for (Link& link : m_links) {
-        Vec3 armFrom = Vec3::Zero(), armTo = Vec3::Zero();
-        Vec3 from = link.from.before, to = link.to.before;
-        if (link.from.body >= 0) {
-            if (!link.from.isCentre) armFrom = arm(link.from);
-            from = m_moving[static_cast<std::size_t>(link.from.body)].x1 + armFrom;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+        const Link& link = m_links[four.first + lane];
+        const Vec3 last = placeOfCentre(link.to) - placeOfCentre(link.from);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            four.last[axis][lane] = last[static_cast<Eigen::Index>(axis)];
+    }
+    const bool isFound = findImpulses(four);
+    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+        Link& link = m_links[four.first + lane];
+        if (!isFound) {
+            pullOne(link);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                four.push[axis][lane] = link.push[static_cast<Eigen::Index>(axis)];
+            continue;
         }
-        if (link.to.body >= 0) {
-            if (!link.to.isCentre) armTo = arm(link.to);
-            to = m_moving[static_cast<std::size_t>(link.to.body)].x1 + armTo;
-        }
-        const Vec3 last = to - from, middle = 0.5 * (last + link.to.before - link.from.before);
-        const double after = last.norm(), length = 0.5 * (link.before + after);
-        const double impulse =
-            T * link.stiffness * (length - link.length) + link.damping * (after - link.before);
-        const Vec3 found = length > 0 ? Vec3((-impulse / length) * middle) : Vec3(-impulse * Vec3::UnitY());
-        const double share = (0.25 * T * link.stiffness + 0.5 * link.damping) * T * link.yield;
-        const Vec3 off = found - link.push;
-        link.push += off;
-        if (after > 0) link.push -= (share / (1 + share) * off.dot(last) / (after * after)) * last;
-        const Vec3& push = link.push;
-        const auto add = [&](const End& end, const Vec3& armAfter, double sign) {
-            if (end.body < 0) return;
-            Moving& body = m_moving[static_cast<std::size_t>(end.body)];
-            body.impulse += sign * push;
-            if (!end.isCentre) body.torque += (0.5 * sign) * (end.armBefore + armAfter).cross(push);
-        };
-        add(link.to, armTo, 1);
-        add(link.from, armFrom, -1);
+        link.push = Vec3(four.push[0][lane], four.push[1][lane], four.push[2][lane]);
+        if (link.to.body >= 0) m_moving[static_cast<std::size_t>(link.to.body)].impulse += link.push;
+        if (link.from.body >= 0) m_moving[static_cast<std::size_t>(link.from.body)].impulse -= link.push;
     }
 }
 
@@ -225,7 +312,7 @@ bool SpringSteps::followPart(const SpringNetwork& network, double T, double gues
     advance(network, T);
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < mostRounds; ++round) {
-        pull(T);
+        pull();
         const double change = advance(network, T);
         for (const Moving& body : m_moving) fastest = std::max(fastest, body.v1.squaredNorm());
         const double scale = std::max(std::sqrt(fastest), std::abs(T) * network.gravity.norm());

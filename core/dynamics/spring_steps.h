@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/wide.h"
 #include "core/dynamics/spring_network.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -80,13 +82,30 @@ class SpringSteps {
         double stiffness, damping, length;
         double yield = 0;         ///< 1/m + 1/m' [1/kg]
         double before = 0;        ///< length at the start of the part [m]
+        Vec3 span = Vec3::Zero(); ///< from end to end, at the start of the part [m]
+        double pull = 0;          ///< k T, in the part [N s/m]
+        double share = 0;         ///< of an impulse along the spring that its own effect takes away
         Vec3 push = Vec3::Zero(); ///< p, so far [N s]
+    };
+
+    /// Four springs one behind the other, each a lane.
+    struct alignas(32) Four {
+        std::size_t first = 0;                      ///< of them
+        std::array<Wide, 3> last{}, span{}, push{}; ///< by axis; last: as span, at the end of the part so far
+        Wide pull{}, share{}, damping{}, length{}, before{};
     };
 
     void load(const SpringNetwork& network, const State& state);
     End endOf(const SpringNetwork& network, const State& state, BodyIndex body, const Vec3& at);
     bool followPart(const SpringNetwork& network, double T, double guess);
-    void pull(double T);
+    void pull();
+    void pullOne(Link& link);
+    void groupLinks();
+    void loadFours();
+    void pullFour(Four& four);
+    static bool findImpulses(Four& springs);
+    Vec3 placeOf(const End& end, Vec3& arm) const;
+    void push(const End& end, const Vec3& armAfter, const Vec3& impulse);
     double advance(const SpringNetwork& network, double T);
     void beginLinks(double T, double guess);
     double fastestDamping() const;
@@ -98,6 +117,7 @@ class SpringSteps {
     std::vector<int> m_place; // by body of the scene
     std::vector<Moving> m_moving;
     std::vector<Link> m_links;
+    std::vector<Four> m_fours;      // of m_links, where none of four turns a body
     std::vector<Vec3> m_velocities; // by time, then by place [m/s]
     std::size_t m_times = 0;
     double m_rounding = 0; // of the lengths of springs, as it shows in velocities in the part [m/s]
