@@ -14,7 +14,8 @@ namespace carom {
 /// other. Bodies in all but `moveOnSprings` do not know each other either: a call for two bodies is two
 /// calls. Every function advances the state by h seconds.
 struct SmoothMotion {
-    bool isExactInFreeFall = false; ///< several substeps of free fall are one, but for rounding
+    bool isExactInFreeFall = false;     ///< several substeps of free fall are one, but for rounding
+    bool isExactInFreeRotation = false; ///< and several of rotation free of torque
     /// Moves the centres of `bodies` under an acceleration [m/s²] that is constant over the substep.
     void (*move)(std::span<const BodyIndex> bodies, const Vec3& acceleration, double h,
                  State& state) = nullptr;

@@ -45,6 +45,7 @@ constinit const IntegratorRow midpointRow = {
     .stableUpTo = std::numeric_limits<double>::infinity(),
     .decaysUpTo = std::numeric_limits<double>::infinity(),
     .motion = {.isExactInFreeFall = true,
+               .isExactInFreeRotation = true,
                .move = moveOnParabola,
                .turn = turnBySpin,
                .rotateFreely = rotateAllFreely,

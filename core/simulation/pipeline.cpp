@@ -53,6 +53,7 @@ SmoothMotion motionFor(const Bodies& bodies, SmoothMotion motion) {
     if (!bodies.rotating.empty()) return motion;
     motion.turn = turnNone;
     motion.rotateFreely = rotateNone;
+    motion.isExactInFreeRotation = true;
     return motion;
 }
 

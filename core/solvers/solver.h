@@ -66,6 +66,12 @@ struct SolverInput {
     /// of one time for all bodies.
     int part = 0, parts = 1;
 
+    /// The same for so many substeps at once.
+    SolverInput lasting(int substeps) const {
+        SolverInput input = *this;
+        input.substep *= substeps;
+        return input;
+    }
     /// The same with other bodies and their state.
     SolverInput about(const Bodies& otherBodies, State& otherState) const {
         return {.bodies = otherBodies,

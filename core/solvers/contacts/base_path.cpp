@@ -211,7 +211,7 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
             return isRenewed(entry) &&
                    !areWithin(input.bodies, input.state, entry.pair, marginOf(input, entry.pair));
         };
-        block.drop(cannotMeet, manifolds);
+        if (input.isFirst) block.drop(cannotMeet, manifolds);
         block.forEachEntry([&](Entry& entry) {
             if (!isRenewed(entry)) return;
             entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
@@ -343,11 +343,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
     for (std::size_t i = 0; i < m_islands.count(); ++i) {
         const Island island = m_islands[i];
         m_numbers.push_back(numberFor(island, manifolds));
-        SteppedMotion& block = m_blocks[m_numbers[i] - 1u];
-        if (block.isEmpty())
-            block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(m_numbers[i] - 1), m_passes),
-                        substep);
-        block.addIsland(input, island.bodies, island.links);
+        addIsland(input, island, m_numbers[i], substep);
     }
     // Pairs that touch come first, so that groups of four hold either active or idle pairs.
     for (const bool near : {true, false})
@@ -358,6 +354,34 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                                manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
         for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
+}
+
+void BasePath::enterBriefly(const SteppedInput& input, std::span<const Island> islands,
+                            std::span<const Entry> pairs, double substep, Manifolds& manifolds) {
+    m_isEmpty = m_isEmpty && islands.empty();
+    m_numbers.clear();
+    std::size_t first = 0;
+    for (const Island& island : islands) {
+        ContactCount count;
+        for (const Entry& entry : pairs.subspan(first, island.pairs.size()))
+            count.add(manifolds[entry.place].count, manifolds[entry.place].round);
+        first += island.pairs.size();
+        const std::uint8_t number = static_cast<std::uint8_t>(divisionNumber(count) + 1);
+        m_numbers.push_back(number);
+        addIsland(input, island, number, substep);
+        for (const BodyIndex body : island.bodies) m_block[body] = number;
+    }
+    for (const bool near : {true, false})
+        for (const Entry& entry : pairs)
+            if (entry.isNear == near) blockWith(hereOf(entry.pair)).addPair(input, entry, manifolds);
+}
+
+void BasePath::addIsland(const SteppedInput& input, const Island& island, std::uint8_t number,
+                         double substep) {
+    SteppedMotion& block = m_blocks[number - 1u];
+    if (block.isEmpty())
+        block.begin(input.bodies, divisionOf(static_cast<std::uint8_t>(number - 1), m_passes), substep);
+    block.addIsland(input, island.bodies, island.links);
 }
 
 // The block for an island that enters: that of the bodies it meets on the base path, else by its contacts.

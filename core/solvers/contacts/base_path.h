@@ -72,6 +72,10 @@ class BasePath {
     void enter(const SteppedInput& input, std::span<const BodyIndex> list, const Neighbours& neighbours,
                std::span<const BodyPair> links, double substep, std::span<Manifolds::Entry> known,
                Manifolds& manifolds);
+    /// Islands enter for a single substep, with the pairs that may touch within it: `pairs` are those of the
+    /// first, then of the second, and so on.
+    void enterBriefly(const SteppedInput& input, std::span<const Island> islands,
+                      std::span<const Entry> pairs, double substep, Manifolds& manifolds);
     SteppedReport advance(const SteppedInput& input, Manifolds& manifolds);
     /// visit(manifold) for every pair that is in contact, as of the last substep.
     template<class Visit>
@@ -188,6 +192,7 @@ class BasePath {
                    std::span<Manifolds::Entry> known);
     ContactCount countOf(const Island& island, const Manifolds& manifolds) const;
     std::uint8_t numberFor(const Island& island, const Manifolds& manifolds);
+    void addIsland(const SteppedInput& input, const Island& island, std::uint8_t number, double substep);
     void countContacts(std::size_t number, const Manifolds& manifolds);
     void loadMember(const SteppedInput& input, BodyIndex member, std::uint8_t number, Entry& entry,
                     Manifolds& manifolds);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/candidates.h"
 
-#include "core/base/reserve.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,96 +14,102 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 
 } // namespace
 
-Candidates::Candidates(const Bodies& bodies)
-    : m_kind(bodies.count(), Kind::Immobile), m_reach(bodies.count(), 0.0), m_ball(bodies.count()) {
+Candidates::Candidates(const Bodies& bodies) : m_body(bodies.count()) {
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
         const bool wall = isWall(bodies.shape[i]);
-        m_ball[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
+        m_body[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
+        setReach(i, 0);
     }
 }
 
-// The same as boundingGap() for a member and a neighbour, from stored radii, without reading their shapes.
-double Candidates::gapOf(const Bodies& bodies, const State& state, BodyPair pair) const {
-    const Ball &a = m_ball[pair.a], &b = m_ball[pair.b];
-    const double radii = a.radius + b.radius;
-    return std::isfinite(radii) ? (b.centre - a.centre).norm() - radii : boundingGap(bodies, state, pair);
+void Candidates::setReach(BodyIndex body, double reach) {
+    Body& to = m_body[body];
+    to.reach = reach;
+    to.extent = to.radius + std::max(reach, Neighbours::leastMargin * to.radius);
 }
 
-bool Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                      std::span<const std::uint8_t> placed, Neighbours& neighbours) {
-    for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
+// The same as carom::areWithin() for a member and a neighbour, from what is stored of them.
+bool Candidates::areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) const {
+    const Body &a = m_body[pair.a], &b = m_body[pair.b];
+    const double within = a.radius + b.radius + margin;
+    if (!std::isfinite(within)) return boundingGap(bodies, state, pair) <= margin;
+    return (b.centre - a.centre).squaredNorm() <= within * within &&
+           areBoxesWithin(bodies, state, pair, margin);
+}
+
+void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+                      std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase) {
+    if (!noteReach(bodies, state, members, placed, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!shareReach(bodies, state, neighbours)) neighbours.search(bodies, state, broadphase);
+}
+
+bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+                           std::span<const std::uint8_t> placed, Neighbours& neighbours) {
+    for (const BodyIndex i : bodies.mobileBodies) m_body[i].kind = Kind::Left;
+    for (const BodyIndex i : bodies.bounded) m_body[i].centre = state.pose[i].position;
+    m_free.clear();
     bool covered = true;
-    double farthest = 0;
-    for (const BodyIndex i : bodies.bounded) m_ball[i].centre = state.pose[i].position;
     for (const BodyIndex i : members) {
-        m_kind[i] = placed[i] != 0 ? Kind::Placed : Kind::Member;
-        m_reach[i] = neighbours.reach(i);
-        farthest = std::max(farthest, m_reach[i]);
-        covered = neighbours.covers(i, roomFor(bodies, i, m_reach[i])) && covered;
-    }
-    if (!covered) return false;
-    m_upward.clear();
-    m_downward.clear();
-    reserveFor(neighbours.ends(), m_upward);
-    reserveFor(neighbours.ends(), m_downward);
-    for (const BodyIndex i : members) {
-        if (placed[i] != 0) continue;
-        const Ball ball = m_ball[i];
-        for (const BodyIndex k : neighbours.around(i)) {
-            const Kind kind = m_kind[k];
-            if (kind == Kind::Left || (kind == Kind::Member && k < i)) continue;
-            const Ball& other = m_ball[k];
-            const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const double margin = std::max(2 * farthest, leastMarginOf(pair));
-            const double within = ball.radius + other.radius + margin;
-            if ((other.centre - ball.centre).squaredNorm() > within * within) continue;
-            const Near near{pair, gapOf(bodies, state, pair)};
-            if (near.gap > margin) continue;
-            (i < k ? m_upward : m_downward).push_back(near);
-            if (kind != Kind::Immobile) covered = shareReach(bodies, state, near, neighbours) && covered;
-        }
+        m_body[i].kind = placed[i] != 0 ? Kind::Placed : Kind::Member;
+        setReach(i, neighbours.reach(i));
+        covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
+        if (placed[i] == 0) m_free.push_back(i);
     }
     return covered;
 }
 
-bool Candidates::shareReach(const Bodies& bodies, const State& state, const Near& near,
-                            Neighbours& neighbours) {
-    const auto [a, b] = near.pair;
-    const double reachA = neighbours.reach(a), reachB = neighbours.reach(b);
-    if (!(near.gap <= reachA + reachB)) return true;
-    const BodyIndex slower = reachA < reachB ? a : b;
-    const BodyIndex faster = slower == a ? b : a;
-    const double reach =
-        Neighbours::reachAfter(bodies, slower, std::min(reachA, reachB), faster, std::max(reachA, reachB));
-    if (!(m_reach[slower] < reach)) return true;
-    if (!areBoxesWithin(bodies, state, near.pair, reachA + reachB)) return true;
-    m_reach[slower] = reach;
-    return neighbours.covers(slower, roomFor(bodies, slower, reach));
+// The larger reach that bodies have because of what may strike them.
+bool Candidates::shareReach(const Bodies& bodies, const State& state, Neighbours& neighbours) {
+    m_shared.clear();
+    for (const BodyIndex i : m_free) {
+        const Body body = m_body[i];
+        for (const BodyIndex k : neighbours.around(i)) {
+            const Body& other = m_body[k];
+            if (!mayBeWithin(body, other)) continue;
+            if (other.kind == Kind::Immobile || other.kind == Kind::Left) continue;
+            if (other.kind == Kind::Member && k < i) continue;
+            const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
+            const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
+            const double reach = Neighbours::reachAfter(bodies, slower, std::min(reachI, reachK), faster,
+                                                        std::max(reachI, reachK));
+            if (!(m_body[slower].reach < reach)) continue;
+            if (!areWithin(bodies, state, {std::min(i, k), std::max(i, k)}, reachI + reachK)) continue;
+            setReach(slower, reach);
+            m_shared.push_back(slower);
+        }
+    }
+    bool covered = true;
+    for (const BodyIndex i : m_shared)
+        covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
+    return covered;
 }
 
 // Members and their neighbours are in ascending order, and so are all pairs but the few with an immobile or a
 // base-path body of smaller index.
-std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state) {
-    const auto choose = [&](const std::vector<Near>& from, std::vector<BodyPair>& chosen) {
-        chosen.clear();
-        reserveFor(from.size(), chosen);
-        for (const Near& near : from)
-            if (const double margin = marginOf(near.pair);
-                near.gap <= margin && areBoxesWithin(bodies, state, near.pair, margin))
-                chosen.push_back(near.pair);
-    };
-    choose(m_upward, m_up);
-    choose(m_downward, m_down);
+std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state,
+                                           const Neighbours& neighbours) {
+    m_up.clear();
+    m_down.clear();
+    for (const BodyIndex i : m_free) {
+        const Body body = m_body[i];
+        for (const BodyIndex k : neighbours.around(i)) {
+            const Body& other = m_body[k];
+            if (!mayBeWithin(body, other)) continue;
+            if (other.kind == Kind::Left || (other.kind == Kind::Member && k < i)) continue;
+            const BodyPair pair{std::min(i, k), std::max(i, k)};
+            if (areWithin(bodies, state, pair, marginOf(pair))) (i < k ? m_up : m_down).push_back(pair);
+        }
+    }
     mergeAscending(m_up, m_down, m_pairs);
     return m_pairs;
 }
 
 double Candidates::leastMarginOf(BodyPair pair) const {
-    return Neighbours::leastMargin * std::min(m_ball[pair.a].radius, m_ball[pair.b].radius);
+    return Neighbours::leastMargin * std::min(m_body[pair.a].radius, m_body[pair.b].radius);
 }
 
 double Candidates::marginOf(BodyPair pair) const {
-    return std::max(leastMarginOf(pair), m_reach[pair.a] + m_reach[pair.b]);
+    return std::max(leastMarginOf(pair), m_body[pair.a].reach + m_body[pair.b].reach);
 }
 
 } // namespace carom

@@ -19,43 +19,49 @@ class Candidates {
   public:
     explicit Candidates(const Bodies& bodies);
 
-    /// Takes note of how far the members come in the substep that the neighbours followed last, and of the
-    /// pairs among them, without those of two that are `placed` (by body, not 0: its pairs with others that
-    /// are placed and with what cannot move are known). False if a body may come further than what was
-    /// searched: the neighbours must search, and be asked again.
-    bool look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-              std::span<const std::uint8_t> placed, Neighbours& neighbours);
+    /// Takes note of how far the members come in the substep that the neighbours followed last, and has the
+    /// neighbours searched where they may come further than what was searched. Pairs of two that are `placed`
+    /// (by body, not 0) are left out: its pairs with others that are placed and with what cannot move are
+    /// known.
+    void look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+              std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase);
 
     /// How far a member's surface may move [m]: a body that is struck may leave as fast as the striker, so
     /// neighbours share their reach.
-    double reach(BodyIndex member) const { return m_reach[member]; }
+    double reach(BodyIndex member) const { return m_body[member].reach; }
     /// Pairs that may touch, ascending.
-    std::span<const BodyPair> find(const Bodies& bodies, const State& state);
+    std::span<const BodyPair> find(const Bodies& bodies, const State& state, const Neighbours& neighbours);
     /// Up to which separation points of a pair are kept [m].
     double marginOf(BodyPair pair) const;
 
   private:
-    struct Near {
-        BodyPair pair;
-        double gap = 0; // of their bounding balls [m]
-    };
-    /// The bounding ball of a body; of walls the radius is infinite.
-    struct Ball {
-        Vec3 centre = Vec3::Zero(); // [m]
-        double radius = 0;          // [m]
-    };
-    double leastMarginOf(BodyPair pair) const;
-    double gapOf(const Bodies& bodies, const State& state, BodyPair pair) const;
-    bool shareReach(const Bodies& bodies, const State& state, const Near& near, Neighbours& neighbours);
-
     /// Left: mobile, and no member.
     enum class Kind : std::uint8_t { Immobile, Left, Placed, Member };
-    std::vector<Kind> m_kind;     // by body
-    std::vector<double> m_reach;  // by body [m]
-    std::vector<Ball> m_ball;     // by body
-    std::vector<Near> m_upward;   // from a member to a larger index, ascending
-    std::vector<Near> m_downward; // from a member to something immobile or placed of smaller index
-    std::vector<BodyPair> m_up, m_down, m_pairs;
+    /// A body and its bounding ball; of walls the radius is infinite.
+    struct Body {
+        Vec3 centre = Vec3::Zero(); // [m]
+        double radius = 0;          // [m]
+        double extent = 0;          // the radius, and how far it reaches at least as a pair's margin is [m]
+        double reach = 0;           // [m]
+        Kind kind = Kind::Immobile;
+    };
+    static bool mayBeWithin(const Body& a, const Body& b) {
+        const double extents = a.extent + b.extent;
+        return (b.centre - a.centre).squaredNorm() <= extents * extents;
+    }
+    void setReach(BodyIndex body, double reach);
+    bool noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
+                   std::span<const std::uint8_t> placed, Neighbours& neighbours);
+    bool shareReach(const Bodies& bodies, const State& state, Neighbours& neighbours);
+    bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) const;
+    double leastMarginOf(BodyPair pair) const;
+
+    std::vector<Body> m_body;        // by body
+    std::vector<BodyIndex> m_free;   // members that are not placed
+    std::vector<BodyIndex> m_shared; // members with a larger reach than their own
+    std::vector<BodyPair> m_up;      // from a member to a larger index, ascending
+    std::vector<BodyPair> m_down;    // from a member to something immobile or placed of smaller index
+    std::vector<BodyPair> m_pairs;
 };
 
 } // namespace carom

@@ -10,6 +10,7 @@
 #include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/found_contacts.h"
+#include "core/solvers/contacts/free_flight.h"
 #include "core/solvers/contacts/impulse_reach.h"
 #include "core/solvers/contacts/island_scheduler.h"
 #include "core/solvers/contacts/islands.h"
@@ -30,6 +31,7 @@
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
 // A substep, in order:
 //
+//     free flight  bodies that come near nothing are left out (free_flight.h)
 //     neighbours   the pairs that can touch within it (neighbours.h, candidates.h)
 //     contacts     where they touch: carried along where they can be (manifolds.h)
 //     islands      bodies that contacts or springs join; solved independently (islands.h)
@@ -59,7 +61,7 @@ class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
         : m_bodies(bodies), m_settings(settings), m_neighbours(bodies), m_sleeping(bodies.count()),
-          m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
+          m_flight(bodies), m_candidates(bodies), m_reach(bodies.count()), m_refinement(bodies.count()),
           m_base(bodies.count(), passesOf(settings)), m_backOff(bodies.count(), 0),
           m_brief(bodies.count(), passesOf(settings)), m_calm(bodies.count()),
           m_isOnSpring(bodies.count(), 0) {
@@ -91,18 +93,21 @@ class Contacts final : public Solver {
         }
     };
     SolverReport rest(const SolverInput& input);
+    SolverReport move(const SolverInput& input);
     void findMembers(const SolverInput& input);
     bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
     bool wakeTouched(const SolverInput& input);
-    void followMembers(const SolverInput& input);
+    template<class ReachOf>
+    bool joinMet(const SolverInput& input, const ReachOf& reachOf);
+    void addMembers(const SolverInput& input, std::span<const BodyIndex> bodies);
     void coverMembers(const SolverInput& input);
     void findContacts(const SolverInput& input);
     bool findJoining(const SolverInput& input);
     void enterBase(const SolverInput& input);
-    void enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
-               double skin);
     bool comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const;
+    void passBriefly(const SolverInput& input, const Island& island);
+    void enterForFrames(const SolverInput& input);
     void leaveMarked(const SolverInput& input);
     void sleepWhatRests(const SolverInput& input);
     template<class Is>
@@ -116,7 +121,8 @@ class Contacts final : public Solver {
                 .gravity = input.gravity,
                 .state = input.state,
                 .ledger = input.ledger,
-                .tolerance = m_settings.tolerance * input.gravity.norm() * input.substep};
+                .tolerance = m_settings.tolerance * input.gravity.norm() * input.substep,
+                .isFirst = input.part == 0};
     }
     static int passesOf(const SolverSettings& settings) {
         return std::max(1, settings.iterations / iterationsOfOnePass);
@@ -144,6 +150,7 @@ class Contacts final : public Solver {
     SolverSettings m_settings;
     Neighbours m_neighbours;
     SleepingBodies m_sleeping;
+    FreeFlight m_flight;
     Candidates m_candidates;
     ImpulseReach m_reach;
     Refinement m_refinement;
@@ -152,9 +159,11 @@ class Contacts final : public Solver {
     BasePath m_brief;                    // for one substep
     Calm m_calm;
     std::vector<std::uint8_t> m_isOnSpring; // by body: such a body never counts as calm
-    std::vector<BodyIndex> m_members;       // mobile bodies that do not sleep
+    std::vector<BodyIndex> m_members;       // mobile bodies that neither sleep nor fly
     std::vector<BodyIndex> m_free;          // members that were not on the base path when the substep began
-    std::vector<BodyIndex> m_entering, m_passing, m_woken, m_leaving;
+    std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_joined, m_leaving;
+    std::vector<Island> m_brieflyHere; // islands of m_brief
+    std::vector<SteppedMotion::Entry> m_brieflyPaired;
     std::vector<BodyPair> m_links;     // the ends of springs
     ContactSet m_contacts;             // of refined islands, from the last substep
     FoundContacts m_found;             // of the substep
@@ -186,7 +195,13 @@ SolverReport Contacts::rest(const SolverInput& input) {
 }
 
 SolverReport Contacts::advance(const SolverInput& input) {
-    if (input.part > 0 && m_members.empty()) return rest(input);
+    const SolverReport report =
+        input.part > 0 && m_members.empty() && m_flight.bodies().empty() ? rest(input) : move(input);
+    m_neighbours.pass(input.substep);
+    return report;
+}
+
+SolverReport Contacts::move(const SolverInput& input) {
     SolverReport report;
     Stopwatch watch;
     const std::uint64_t searches = m_neighbours.searches();
@@ -205,7 +220,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     m_refinement.choose({input.bodies, input.state, m_islands, m_free, m_found.canMeet(), m_joins,
                          input.gravity, input.substep, input.part, input.parts},
                         budget());
-    m_work.islands = m_islands.count() + m_base.islands();
+    m_work.islands = m_islands.count() + m_base.islands() + m_flight.bodies().size();
     for (const Refinement::Choice& choice : m_refinement.refined())
         m_found.makeExact(here(input), m_islands[choice.island].pairs, m_work);
     report.narrowphase = watch.lap();
@@ -225,6 +240,7 @@ SolverReport Contacts::advance(const SolverInput& input) {
     report.respond = watch.lap();
     if (report.loss) return report;
     m_coasting.move(input, m_refinement.lone());
+    if (input.part + 1 == input.parts) m_flight.end(input);
     report.loss = findLoss(input.bodies, input.state);
     report.integrate = watch.lap();
     return report;
@@ -247,20 +263,24 @@ void Contacts::recall(const SolverMemory& memory) {
     m_base = persistent.base;
     m_backOff = persistent.backOff;
     m_brief.clear();
+    m_flight.clear();
 }
 
-// Finds the mobile bodies that do not sleep, and wakes those that they may touch.
+// Finds the mobile bodies that neither sleep nor fly, with those of both kinds that they may touch.
 void Contacts::findMembers(const SolverInput& input) {
     wakeMoved(input);
     m_members.clear();
     for (const BodyIndex i : input.bodies.mobileBodies)
-        if (!m_sleeping.isAsleep(i)) m_members.push_back(i);
+        if (!m_sleeping.isAsleep(i) && (input.part == 0 || !m_flight.has(i))) m_members.push_back(i);
+    if (input.part > 0) m_flight.advance(input);
     if (!m_members.empty())
-        m_neighbours.update(input.bodies, input.state, m_members, input.gravity,
-                            (input.part == 0 ? (input.parts + Neighbours::reachFactor - 1) : 1) *
-                                input.substep,
-                            input.broadphase);
-    if (input.part == 0) followMembers(input); // in later substeps update() has just followed them
+        m_neighbours.update(input.bodies, input.state, m_members, input.gravity, input.substep,
+                            input.parts * input.substep, input.broadphase);
+    if (input.part == 0) {
+        m_flight.start(input, m_isOnSpring, m_base.blockOf(), m_neighbours, m_members);
+        m_refinement.forget(m_flight.bodies());
+    }
+    joinMet(input, [this](BodyIndex i) { return m_neighbours.reach(i); });
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
             for (const BodyIndex i : m_members)
@@ -270,10 +290,8 @@ void Contacts::findMembers(const SolverInput& input) {
         if (!renewBase(input)) leaveMarked(input);
     }
     coverMembers(input);
-    while (wakeTouched(input)) {
-        followMembers(input);
-        coverMembers(input);
-    }
+    const auto reachOf = [this](BodyIndex i) { return m_candidates.reach(i); };
+    while (joinMet(input, reachOf) || wakeTouched(input)) coverMembers(input);
     m_sleeping.exchange(input.bodies, m_contacts);
 }
 
@@ -283,14 +301,27 @@ bool Contacts::renewBase(const SolverInput& input) {
                         lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
 }
 
-void Contacts::followMembers(const SolverInput& input) {
-    if (!m_neighbours.follow(input.bodies, input.state, m_members, input.gravity, input.substep))
+// Makes members of flying bodies that come near a member, which reaches as far as reachOf(member) says. False
+// if there are none.
+template<class ReachOf>
+bool Contacts::joinMet(const SolverInput& input, const ReachOf& reachOf) {
+    m_flight.findMet(input, m_neighbours, reachOf, m_met);
+    if (m_met.empty()) return false;
+    addMembers(input, m_met);
+    return true;
+}
+
+// `bodies` ascend.
+void Contacts::addMembers(const SolverInput& input, std::span<const BodyIndex> bodies) {
+    m_joined.resize(m_members.size() + bodies.size());
+    std::merge(m_members.begin(), m_members.end(), bodies.begin(), bodies.end(), m_joined.begin());
+    std::swap(m_members, m_joined);
+    if (!m_neighbours.follow(input.bodies, input.state, bodies, input.gravity, input.substep))
         m_neighbours.search(input.bodies, input.state, input.broadphase);
 }
 
 void Contacts::coverMembers(const SolverInput& input) {
-    while (!m_candidates.look(input.bodies, input.state, m_members, m_base.blockOf(), m_neighbours))
-        m_neighbours.search(input.bodies, input.state, input.broadphase);
+    m_candidates.look(input.bodies, input.state, m_members, m_base.blockOf(), m_neighbours, input.broadphase);
     m_free.clear();
     for (const BodyIndex i : m_members)
         if (!m_base.has(i)) m_free.push_back(i);
@@ -317,14 +348,15 @@ bool Contacts::wakeTouched(const SolverInput& input) {
                 m_sleeping.wake(k, m_woken);
     if (m_woken.empty()) return false;
     m_calm.forget(m_woken);
-    m_members.insert(m_members.end(), m_woken.begin(), m_woken.end());
-    std::sort(m_members.begin(), m_members.end());
+    std::sort(m_woken.begin(), m_woken.end());
+    m_flight.join(m_woken);
+    addMembers(input, m_woken);
     return true;
 }
 
 void Contacts::findContacts(const SolverInput& input) {
-    m_found.find(here(input), m_candidates.find(input.bodies, input.state), m_candidates, m_refinement,
-                 m_contacts, m_work);
+    m_found.find(here(input), m_candidates.find(input.bodies, input.state, m_neighbours), m_candidates,
+                 m_refinement, m_contacts, m_work);
 }
 
 // Finds the islands of bodies that are not on the base path, and which of them touch bodies that are. False
@@ -348,24 +380,36 @@ bool Contacts::findJoining(const SolverInput& input) {
 
 // Puts bodies of islands that are not refined on the base path, for many frames or for this substep only.
 void Contacts::enterBase(const SolverInput& input) {
-    const double time = input.parts * input.substep;
     m_entering.clear();
     m_passing.clear();
-    for (const std::uint32_t island : m_refinement.stepped()) {
-        m_found.makeManifolds(here(input), m_islands[island].pairs, m_work);
-        const std::span<const BodyIndex> bodies = m_islands[island].bodies;
+    m_brieflyHere.clear();
+    m_brieflyPaired.clear();
+    for (const std::uint32_t number : m_refinement.stepped()) {
+        const Island island = m_islands[number];
+        m_found.makeManifolds(here(input), island.pairs, m_work);
         const bool isBrief =
-            m_joins[island] == 0 && (m_refinement.isTriedSoon(island) || comesFar(input, bodies));
+            m_joins[number] == 0 && (m_refinement.isTriedSoon(number) || comesFar(input, island.bodies));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
-        list.insert(list.end(), bodies.begin(), bodies.end());
-        for (const BodyIndex body : bodies) m_backOff[body] = m_refinement.backOffOf(island);
+        list.insert(list.end(), island.bodies.begin(), island.bodies.end());
+        for (const BodyIndex body : island.bodies) m_backOff[body] = m_refinement.backOffOf(number);
+        if (isBrief) passBriefly(input, island);
     }
     m_known = m_found.known();
-    enter(input, m_base, m_entering, time, lastingSkin);
-    enter(input, m_brief, m_passing, input.substep, Neighbours::leastMargin);
-    m_found.forgetTaken([this](BodyPair pair) {
-        return m_base.has(pair.a) || m_base.has(pair.b) || m_brief.has(pair.a) || m_brief.has(pair.b);
-    });
+    enterForFrames(input);
+    m_found.forgetTaken([this](BodyPair pair) { return m_base.has(pair.a) || m_base.has(pair.b); });
+    m_brief.enterBriefly(stepped(input), m_brieflyHere, m_brieflyPaired, input.substep, m_found.manifolds());
+}
+
+void Contacts::passBriefly(const SolverInput& input, const Island& island) {
+    m_brieflyHere.push_back(island);
+    for (const std::uint32_t index : island.pairs) {
+        const ContactPair& pair = m_found.set().pairs[index];
+        m_brieflyPaired.push_back({.pair = pair.bodies(),
+                                   .place = m_found.take(index),
+                                   .margin = pair.margin,
+                                   .isFresh = true,
+                                   .isNear = SteppedMotion::isNear(stepped(input), pair.bodies())});
+    }
 }
 
 // Whether bodies that enter have more pairs within their reach in a frame than within that in a substep,
@@ -373,20 +417,21 @@ void Contacts::enterBase(const SolverInput& input) {
 bool Contacts::comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const {
     double reach = 0, size = 0;
     for (const BodyIndex i : bodies) {
-        reach += m_neighbours.reach(i);
+        reach += m_candidates.reach(i);
         size += input.bodies.boundingRadius[i];
     }
     return std::pow((size + input.parts * reach) / (size + reach), 3) > input.parts;
 }
 
-void Contacts::enter(const SolverInput& input, BasePath& path, std::vector<BodyIndex>& list, double time,
-                     double skin) {
-    if (list.empty()) return;
-    std::sort(list.begin(), list.end());
+// The bodies that enter, for as long as their pairs are valid.
+void Contacts::enterForFrames(const SolverInput& input) {
+    if (m_entering.empty()) return;
+    std::sort(m_entering.begin(), m_entering.end());
     const SteppedInput stepping = stepped(input);
-    while (!path.prepare(stepping, list, reachTime(input, time), skin, m_neighbours))
+    const double time = reachTime(input, input.parts * input.substep);
+    while (!m_base.prepare(stepping, m_entering, time, lastingSkin, m_neighbours))
         m_neighbours.search(input.bodies, input.state, input.broadphase);
-    path.enter(stepping, list, m_neighbours, m_links, input.substep, m_known, m_found.manifolds());
+    m_base.enter(stepping, m_entering, m_neighbours, m_links, input.substep, m_known, m_found.manifolds());
 }
 
 void Contacts::leaveMarked(const SolverInput& input) {

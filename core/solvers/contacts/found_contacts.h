@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <iterator>
 #include <span>
+#include <utility>
 #include <vector>
 
 // The contacts of a substep, in two forms. Bodies that took the base path in the substep before have their
@@ -54,6 +55,9 @@ class FoundContacts {
     void removeManifolds(std::span<const std::uint32_t> pairs);
     /// The manifold of a pair, if it has one.
     std::uint32_t placeOf(std::uint32_t pair) const { return m_place[pair]; }
+
+    /// The same, to take over. All pairs of its bodies that may touch must be taken.
+    std::uint32_t take(std::uint32_t pair) { return std::exchange(m_place[pair], Manifolds::none); }
 
     /// All manifolds, ascending. A caller that takes one over sets its place to none, and takes all pairs of
     /// its bodies.

@@ -11,46 +11,45 @@
 namespace carom {
 namespace {
 
-/// A skin is this many times what the body needs in one substep. At twice, lists last longer and hold more
-/// pairs; near 1, the list is made anew in every substep.
-constexpr double roominess = 2;
-/// And at least this many times what was asked for beyond it before the list was made: twice or half has the
-/// same effects.
-constexpr double lentAgain = 1.5;
-/// Up to so many bodies are compared with all others, a few instructions for each of these; a search for all
-/// costs some thousands for every body of the scene. At twice, the comparisons may cost as much as the
-/// search; at half, more searches are made.
-constexpr std::size_t fewOutrun = 128;
+/// A skin is this many times what the body needs, or was asked for, in one substep. At twice, lists hold more
+/// pairs; at 1, they are made anew for the least that is needed more.
+constexpr double roominess = 1.2;
+/// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
+/// often; at twice, lists hold more that a body will meet much later, or never.
+constexpr int framesOfCourse = 4;
+/// At most one body in so many is found anew by itself, at about twice the cost of its part in a search for
+/// all. At half, such searches cost more than one for all; at twice, all are searched for the sake of a few.
+constexpr std::size_t fewOutrun = 8;
+/// But always so many, where the scene has not many more. Twice or half has the same effects.
+constexpr std::size_t alwaysFew = 16;
 /// Others around a body for which there is room from the start; there are nearly always fewer. Twice or half
 /// changes memory only, and how often lists grow.
 constexpr std::size_t usualAround = 16;
 
 } // namespace
 
-double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
-    const Vec3& a = state.pose[pair.a].position;
-    const Vec3& b = state.pose[pair.b].position;
+double boundingGap(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b) {
     if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.a]))
-        return distanceTo(*wall, b) - bodies.boundingRadius[pair.b];
+        return distanceTo(*wall, b.position) - bodies.boundingRadius[pair.b];
     if (const Wall* wall = std::get_if<Wall>(&bodies.shape[pair.b]))
-        return distanceTo(*wall, a) - bodies.boundingRadius[pair.a];
-    return (b - a).norm() - (bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b]);
+        return distanceTo(*wall, a.position) - bodies.boundingRadius[pair.a];
+    return (b.position - a.position).norm() - (bodies.boundingRadius[pair.a] + bodies.boundingRadius[pair.b]);
 }
 
-bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
-    const Shape &a = bodies.shape[pair.a], &b = bodies.shape[pair.b];
-    if (isWall(a) || isWall(b)) return true;
-    if (std::holds_alternative<Sphere>(a) && std::holds_alternative<Sphere>(b))
+bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b, double margin) {
+    const Shape &shapeA = bodies.shape[pair.a], &shapeB = bodies.shape[pair.b];
+    if (isWall(shapeA) || isWall(shapeB)) return true;
+    if (std::holds_alternative<Sphere>(shapeA) && std::holds_alternative<Sphere>(shapeB))
         return true; // their bounding balls are within it, too
-    return overlap(grown(bodies.boxAt(pair.a, state.pose[pair.a]), margin),
-                   bodies.boxAt(pair.b, state.pose[pair.b]));
+    return overlap(grown(bodies.boxAt(pair.a, a), margin), bodies.boxAt(pair.b, b));
 }
 
 Neighbours::Neighbours(const Bodies& bodies)
     : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
-      m_pull(bodies.count(), 0.0), m_moved(bodies.count(), 0.0), m_skin(bodies.count(), -1.0),
-      m_asked(bodies.count(), 0.0), m_origin(bodies.count()), m_isOutrun(bodies.count(), 0),
-      m_around(bodies.count()) {
+      m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
+      m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
+      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
+      m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
         m_mobile.push_back(bodies.mobile[i]);
@@ -59,35 +58,24 @@ Neighbours::Neighbours(const Bodies& bodies)
         if (bodies.mobile[i] == 0) m_skin[i] = leastMargin * bodies.boundingRadius[i];
     for (const BodyIndex i : bodies.mobileBodies) m_around[i].reserve(usualAround);
     m_outrun.reserve(2 * bodies.count());
-    m_columns.resize(bodies.bounded.size());
-    m_hits.resize(bodies.bounded.size() + wideLanes);
 }
 
 void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                        const Vec3& gravity, double duration, Broadphase& broadphase) {
+                        const Vec3& gravity, double duration, double frame, Broadphase& broadphase) {
+    m_frame = frame;
     if (follow(bodies, state, list, gravity, duration)) return;
-    noteTypical(bodies, list);
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
     const auto renew = [this](BodyIndex i) {
-        m_skin[i] = lentAgain * m_asked[i];
+        m_skin[i] = roominess * m_asked[i];
         m_asked[i] = 0;
     };
-    if (areFewOutrun()) {
+    if (areFewOutrun(bodies)) {
         for (const BodyIndex i : m_outrun) renew(i);
         return searchForOutrun(bodies, state);
     }
-    for (const BodyIndex i : bodies.mobileBodies) renew(i);
+    for (const BodyIndex i : list) renew(i);
     searchAll(bodies, state, broadphase);
-}
-
-void Neighbours::noteTypical(const Bodies& bodies, std::span<const BodyIndex> list) {
-    double sum = 0;
-    for (const BodyIndex i : list) {
-        const double needed = m_path[i] + leastMargin * bodies.boundingRadius[i];
-        sum += needed * needed;
-    }
-    m_typical = std::sqrt(sum / static_cast<double>(list.size()));
 }
 
 double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
@@ -143,11 +131,14 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     const double fall = 0.5 * gravity.norm() * duration * duration;
     m_duration = duration;
     notePulls(bodies, state, duration);
+    const double fallInFrame = 0.5 * gravity.norm() * m_frame * m_frame;
     bool serves = true;
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
-        m_path[i] = surfaceSpeed(bodies, state, i) * duration + fall + m_pull[i];
-        m_moved[i] = displacement(bodies, i, m_origin[i], state.pose[i]);
+        const double speed = surfaceSpeed(bodies, state, i);
+        m_path[i] = speed * duration + fall + m_pull[i];
+        m_drift[i] = (speed - state.velocity[i].norm()) * m_frame + fallInFrame + pull(i, m_frame);
+        m_moved[i] = movedFrom(bodies, state, i);
         if (m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i]) continue;
         m_outrun.push_back(i);
         serves = false;
@@ -163,30 +154,53 @@ bool Neighbours::covers(BodyIndex body, double room) {
     return false;
 }
 
+bool Neighbours::coversFlight(const State& state, BodyIndex body, double room, double time, double fall) {
+    const Course& course = m_course[body];
+    m_asked[body] = std::max(m_asked[body], room + fall);
+    const double leaves = time * (state.velocity[body] - course.velocity).norm() + fall;
+    if (m_now + time <= course.ends && m_moved[body] + leaves + room <= m_skin[body]) return true;
+    m_skin[body] = roominess * (room + fall);
+    m_outrun.push_back(body);
+    return false;
+}
+
 void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& broadphase) {
-    if (areFewOutrun())
+    if (areFewOutrun(bodies))
         searchForOutrun(bodies, state);
     else
         searchAll(bodies, state, broadphase);
 }
 
-bool Neighbours::areFewOutrun() const { return m_searches > 0 && m_outrun.size() <= fewOutrun; }
-
-void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
-    const double needed = m_path[body] + leastMargin * bodies.boundingRadius[body];
-    m_skin[body] = std::max(m_skin[body], roominess * std::max(needed, m_typical));
-    m_moved[body] = 0;
-    m_origin[body] = state.pose[body];
+bool Neighbours::areFewOutrun(const Bodies& bodies) const {
+    return m_searches > 0 && m_outrun.size() <= std::max(bodies.mobileBodies.size() / fewOutrun, alwaysFew);
 }
 
-// Keeps the lists, except for pairs of bodies that have moved beyond them; these are found again at the
-// present poses.
+double Neighbours::neededBy(const Bodies& bodies, BodyIndex body) const {
+    return reach(body) + leastMargin * bodies.boundingRadius[body];
+}
+
+void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
+    m_skin[body] = std::max(m_skin[body], roominess * neededBy(bodies, body) + m_drift[body]);
+    m_moved[body] = 0;
+    const double horizon = framesOfCourse * m_frame;
+    m_orientation[body] = state.pose[body].orientation;
+    m_course[body] = {state.pose[body].position, state.velocity[body], m_now, m_now + horizon};
+    m_boxes[m_number[body]] =
+        swept(grown(bodies.boxAt(body, state.pose[body]), m_skin[body]), horizon * state.velocity[body]);
+}
+
+double Neighbours::movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const {
+    return displacement(bodies, body, {m_course[body].placeAt(m_now), m_orientation[body]}, state.pose[body]);
+}
+
+// Keeps the lists, except for pairs of bodies that have left them; these are found again.
 void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
+    if (!std::exchange(m_areBlocksBuilt, true)) m_blocks.build(m_boxes);
     for (const BodyIndex i : m_outrun) {
         if (m_isOutrun[i] != 0) continue;
         m_isOutrun[i] = 1;
         renewSkin(bodies, state, i);
-        m_columns.set(m_number[i], boxWithSkin(bodies, state, i));
+        m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
     for (const BodyIndex i : m_outrun) {
         for (const BodyIndex k : m_around[i]) {
@@ -199,7 +213,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         m_around[i].clear();
     }
     for (const BodyIndex i : m_outrun)
-        if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, state, i);
+        if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, i);
     for (const BodyIndex i : m_outrun) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{0}) == 0) continue;
         std::sort(m_around[i].begin(), m_around[i].end());
@@ -208,12 +222,10 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
 }
 
 // A pair of two bodies that have moved beyond the list is found once, with the first of them.
-void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex body) {
-    const BoxRange all{0, static_cast<std::uint32_t>(bodies.bounded.size())};
-    const std::size_t count = overlapping(m_columns, m_columns.box(m_number[body]), {&all, 1}, m_hits.data());
-    for (std::size_t k = 0; k < count; ++k) {
-        const BodyIndex other = bodies.bounded[m_hits[k]];
-        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, state, body, other)) continue;
+void Neighbours::findAround(const Bodies& bodies, BodyIndex body) {
+    for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[body]])) {
+        const BodyIndex other = bodies.bounded[entry];
+        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, body, other)) continue;
         m_around[body].push_back(other);
         ++m_ends;
         if (bodies.mobile[other] == 0) continue;
@@ -224,7 +236,7 @@ void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex 
                       body);
     }
     for (const BodyIndex w : bodies.walls) {
-        if (!(boundingGap(bodies, state, {std::min(w, body), std::max(w, body)}) <= m_skin[body])) continue;
+        if (!comesNear(bodies, body, w)) continue;
         m_around[body].push_back(w);
         ++m_ends;
     }
@@ -233,20 +245,23 @@ void Neighbours::findAround(const Bodies& bodies, const State& state, BodyIndex 
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
     m_outrun.clear();
+    m_areBlocksBuilt = false;
     for (const BodyIndex i : bodies.mobileBodies) {
         renewSkin(bodies, state, i);
         m_around[i].clear();
     }
-    for (std::size_t k = 0; k < bodies.bounded.size(); ++k) {
-        m_boxes[k] = boxWithSkin(bodies, state, bodies.bounded[k]);
-        m_columns.set(k, m_boxes[k]);
-    }
+    if (m_searches == 1)
+        for (const BodyIndex i : bodies.bounded)
+            if (bodies.mobile[i] == 0) {
+                m_course[i].place = state.pose[i].position;
+                m_boxes[m_number[i]] = grown(bodies.boxAt(i, state.pose[i]), m_skin[i]);
+            }
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
-    findWallPairs(bodies, state);
+    findWallPairs(bodies);
     m_ends = 0;
     auto wall = m_wallPairs.begin();
     for (const BodyPair pair : broadphase.pairs()) { // ascending, so each body's list is, too
-        if (!doSkinsTouch(bodies, state, pair.a, pair.b)) continue;
+        if (!doSkinsTouch(bodies, pair.a, pair.b)) continue;
         while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++);
         addPair(bodies, pair);
     }
@@ -261,28 +276,25 @@ void Neighbours::addPair(const Bodies& bodies, BodyPair pair) {
     }
 }
 
-Aabb Neighbours::boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const {
-    return grown(bodies.boxAt(body, state.pose[body]), m_skin[body]);
-}
-
-// Whether the skins of two bodies touch, of which one is found anew and the other is where the list found it.
-bool Neighbours::doSkinsTouch(const Bodies& bodies, const State& state, BodyIndex body,
-                              BodyIndex other) const {
-    const bool isThere = bodies.mobile[other] == 0 || m_isOutrun[other] != 0;
-    const Vec3& at = isThere ? state.pose[other].position : m_origin[other].position;
+// Whether two bodies may come within their skins as both go on.
+bool Neighbours::doSkinsTouch(const Bodies& bodies, BodyIndex body, BodyIndex other) const {
     const double within =
         bodies.boundingRadius[body] + bodies.boundingRadius[other] + m_skin[body] + m_skin[other];
-    return (at - state.pose[body].position).squaredNorm() <= within * within;
+    return doMeet(m_course[body], m_course[other], m_now, within);
 }
 
-void Neighbours::findWallPairs(const Bodies& bodies, const State& state) {
+bool Neighbours::comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const {
+    const Course& course = m_course[body];
+    const Wall& plane = std::get<Wall>(bodies.shape[wall]);
+    return std::min(distanceTo(plane, course.place), distanceTo(plane, course.placeAt(course.ends))) <=
+           bodies.boundingRadius[body] + m_skin[body];
+}
+
+void Neighbours::findWallPairs(const Bodies& bodies) {
     m_wallPairs.clear();
-    for (const BodyIndex w : bodies.walls) {
-        for (const BodyIndex i : bodies.mobileBodies) {
-            const BodyPair pair{std::min(w, i), std::max(w, i)};
-            if (boundingGap(bodies, state, pair) <= m_skin[i]) m_wallPairs.push_back(pair);
-        }
-    }
+    for (const BodyIndex w : bodies.walls)
+        for (const BodyIndex i : bodies.mobileBodies)
+            if (comesNear(bodies, i, w)) m_wallPairs.push_back({std::min(w, i), std::max(w, i)});
     std::sort(m_wallPairs.begin(), m_wallPairs.end());
     reserveFor(2 * m_wallPairs.size(), m_wallPairs);
 }

@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/broadphase/box_columns.h"
+#include "core/broadphase/box_blocks.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
+#include "core/solvers/contacts/course.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-// The pairs that can meet in the next few substeps (a Verlet list). A search is the largest cost of a sparse
-// scene, so each body gets a skin, the broad-phase finds the pairs whose skins overlap, and they are valid
-// until some body has moved by its skin (L. Verlet, "Computer experiments on classical fluids", 1967):
+// The pairs that can meet in the next few substeps. A search is the largest cost of a sparse scene, so each
+// body gets a skin, pairs whose skins will touch are found, and they are valid until some body has left its
+// skin (L. Verlet, "Computer experiments on classical fluids", 1967). Most bodies go on as they did, so a
+// skin moves with its body's course (course.h) and need only hold what differs from it:
 //
-//        ______________
-//       /  ____   skin \         serves while   moved + path <= skin   for every body
-//      |  /body\___>    |        where path is what it needs in the substep at hand;
-//      |  \____/  moved |
-//       \______________/                more, for what may be hit on the way, is asked for by covers()
+//     serves while   moved + path <= skin   for every body
 //
-// Where only some have used it up, all others are compared with these, and the rest of the lists stays.
+//     moved   how far the body is from its course now
+//     path    what it needs in the substep at hand; more, for what may be hit on the way, is asked for by
+//             covers()
+//
+// Where only some have used it up, these are found anew, and the rest of the lists stays.
 //
 // Users of the list test its pairs at their present poses: the motion depends neither on the skins nor on
 // when they were renewed, only the time does.
@@ -29,13 +31,22 @@
 namespace carom {
 
 /// The gap between the bounding balls of two bodies, or of a ball and a wall [m]; the bodies are no nearer.
-double boundingGap(const Bodies& bodies, const State& state, BodyPair pair);
+double boundingGap(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b);
+inline double boundingGap(const Bodies& bodies, const State& state, BodyPair pair) {
+    return boundingGap(bodies, pair, state.pose[pair.a], state.pose[pair.b]);
+}
 /// Whether the boxes of a pair are within `margin` [m]; to be asked for pairs whose bounding balls are. A
 /// list that covers both bodies for `margin` has all pairs for which both is true, and may have others.
-bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin);
+bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b, double margin);
+inline bool areBoxesWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
+    return areBoxesWithin(bodies, pair, state.pose[pair.a], state.pose[pair.b], margin);
+}
 /// Both.
+inline bool areWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Pose& b, double margin) {
+    return boundingGap(bodies, pair, a, b) <= margin && areBoxesWithin(bodies, pair, a, b, margin);
+}
 inline bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) {
-    return boundingGap(bodies, state, pair) <= margin && areBoxesWithin(bodies, state, pair, margin);
+    return areWithin(bodies, pair, state.pose[pair.a], state.pose[pair.b], margin);
 }
 
 /// What was found from each body to those of larger index, ascending, and the rest, as one: `down` is sorted.
@@ -53,9 +64,9 @@ class Neighbours {
     explicit Neighbours(const Bodies& bodies);
 
     /// Records the poses of the bodies and how far each moves within `duration` [s] by its velocity and
-    /// gravity. Searches if the list could miss a pair.
+    /// gravity. Searches if the list could miss a pair; the lists are made to last for some frames [s].
     void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
-                const Vec3& gravity, double duration, Broadphase& broadphase);
+                const Vec3& gravity, double duration, double frame, Broadphase& broadphase);
     /// The same for some of the bodies, while the others go on as they did when noted last. False if the list
     /// could miss a pair of them: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
@@ -67,6 +78,13 @@ class Neighbours {
     /// Whether the list has all pairs that a body can meet within `room` [m] of its present place. If not,
     /// the body is noted, and search() must be called.
     bool covers(BodyIndex body, double room);
+
+    /// The same for a body that nothing strikes for `time` [s], in all of it; `fall` is how far it then comes
+    /// by gravity [m].
+    bool coversFlight(const State& state, BodyIndex body, double room, double time, double fall);
+
+    /// A substep has passed.
+    void pass(double duration) { m_now += duration; }
 
     /// The number of searches for all bodies.
     std::uint64_t searches() const { return m_searches; }
@@ -114,16 +132,17 @@ class Neighbours {
     static constexpr double leastMargin = 0.01;
 
   private:
-    Aabb boxWithSkin(const Bodies& bodies, const State& state, BodyIndex body) const;
-    bool doSkinsTouch(const Bodies& bodies, const State& state, BodyIndex body, BodyIndex other) const;
+    bool doSkinsTouch(const Bodies& bodies, BodyIndex body, BodyIndex other) const;
+    bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
-    void noteTypical(const Bodies& bodies, std::span<const BodyIndex> list);
-    bool areFewOutrun() const;
+    double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
+    double neededBy(const Bodies& bodies, BodyIndex body) const;
+    bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    void findAround(const Bodies& bodies, const State& state, BodyIndex body);
+    void findAround(const Bodies& bodies, BodyIndex body);
     void notePulls(const Bodies& bodies, const State& state, double duration);
-    void findWallPairs(const Bodies& bodies, const State& state);
+    void findWallPairs(const Bodies& bodies);
     void addPair(const Bodies& bodies, BodyPair pair);
 
     std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
@@ -131,17 +150,20 @@ class Neighbours {
     std::vector<Aabb> m_boxes;           // of bodies.bounded
     std::vector<double> m_path;          // by body: how far it comes if nothing hits it [m]
     std::vector<double> m_pull;          // by body: how much further springs and force terms take it [m]
-    std::vector<double> m_moved;         // by body: at most so far from where the list found it [m]
-    std::vector<double> m_skin;          // by body [m]
+    std::vector<double> m_drift; // by body: how far it leaves its course in a frame, if nothing hits it [m]
+    std::vector<double> m_moved; // by body: at most so far from where the list found it [m]
+    std::vector<double> m_skin;  // by body [m]
     std::vector<double> m_asked; // by body: the most room covers() was asked for since its skin was made [m]
-    std::vector<Pose> m_origin;  // by body: where the list found it
-    double m_duration = 1;       // noted last [s]
-    double m_typical = 0;        // root mean square of what bodies need [m]
+    std::vector<Quat> m_orientation; // by body: when the list found it
+    std::vector<Course> m_course;    // by body, from where the list found it
+    double m_now = 0;                // [s]
+    double m_frame = 0;              // [s]
+    double m_duration = 1;           // noted last [s]
     std::uint64_t m_searches = 0;
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
     std::vector<std::uint8_t> m_isOutrun; // by body, of m_outrun: 1, or 2 once it has been found anew
-    BoxColumns m_columns;                 // of bodies.bounded, each with its skin, where the list found it
-    std::vector<std::uint32_t> m_hits;    // of m_columns
+    BoxBlocks m_blocks;                   // of m_boxes, for searches for single bodies
+    bool m_areBlocksBuilt = false;        // since the last search for all
     std::vector<BodyPair> m_wallPairs;
     std::vector<std::vector<BodyIndex>> m_around; // by body
     std::size_t m_ends = 0;                       // of m_around together

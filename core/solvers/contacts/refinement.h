@@ -108,7 +108,7 @@ class Refinement {
                (bodies.mobile[pair.b] == 0 || m_stepped[pair.b] != 0);
     }
     bool isStepped(BodyIndex body) const { return m_stepped[body] != 0; }
-    /// These bodies are asleep from now on.
+    /// These bodies are asleep, or fly, from now on.
     void forget(std::span<const BodyIndex> bodies) {
         for (const BodyIndex body : bodies) m_stepped[body] = 0;
     }

@@ -240,7 +240,7 @@ bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
-    order(input);
+    if (input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
     Invariants before;

@@ -62,6 +62,7 @@ struct SteppedInput {
     State& state;
     Ledger* ledger = nullptr;
     double tolerance = 0; ///< no further pass where rows are solved to this [m/s]
+    bool isFirst = true;  ///< of a frame: what has come or gone since the last one is put in order
 };
 
 struct SteppedReport {

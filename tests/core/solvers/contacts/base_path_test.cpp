@@ -452,6 +452,35 @@ class BasePathTest : public QObject {
         QVERIFY(n > substeps && n < 100); // longer than a frame, since nothing speeds it up
     }
 
+    // Two balls of three exchange their velocities; whoever leaves does so with what he touches.
+    void whoEntersBrieflyMeetsWhatIsNear() {
+        Entered entered(test::sceneOf({ball(0.5, {0, 0, 0}, {2, 0, 0}), ball(0.5, {1.004, 0, 0}, {-1, 0, 0}),
+                                       ball(0.5, {9, 0, 0}, {0, 1, 0})},
+                                      Vec3::Zero()));
+        entered.enterBriefly();
+        QCOMPARE(entered.path.islands(), std::size_t{2});
+        for (const BodyIndex i : entered.bodies.mobileBodies) QVERIFY(entered.path.has(i));
+        entered.advance();
+        entered.leave();
+        QVERIFY(entered.path.isEmpty());
+        QVERIFY((entered.state.velocity[0] - Vec3(-1, 0, 0)).norm() < 1e-6);
+        QVERIFY((entered.state.velocity[1] - Vec3(2, 0, 0)).norm() < 1e-6);
+        QVERIFY(entered.state.velocity[2] == Vec3(0, 1, 0));
+        QVERIFY((entered.state.pose[2].position - Vec3(9, test::substep, 0)).norm() < 1e-12);
+    }
+
+    // A stack that enters for each substep anew stands as one that stays.
+    void aStackThatEntersBrieflyStands() {
+        Entered entered(stackOf(3));
+        for (int i = 0; i < 240; ++i) {
+            entered.enterBriefly();
+            entered.advance();
+            entered.leave();
+        }
+        QVERIFY(distanceBetween(entered.state, Entered(stackOf(3)).state) < 0.005);
+        for (const Vec3& velocity : entered.state.velocity) QVERIFY(velocity.norm() < 0.01);
+    }
+
     void bodiesAtRestStay() {
         Entered entered(stackOf(3));
         entered.enterAll();

@@ -74,21 +74,22 @@ class CandidatesTest : public QObject {
                 if (random.below(4) != 0) members.push_back(i);
             const std::unique_ptr<Broadphase> search = broadphases()[0].create();
             Neighbours neighbours(bodies);
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, *search);
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep,
+                              *search);
             Candidates candidates(bodies);
             const std::vector<std::uint8_t> placed(bodies.count(), 0);
             for (int step = 0; step < 10; ++step) {
                 if (!neighbours.follow(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep))
                     neighbours.search(bodies, state, *search);
-                while (!candidates.look(bodies, state, members, placed, neighbours))
-                    neighbours.search(bodies, state, *search);
-                const std::span<const BodyPair> pairs = candidates.find(bodies, state);
+                candidates.look(bodies, state, members, placed, neighbours, *search);
+                const std::span<const BodyPair> pairs = candidates.find(bodies, state, neighbours);
                 QVERIFY(std::vector<BodyPair>(pairs.begin(), pairs.end()) ==
                         obvious(bodies, state, members, candidates));
                 found += pairs.size();
                 for (const BodyIndex i : members) QVERIFY(candidates.reach(i) >= neighbours.reach(i));
                 for (const BodyIndex i : bodies.mobileBodies)
                     state.pose[i].position += substep * state.velocity[i];
+                neighbours.pass(substep);
             }
         }
         QVERIFY(found > 1000);
@@ -104,14 +105,13 @@ class CandidatesTest : public QObject {
         const State state = initialStateOf(scene);
         const std::unique_ptr<Broadphase> search = broadphases()[0].create();
         Neighbours neighbours(bodies);
-        neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, *search);
+        neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep, *search);
         Candidates candidates(bodies);
         const std::vector<std::uint8_t> placed(bodies.count(), 0);
-        while (!candidates.look(bodies, state, bodies.mobileBodies, placed, neighbours))
-            neighbours.search(bodies, state, *search);
+        candidates.look(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
         QCOMPARE(candidates.reach(1), candidates.reach(0)); // of equal masses all of it is handed on
         QCOMPARE(candidates.reach(2), neighbours.reach(2));
-        const std::span<const BodyPair> pairs = candidates.find(bodies, state);
+        const std::span<const BodyPair> pairs = candidates.find(bodies, state, neighbours);
         QCOMPARE(pairs.size(), std::size_t{1});
         QVERIFY((pairs[0] == BodyPair{0, 1}));
     }

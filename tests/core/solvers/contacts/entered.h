@@ -29,7 +29,7 @@ class Entered {
 
     /// With the manifolds of those that are near, as they are now.
     void enter(const std::vector<BodyIndex>& list) {
-        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, frame, *m_broadphase);
+        m_neighbours.update(bodies, state, bodies.mobileBodies, m_gravity, substep, frame, *m_broadphase);
         while (!path.prepare(input(), list, frame, skin, m_neighbours))
             m_neighbours.search(bodies, state, *m_broadphase);
         std::vector<Manifolds::Entry> known;
@@ -42,6 +42,29 @@ class Entered {
         carried.clear();
     }
     void enterAll() { enter(bodies.mobileBodies); }
+    /// All of them for one substep, those that touch as islands.
+    void enterBriefly() {
+        std::vector<Manifolds::Entry> known;
+        for (BodyIndex a = 0; a < bodies.count(); ++a)
+            for (BodyIndex b = a + 1; b < bodies.count(); ++b) know({a, b}, known);
+        std::vector<BodyPair> pairs;
+        for (const Manifolds::Entry& entry : known) pairs.push_back(entry.pair);
+        Islands islands;
+        islands.find(bodies, bodies.mobileBodies, pairs, {});
+        std::vector<Island> entering;
+        std::vector<SteppedMotion::Entry> entries;
+        for (std::size_t i = 0; i < islands.count(); ++i) {
+            entering.push_back(islands[i]);
+            for (const std::uint32_t index : islands[i].pairs)
+                entries.push_back({.pair = pairs[index],
+                                   .place = known[index].place,
+                                   .margin = 0.05,
+                                   .isFresh = true,
+                                   .isNear = SteppedMotion::isNear(input(), pairs[index])});
+        }
+        path.enterBriefly(input(), entering, entries, substep, manifolds);
+        carried.clear();
+    }
     void leave() {
         carried.clear();
         path.leave(input(), manifolds, carried);

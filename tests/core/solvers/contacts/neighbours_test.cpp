@@ -114,10 +114,11 @@ class NeighboursTest : public QObject {
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
             neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
-                              *broadphase);
+                              4 * step, *broadphase);
             QVERIFY(isComplete(crowd, neighbours));
             QVERIFY(isInOrder(crowd, neighbours));
             crowd.wander(random, leaping);
+            neighbours.pass(step);
         }
     }
 
@@ -130,12 +131,32 @@ class NeighboursTest : public QObject {
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
             neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
-                              *broadphase);
+                              4 * step, *broadphase);
             const BodyIndex one = crowd.bodies.mobileBodies[random.below(300)];
             crowd.state.pose[one].position =
                 Vec3(Crowd::anywhere(random), Crowd::anywhere(random), Crowd::anywhere(random));
         }
         QCOMPARE(neighbours.searches(), 1U);
+    }
+
+    // Fast bodies that go on as they did leave no list, and are in no list of those they do not come near.
+    void coursesAreFollowed() {
+        Scene scene;
+        for (const double z : {0.0, 1.0, 2.0})
+            for (int k = 0; k < 40; ++k)
+                scene.bodies.push_back(
+                    test::sphere(0.1, 1, Vec3(2 * k, 0, z), Vec3(z == 1.0 ? 30.0 : 0.0, 0, 0)));
+        const Bodies bodies = bodiesOf(scene);
+        State state = initialStateOf(scene);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(bodies);
+        for (int i = 0; i < 5; ++i) {
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, 4 * step, *broadphase);
+            QCOMPARE(neighbours.searches(), 1U);
+            QCOMPARE(neighbours.ends(), 0U);
+            for (const BodyIndex k : bodies.mobileBodies) state.pose[k].position += step * state.velocity[k];
+            neighbours.pass(step);
+        }
     }
 
     // What somebody asks for beyond what he needs is there after the next search.
@@ -144,7 +165,7 @@ class NeighboursTest : public QObject {
         Crowd crowd(random, 300);
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
-        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
+        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step, 4 * step,
                           *broadphase);
         const BodyIndex asking = crowd.bodies.mobileBodies[random.below(300)];
         QVERIFY(!neighbours.covers(asking, side / 2));
@@ -162,12 +183,13 @@ class NeighboursTest : public QObject {
     void whoComesBackIsListed() {
         Scene scene;
         for (const double x : {0.0, 5.0}) scene.bodies.push_back(test::sphere(0.1, 1, Vec3(x, 0, 0)));
+        for (int k = 0; k < 20; ++k) scene.bodies.push_back(test::sphere(0.1, 1, Vec3(k, 50, 0)));
         const Bodies bodies = bodiesOf(scene);
         State state = initialStateOf(scene);
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         const auto update = [&] {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, *broadphase);
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, step, *broadphase);
         };
         update();
         QVERIFY(!neighbours.covers(0, 1.0));

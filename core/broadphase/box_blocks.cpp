@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/broadphase/box_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carom {
+namespace {
+
+constexpr int bitsOfAxis = 21;
+
+/// The bits of a number, two zeros after each.
+std::uint64_t spread(std::uint64_t bits) {
+    bits = (bits | bits << 32) & 0x1f00000000ffff;
+    bits = (bits | bits << 16) & 0x1f0000ff0000ff;
+    bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+    bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+    return (bits | bits << 2) & 0x1249249249249249;
+}
+
+/// Where a place comes along Morton's curve through cells of size `cell` (G. M. Morton, "A computer oriented
+/// geodetic data base", 1966).
+std::uint64_t mortonCode(const Vec3& place, const Vec3& lowest, double cell) {
+    constexpr double most = (std::uint64_t{1} << bitsOfAxis) - 1;
+    std::uint64_t code = 0;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const double cells = std::clamp((place[axis] - lowest[axis]) / cell, 0.0, most);
+        code |= spread(static_cast<std::uint64_t>(cells)) << axis;
+    }
+    return code;
+}
+
+} // namespace
+
+void BoxBlocks::build(std::span<const Aabb> boxes) {
+    const std::size_t count = boxes.size();
+    m_blockCount = (count + size - 1) / size;
+    m_place.resize(count);
+    m_entry.resize(count);
+    m_boxes.resize(count);
+    m_blocks.resize(m_blockCount);
+    m_ranges.reserve(m_blockCount);
+    m_hits.resize(std::max(count, m_blockCount) + wideLanes);
+    if (count == 0) return;
+    Vec3 lowest = boxes[0].centre();
+    double extent = 0;
+    for (const Aabb& box : boxes) {
+        lowest = lowest.cwiseMin(box.centre());
+        extent += box.size().maxCoeff();
+    }
+    const double cell = extent > 0 ? extent / static_cast<double>(count) : 1;
+    m_order.clear();
+    for (std::size_t entry = 0; entry < count; ++entry)
+        m_order.emplace_back(mortonCode(boxes[entry].centre(), lowest, cell),
+                             static_cast<std::uint32_t>(entry));
+    std::sort(m_order.begin(), m_order.end());
+    for (std::size_t block = 0; block < m_blockCount; ++block) {
+        const std::size_t begin = block * size, end = std::min(begin + size, count);
+        Aabb around = boxes[m_order[begin].second];
+        for (std::size_t place = begin; place < end; ++place) {
+            const std::uint32_t entry = m_order[place].second;
+            m_place[entry] = static_cast<std::uint32_t>(place);
+            m_entry[place] = entry;
+            m_boxes.set(place, boxes[entry]);
+            around = united(around, boxes[entry]);
+        }
+        m_blocks.set(block, around);
+    }
+}
+
+void BoxBlocks::set(std::size_t entry, const Aabb& box) {
+    const std::size_t block = m_place[entry] / size;
+    m_boxes.set(m_place[entry], box);
+    m_blocks.set(block, united(m_blocks.box(block), box));
+}
+
+std::span<const std::uint32_t> BoxBlocks::overlapping(const Aabb& box) {
+    const BoxRange all{0, static_cast<std::uint32_t>(m_blockCount)};
+    const std::size_t blocks = carom::overlapping(m_blocks, box, {&all, 1}, m_hits.data());
+    m_ranges.clear();
+    for (std::size_t k = 0; k < blocks; ++k) {
+        const std::uint32_t begin = m_hits[k] * static_cast<std::uint32_t>(size);
+        const std::uint32_t end =
+            std::min(begin + static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(m_entry.size()));
+        m_ranges.push_back({begin, end});
+    }
+    const std::size_t hits = carom::overlapping(m_boxes, box, m_ranges, m_hits.data());
+    for (std::size_t k = 0; k < hits; ++k) m_hits[k] = m_entry[m_hits[k]];
+    return {m_hits.data(), hits};
+}
+
+std::size_t BoxBlocks::bytes() const {
+    return m_boxes.bytes() + m_blocks.bytes() +
+           (m_place.capacity() + m_entry.capacity() + m_hits.capacity()) * sizeof(std::uint32_t);
+}
+
+} // namespace carom

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/broadphase/moving_boxes.h"
+#include "tests/support/constants.h"
+#include "tests/support/test_class.h"
+
+#include "core/broadphase/box_blocks.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <vector>
+
+// Boxes in blocks, against each box compared with each.
+
+namespace carom {
+namespace {
+
+std::vector<std::uint32_t> obvious(const std::vector<Aabb>& boxes, const Aabb& box) {
+    std::vector<std::uint32_t> entries;
+    for (std::uint32_t entry = 0; entry < boxes.size(); ++entry)
+        if (overlap(boxes[entry], box)) entries.push_back(entry);
+    return entries;
+}
+
+std::vector<std::uint32_t> sorted(std::span<const std::uint32_t> entries) {
+    std::vector<std::uint32_t> result(entries.begin(), entries.end());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+} // namespace
+
+class BoxBlocksTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void whatOverlapsIsFound() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 81);
+        std::size_t found = 0;
+        for (int trial = 0; trial < 60; ++trial) {
+            MovingBoxes scene = randomScene(random);
+            BoxBlocks blocks;
+            blocks.build(scene.boxes);
+            for (int step = 0; step < 3; ++step) {
+                for (const Aabb& box : scene.boxes) {
+                    const std::vector<std::uint32_t> entries = sorted(blocks.overlapping(box));
+                    QVERIFY(entries == obvious(scene.boxes, box));
+                    found += entries.size();
+                }
+                move(scene, random);
+                for (std::size_t entry = 0; entry < scene.boxes.size(); ++entry)
+                    blocks.set(entry, scene.boxes[entry]);
+            }
+        }
+        QVERIFY(found > 10'000);
+    }
+
+    void nothingOverlapsAmongNone() {
+        BoxBlocks blocks;
+        blocks.build({});
+        QVERIFY(blocks.overlapping({Vec3::Constant(-1), Vec3::Constant(1)}).empty());
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(box_blocks_test, carom::BoxBlocksTest)
+#include "box_blocks_test.moc"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/constants.h"
+#include "tests/support/test_class.h"
+
+#include "core/math/random.h"
+#include "core/solvers/contacts/course.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+
+// Two courses meet if they come within a distance, against their distances at many times.
+
+namespace carom {
+namespace {
+
+Vec3 somewhere(Random& random, double half) {
+    return {random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half)};
+}
+
+Course courseOf(Random& random) {
+    const double begins = random.uniform(0, 1);
+    const bool rests = random.below(4) == 0;
+    return {.place = somewhere(random, 2),
+            .velocity = rests ? Vec3(Vec3::Zero()) : somewhere(random, 3),
+            .begins = begins,
+            .ends = begins + random.uniform(0, 2)};
+}
+
+/// At any time from `time` on [m]; at most 0.05 m too large, because nobody comes nearer by more between two
+/// times.
+double leastDistance(const Course& a, const Course& b, double time) {
+    constexpr int times = 1000;
+    constexpr double last = 4; // both have ended [s]
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= times; ++k) {
+        const double then = time + (last - time) * k / times;
+        least = std::min(least, (a.placeAt(then) - b.placeAt(then)).norm());
+    }
+    return least;
+}
+
+} // namespace
+
+class CourseTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void courseGoesOnUntilItEnds() {
+        const Course course{.place = {1, 0, 0}, .velocity = {0, 2, 0}, .begins = 1, .ends = 3};
+        QVERIFY(course.placeAt(1) == Vec3(1, 0, 0));
+        QVERIFY(course.placeAt(2) == Vec3(1, 2, 0));
+        QVERIFY(course.placeAt(9) == Vec3(1, 4, 0));
+        QVERIFY(course.velocityAt(2) == Vec3(0, 2, 0));
+        QVERIFY(course.velocityAt(3) == Vec3::Zero());
+    }
+
+    void coursesMeetWhereTheyComeNear() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 82);
+        constexpr double known = 0.05; // [m]
+        int meet = 0, pass = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const Course a = courseOf(random), b = courseOf(random);
+            const double time = std::max(a.begins, b.begins), distance = random.uniform(0.1, 3);
+            const double least = leastDistance(a, b, time);
+            const bool is = doMeet(a, b, time, distance);
+            QCOMPARE(is, doMeet(b, a, time, distance));
+            if (least <= distance) QVERIFY(is);
+            if (least > distance + known) QVERIFY(!is);
+            ++(is ? meet : pass);
+        }
+        QVERIFY(meet > 300 && pass > 300);
+    }
+
+    void theSweptBoxHoldsBothEnds() {
+        const Aabb box = swept({Vec3(0, 0, 0), Vec3(1, 1, 1)}, Vec3(2, -3, 0));
+        QVERIFY(box.lower == Vec3(0, -3, 0));
+        QVERIFY(box.upper == Vec3(3, 1, 1));
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(course_test, carom::CourseTest)
+#include "course_test.moc"
