@@ -179,7 +179,7 @@ constexpr double realTime = 16 * 2e6;
 
 void runCorners(Trial& trial) {
     Worst dearest, gained;
-    forMembers(trial, trial.byDefault() ? 20 : 2, 500, [&](int member, Random& random) {
+    forMembers(trial, trial.byDefault() ? 12 : 2, 500, [&](int member, Random& random) {
         for (const bool isBurst : {false, true}) {
             World world = trial.world(isBurst ? burstScene(member, random) : cornerScene(member, random));
             const double start = energyOf(world);
@@ -224,7 +224,7 @@ void runGrooves(Trial& trial) {
         const Build built = build(grooves(member, random) + "simulation { method events }\n");
         if (built.hasErrors()) return; // the line that rules it out is named
         World world(built.pipeline);
-        for (int frame = 0; frame < trial.shortOrLong(60, 1200) && trial.goesOn(); ++frame) world.step();
+        for (int frame = 0; frame < trial.shortOrLong(45, 1200) && trial.goesOn(); ++frame) world.step();
         if (!world.health().finite) ++lost;
     });
     trial.expectNone("runs that lost their state", lost);
@@ -253,7 +253,7 @@ std::string bystander(int member, Random& random) {
 
 void runBystanders(Trial& trial) {
     double unlike = 0;
-    forMembers(trial, 8, 500, [&](int member, Random& random) {
+    forMembers(trial, 4, 500, [&](int member, Random& random) {
         const std::string near = nearBodies(random), far = near + bystander(member, random);
         World alone = trial.world(near), beside = trial.world(far);
         for (int frame = 0; frame < trial.shortOrLong(8, 60) && trial.step(alone) && trial.step(beside);

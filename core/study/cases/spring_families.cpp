@@ -69,7 +69,7 @@ void runPressed(Trial& trial) {
     Worst gained, off;
     forMembers(trial, 12, 500, [&](int member, Random& random) {
         World world = trial.world(pressed(member, random));
-        const EnergyCourse course = courseOf(trial, world, trial.shortOrLong(20, 300));
+        const EnergyCourse course = courseOf(trial, world, trial.shortOrLong(10, 300));
         gained.note(course.gained, member);
         if (pressedElastic[member % 3] == 1) off.note(course.off, member);
     });
@@ -97,7 +97,7 @@ void runSpinner(Trial& trial) {
     Worst off;
     forMembers(trial, 20, 500, [&](int member, Random& random) {
         World world = trial.world(spinner(random));
-        off.note(courseOf(trial, world, trial.shortOrLong(30, 300)).off, member);
+        off.note(courseOf(trial, world, trial.shortOrLong(15, 300)).off, member);
     });
     trial.expect(off.named("energy, error"), off.value(), {1e-3, 1e-6});
 }
@@ -133,7 +133,7 @@ void runOffCentre(Trial& trial) {
         World world = trial.world(offCentre(member, random));
         const double start = energyOf(world);
         double exchanged = 0, error = 0;
-        trial.run(world, trial.shortOrLong(300, 3600), [&] {
+        trial.run(world, trial.shortOrLong(180, 3600), [&] {
             exchanged = std::max(exchanged, world.statistics().kinetic);
             error = std::max(error, std::abs(energyOf(world) - start));
         });

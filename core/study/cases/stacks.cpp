@@ -22,7 +22,7 @@ void runPyramid(Trial& trial) {
         return step != nullptr ? step->radius : 0;
     };
     double deepest = 0;
-    trial.run(world, trial.shortOrLong(360, 3600), [&] {
+    trial.run(world, trial.shortOrLong(trial.byDefault() ? 360 : 240, 3600), [&] {
         if (world.state().frame % 6 != 0) return;
         for (const TouchingPair& touching : touchingPairs(bodies, world.state())) {
             const double a = radiusOf(touching.pair.a), b = radiusOf(touching.pair.b);

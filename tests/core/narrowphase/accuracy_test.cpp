@@ -72,7 +72,7 @@ class AccuracyTest : public QObject {
         QFETCH(int, kindB);
         Random random(seed, static_cast<std::uint64_t>(8 * kindA + kindB));
         double worst = 0;
-        for (int i = 0; i < trials(1000); ++i) {
+        for (int i = 0; i < trials(700); ++i) {
             const double spread = i % 7 == 0 ? 30 : 3; // aspect ratios to 900
             const ShapePair pair = randomPair(random, static_cast<ShapeKind>(kindA),
                                               static_cast<ShapeKind>(kindB), allPoses[i % 5], spread);
@@ -94,7 +94,7 @@ class AccuracyTest : public QObject {
         Random random(seed, static_cast<std::uint64_t>(100 + 8 * kindA + kindB));
         double worst = 0;
         double worstWitness = 0;
-        for (int i = 0; i < trials(100000); ++i) {
+        for (int i = 0; i < trials(50000); ++i) {
             const ShapePair pair =
                 randomPair(random, static_cast<ShapeKind>(kindA), static_cast<ShapeKind>(kindB),
                            allPoses[i % 5], i % 7 == 0 ? 30 : 3);
