@@ -30,7 +30,7 @@ struct Profile {
 };
 
 /// By then every list has its size.
-constexpr int warmUp = 60, counted = 12;
+constexpr int framesBefore = 60, framesCounted = 12;
 
 /// What a callgrind file tells. A name stands where it comes first, `fn=(7) carom::step(World&)`, and a
 /// number afterwards; under `ob=`, the program or a library, and `fn=` come the costs, `line cost`, and
@@ -69,7 +69,7 @@ Profile readProfile(const QString& path) {
 QMap<QByteArray, Profile> profilesOf(const QList<QByteArray>& texts) {
     const QTemporaryDir folder;
     const QString counts = folder.filePath(QStringLiteral("counts"));
-    const test::Ended ended = test::countFrames(texts, warmUp, counted, counts);
+    const test::Ended ended = test::countFrames(texts, framesBefore, framesCounted, counts);
     const QStringList hashes = linesOf(ended.out);
     if (ended.exitCode != 0 || hashes.size() != texts.size()) {
         qWarning("%s", qPrintable(ended.err));
@@ -113,14 +113,14 @@ QByteArray resisted(const char* arm) {
 }
 
 /// A scene with something that has no effect, or that a kernel is needed for, and the same without.
-struct Row {
+struct Comparison {
     const char* name;
     const char* kernel; // that the scene with it needs
     QByteArray with, without = sceneWith("");
 };
 
-QList<Row> rowsOfZeros() {
-    QList<Row> rows;
+QList<Comparison> rowsOfZeros() {
+    QList<Comparison> rows;
     const auto add = [&](const char* name, const QByteArray& with,
                          const QByteArray& without = sceneWith("")) {
         rows.push_back({name, "", with, without});
@@ -153,8 +153,8 @@ QList<Row> rowsOfZeros() {
     return rows;
 }
 
-QList<Row> rowsOfKernels() {
-    QList<Row> rows;
+QList<Comparison> rowsOfKernels() {
+    QList<Comparison> rows;
     const auto add = [&](const char* name, const char* kernel, const QByteArray& with,
                          const QByteArray& without = sceneWith("")) {
         rows.push_back({name, kernel, with, without});
@@ -192,18 +192,18 @@ class UnusedTest : public QObject {
 
     QMap<QByteArray, Profile> m_profiles;
 
-    static void addRows(const QList<Row>& rows) {
+    static void addRows(const QList<Comparison>& rows) {
         QTest::addColumn<QString>("kernel");
         QTest::addColumn<QByteArray>("with");
         QTest::addColumn<QByteArray>("without");
-        for (const Row& row : rows)
+        for (const Comparison& row : rows)
             QTest::newRow(row.name) << QString::fromLatin1(row.kernel) << row.with << row.without;
     }
 
   private Q_SLOTS:
     void initTestCase() {
         QList<QByteArray> texts = {sceneWith(""), sceneWith("") + "# and a word more\n"};
-        for (const Row& row : rowsOfZeros() + rowsOfKernels())
+        for (const Comparison& row : rowsOfZeros() + rowsOfKernels())
             for (const QByteArray& text : {row.with, row.without})
                 if (!texts.contains(text)) texts.push_back(text);
         m_profiles = profilesOf(texts);

@@ -19,8 +19,8 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{820, 520}; // [px]
-constexpr int listWidth = 240;       // [px]
+constexpr QSize dialogSize{820, 520}; // [px]
+constexpr int textsWidth = 240;       // [px]
 
 QByteArray onDisk(const QString& path) {
     QFile file(path);
@@ -39,7 +39,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
                       "differ from the file are marked."));
     head->setWordWrap(true);
     m_list->setAccessibleName(tr("Unsaved texts"));
-    m_list->setFixedWidth(listWidth);
+    m_list->setFixedWidth(textsWidth);
     m_difference->setAccessibleName(tr("What the unsaved text changes"));
     for (const LostText& text : m_lost) {
         const QString name =
@@ -71,7 +71,7 @@ RecoveryDialog::RecoveryDialog(std::vector<LostText> lost, const Theme& theme, Q
     column->addWidget(buttons);
     connect(m_list, &QListWidget::currentRowChanged, this, &RecoveryDialog::showChosen);
     m_list->setCurrentRow(0);
-    resize(firstSize);
+    resize(dialogSize);
 }
 
 const LostText& RecoveryDialog::chosen() const {

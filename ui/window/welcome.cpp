@@ -17,9 +17,9 @@
 namespace carom {
 namespace {
 
-constexpr QSize firstSize{1026, 680};  // [px] three columns of the gallery, and no more
-constexpr QSize pictureSize{200, 125}; // [px] of a gallery picture on screen
-constexpr int columnWidth = 280;       // [px]
+constexpr QSize welcomeSize{1026, 680}; // [px] three columns of the gallery, and no more
+constexpr QSize pictureSize{200, 125};  // [px] of a gallery picture on screen
+constexpr int columnWidth = 280;        // [px]
 constexpr qsizetype recentShown = 6;
 
 /// The comment a scene begins with: what it shows.
@@ -76,7 +76,7 @@ Welcome::Welcome(Settings& settings, QWidget* parent) : QDialog(parent) {
     column->setSpacing(14);
     column->addLayout(row, 1);
     column->addLayout(foot);
-    resize(firstSize);
+    resize(welcomeSize);
 }
 
 QWidget* Welcome::startColumn(const Settings& settings) {

@@ -19,11 +19,11 @@ std::string ballOver(double height, double radius, double elastic) {
                 "  elastic ", elastic, " }\n");
 }
 
-constexpr BodyIndex ball = 1;
+constexpr BodyIndex theBall = 1;
 
 /// How far the ball, of radius .5, is above the floor: its place with all digits that the world has of it.
 double gapOf(const World& world) {
-    return (world.state().pose[ball].position.y() - 0.5) + world.state().positionRest[ball].y();
+    return (world.state().pose[theBall].position.y() - 0.5) + world.state().positionRest[theBall].y();
 }
 
 constexpr double g4 = 9.80665; ///< of case 4 [m/s²]
@@ -32,7 +32,7 @@ bool restsAtEnd(Trial& trial, double elastic, double end) {
     constexpr int frames = 4000;
     World world = trial.world(falling(g4) + ballOver(1.5, 0.5, elastic), text("step ", end / frames));
     trial.run(world, frames);
-    return world.state().velocity[ball] == Vec3::Zero();
+    return world.state().velocity[theBall] == Vec3::Zero();
 }
 
 /// The way up and down until the bounces are shorter than a frame, and from there the closed form of what
@@ -43,7 +43,7 @@ double pathOf(Trial& trial, double elastic) {
     double path = 0, gap = 1, speed = 0;
     while (trial.step(world)) {
         const double nextGap = gapOf(world);
-        const double next = world.state().velocity[ball].y();
+        const double next = world.state().velocity[theBall].y();
         const bool bounced = next > speed - g4 * frame * 0.5;
         const double apex = speed > 0 && (bounced || next < 0) ? 0.5 * speed * speed / g4 : 0;
         path += apex + (bounced ? gap + apex + nextGap : std::abs(nextGap - gap - apex));

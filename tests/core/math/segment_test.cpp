@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t segmentSeed = 20261127;
 // Points of segments a few metres long.
-constexpr double tolerance = 1e-12;
+constexpr double distanceTolerance = 1e-12;
 
 Vec3 randomPoint(Random& random) {
     return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -37,10 +37,10 @@ class SegmentTest : public QObject {
             if (i % 4 == 0) b.to = b.from + random.uniform(-1, 1) * (a.to - a.from); // parallel
             const SegmentPair found = nearestPoints(a, b);
             const double distance = (found.onB - found.onA).norm();
-            QVERIFY((a.at(found.partA) - found.onA).norm() <= tolerance);
-            QVERIFY((b.at(found.partB) - found.onB).norm() <= tolerance);
+            QVERIFY((a.at(found.partA) - found.onA).norm() <= distanceTolerance);
+            QVERIFY((b.at(found.partB) - found.onB).norm() <= distanceTolerance);
             for (int part = 0; part <= 50; ++part)
-                QVERIFY2(distance <= distanceToPoint(b, a.at(part / 50.0)) + tolerance,
+                QVERIFY2(distance <= distanceToPoint(b, a.at(part / 50.0)) + distanceTolerance,
                          qPrintable(QStringLiteral("seed %1 trial %2").arg(segmentSeed).arg(i)));
         }
     }
@@ -48,15 +48,15 @@ class SegmentTest : public QObject {
     void segmentsThatCrossMeet() {
         const SegmentPair found =
             nearestPoints({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {Vec3(0.5, -1, 0), Vec3(0.5, 3, 0)});
-        QVERIFY((found.onA - Vec3(0.5, 0, 0)).norm() <= tolerance);
-        QVERIFY((found.onB - Vec3(0.5, 0, 0)).norm() <= tolerance);
+        QVERIFY((found.onA - Vec3(0.5, 0, 0)).norm() <= distanceTolerance);
+        QVERIFY((found.onB - Vec3(0.5, 0, 0)).norm() <= distanceTolerance);
     }
 
     void aSegmentMayBeAPoint() {
         const Segment point = {Vec3(0, 2, 0), Vec3(0, 2, 0)};
         const SegmentPair found = nearestPoints(point, {Vec3(-1, 0, 0), Vec3(1, 0, 0)});
-        QVERIFY((found.onB - Vec3::Zero()).norm() <= tolerance);
-        QVERIFY((nearestPoints(point, point).onA - point.from).norm() <= tolerance);
+        QVERIFY((found.onB - Vec3::Zero()).norm() <= distanceTolerance);
+        QVERIFY((nearestPoints(point, point).onA - point.from).norm() <= distanceTolerance);
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
+#include "tests/support/trials.h"
 
 #include "core/study/cases/random_pairs.h"
 
@@ -11,7 +12,7 @@ namespace carom::testing {
 namespace {
 
 constexpr std::uint64_t seed = 20261122;
-constexpr int trials = 5000;
+constexpr int trialsOfAPair = test::trials(5000);
 // A scene turned as a whole is rounded anew; nothing may grow out of that.
 constexpr double turnTolerance = 1e-12;
 
@@ -62,7 +63,7 @@ void forAllPairs(const Check& check) {
             const ShapeKind kindB = static_cast<ShapeKind>(b);
             if (kindA == kindOf<Wall>() && kindB == kindOf<Wall>()) continue;
             Random random(seed, 8 * a + b);
-            for (int i = 0; i < trials; ++i) {
+            for (int i = 0; i < trialsOfAPair; ++i) {
                 check(randomPair(random, kindA, kindB, allPoses[i % 5], i % 3 == 0 ? 30 : 3),
                       trialName(i, kindA, kindB));
                 if (QTest::currentTestFailed()) return;

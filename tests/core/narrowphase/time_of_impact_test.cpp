@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
+#include "tests/support/trials.h"
 
 #include "core/narrowphase/time_of_impact.h"
 
@@ -89,7 +90,7 @@ class TimeOfImpactTest : public QObject {
 
     void noFastSphereGetsThroughAThinPlate() { // hard case 33, its geometry
         Random random(seed);
-        for (int i = 0; i < 10000; ++i) {
+        for (int i = 0; i < test::trials(10000); ++i) {
             const double thickness = std::pow(10.0, random.uniform(-4, -1));
             const double speed = std::pow(10.0, random.uniform(1, 5));
             const Shape plate = Cuboid{Vec3(0.5 * thickness, 5, 5)};
@@ -111,7 +112,7 @@ class TimeOfImpactTest : public QObject {
         const Shape rod = Cylinder{0.005, 0.5};
         const Shape sphere = Sphere{0.01};
         const Pose rodPose; // along y, turning about z
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < test::trials(1000); ++i) {
             const double angle = random.uniform(0.3, 3.0);
             const double reach = random.uniform(0.1, 0.49);
             const Pose pose{reach * Vec3(-std::sin(angle), std::cos(angle), 0), Quat::Identity()};

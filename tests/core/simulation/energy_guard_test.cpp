@@ -2,6 +2,7 @@
 #include "tests/support/scenes.h"
 #include "tests/support/shipped_scenes.h"
 #include "tests/support/test_class.h"
+#include "tests/support/trials.h"
 #include "tests/support/worlds.h"
 
 #include "core/simulation/build.h"
@@ -129,7 +130,7 @@ class EnergyGuardTest : public QObject {
         QFETCH(QString, scene);
         const Build built = build(test::textOfScene(scene));
         World world(built.pipeline);
-        const std::optional<EnergyRise> rise = riseOf(world, 60);
+        const std::optional<EnergyRise> rise = riseOf(world, test::trials(60));
         QVERIFY2(!rise, rise ? describe(*rise).c_str() : "");
     }
 };

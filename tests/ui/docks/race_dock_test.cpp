@@ -28,13 +28,13 @@ namespace {
 
 using test::longestWait;
 
-SharedBuild built(const QByteArray& text) {
+SharedBuild builtRace(const QByteArray& text) {
     auto result = std::make_shared<BuildResult>();
     result->build = build(text.toStdString());
     return result;
 }
 
-const QByteArray swinging = "gravity { accel 0, -10, 0 }\n"
+const QByteArray pendulum = "gravity { accel 0, -10, 0 }\n"
                             "sphere bob { radius 0.1  mass 1  centre 1, 0, 0 }\n"
                             "spring { from world  to bob  stiffness 100  length 1 }\n";
 
@@ -48,13 +48,13 @@ class RaceDockTest : public QObject {
         m_dock = std::make_unique<RaceDock>();
         m_dock->resize(1300, 500);
         m_dock->show();
-        m_dock->setScene(built(swinging), QStringLiteral("swing"));
+        m_dock->setScene(builtRace(pendulum), QStringLiteral("swing"));
         child<QDoubleSpinBox>("raceDuration")->setValue(1);
     }
 
     void withoutASceneThatMovesThereIsNoRace() {
         QVERIFY(child<QPushButton>("raceStart")->isEnabled());
-        m_dock->setScene(built("wall { normal 0, 1, 0 toOrig 0 }"), QStringLiteral("still"));
+        m_dock->setScene(builtRace("wall { normal 0, 1, 0 toOrig 0 }"), QStringLiteral("still"));
         QVERIFY(!child<QPushButton>("raceStart")->isEnabled());
         QVERIFY(m_dock->exportTo(m_folder.filePath(QStringLiteral("none.csv")))
                     .contains(QStringLiteral("no race yet")));
@@ -135,7 +135,7 @@ class RaceDockTest : public QObject {
     }
 
     void anotherTextRacesTheFirst() {
-        QByteArray other = swinging;
+        QByteArray other = pendulum;
         other.replace("1, 0, 0", "1.5, 0, 0");
         m_dock->setOtherText(QString::fromUtf8(other), QStringLiteral("swing before"));
         race();

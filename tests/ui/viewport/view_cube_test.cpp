@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-constexpr PictureSize picture{800, 600};
+constexpr PictureSize pictureOfCube{800, 600};
 
 } // namespace
 
@@ -31,7 +31,7 @@ class ViewCubeTest : public QObject {
             lookFrom(camera, side);
             QVERIFY((camera.eye() - camera.target - camera.distance * from).norm() < 1e-9);
             // And its side is the one that can be clicked in the middle of the cube.
-            const QRectF place = cubePlace(picture);
+            const QRectF place = cubePlace(pictureOfCube);
             QCOMPARE(cubeSideAt(camera, place, place.center()), std::optional(side));
         }
     }
@@ -40,7 +40,7 @@ class ViewCubeTest : public QObject {
         Camera camera;
         camera.yaw = std::numbers::pi / 4;
         camera.pitch = 0.6;
-        const QRectF place = cubePlace(picture);
+        const QRectF place = cubePlace(pictureOfCube);
         QCOMPARE(cubeSideAt(camera, place, place.center() + QPointF(12, 12)), std::optional(ViewSide::Right));
         QCOMPARE(cubeSideAt(camera, place, place.center() + QPointF(-12, 12)),
                  std::optional(ViewSide::Front));
@@ -56,16 +56,16 @@ class ViewCubeTest : public QObject {
             return std::any_of(handles.begin(), handles.end(),
                                [part](const GizmoHandle& handle) { return handle.part == part; });
         };
-        const std::vector<GizmoHandle> front = gizmoOf(camera, picture, camera.target, true);
+        const std::vector<GizmoHandle> front = gizmoOf(camera, pictureOfCube, camera.target, true);
         QVERIFY(has(front, GizmoPart::AxisX) && has(front, GizmoPart::AxisY));
         QVERIFY(!has(front, GizmoPart::AxisZ));
         QVERIFY(has(front, GizmoPart::PlaneZ));
         QVERIFY(!has(front, GizmoPart::PlaneX) && !has(front, GizmoPart::PlaneY));
-        QVERIFY(!has(gizmoOf(camera, picture, camera.target, false), GizmoPart::TurnZ));
+        QVERIFY(!has(gizmoOf(camera, pictureOfCube, camera.target, false), GizmoPart::TurnZ));
         // As large on the screen from twice as far.
         const double near = (front.front().line.back() - front.front().line.front()).norm();
         camera.distance *= 2;
-        const std::vector<GizmoHandle> far = gizmoOf(camera, picture, camera.target, true);
+        const std::vector<GizmoHandle> far = gizmoOf(camera, pictureOfCube, camera.target, true);
         QVERIFY(std::abs((far.front().line.back() - far.front().line.front()).norm() - near) < 1e-6 * near);
         QCOMPARE(partAt(far, far.front().line.back()), far.front().part);
         QCOMPARE(partAt(far, {5, 5}), GizmoPart::None);
@@ -80,9 +80,9 @@ class ViewCubeTest : public QObject {
             for (const double pitch : {-0.7, 0.3, 0.9}) {
                 camera.yaw = yaw * std::numbers::pi / 8;
                 camera.pitch = pitch;
-                const Eigen::Vector2d centre = *projected(camera, picture, camera.target);
+                const Eigen::Vector2d centre = *projected(camera, pictureOfCube, camera.target);
                 int rings = 0;
-                for (const GizmoHandle& handle : gizmoOf(camera, picture, camera.target, true)) {
+                for (const GizmoHandle& handle : gizmoOf(camera, pictureOfCube, camera.target, true)) {
                     if (!isTurn(handle.part)) continue;
                     ++rings;
                     const Eigen::Vector2d middle = 0.5 * (handle.line.front() + handle.line.back());

@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr double radius = 0.1, g = 10, frame = 0.01; // [m], [m/s²], [s]
-constexpr int frames = 50;                           // √(.1/10) = .1 s, five times that
+constexpr double radius = 0.1, g = 10, frameTime = 0.01; // [m], [m/s²], [s]
+constexpr int frames = 50;                               // √(.1/10) = .1 s, five times that
 
 struct Resting {
     Bodies bodies = bodiesOf(test::sceneOf({test::sphere(radius, 1, Vec3::Zero(), Vec3::Zero())}));
@@ -24,7 +24,7 @@ struct Resting {
     /// A frame in which it goes so far.
     void go(const Vec3& way) {
         state.pose[0].position += way;
-        calm.note(bodies, state, bodies.mobileBodies, frame);
+        calm.note(bodies, state, bodies.mobileBodies, frameTime);
     }
     bool isCalm() const { return calm.isCalm(bodies, state, 0, {0, -g, 0}); }
 };

@@ -7,6 +7,7 @@
 #include "core/solvers/contacts/newton.h"
 #include "core/solvers/contacts/work_budget.h"
 #include "tests/support/solver_rows.h"
+#include "tests/support/trials.h"
 
 #include <QTest>
 
@@ -140,7 +141,7 @@ class NewtonTest : public QObject {
 
     void whatIsLeftIsNoWorseThanTheStart() {
         Random random(test::seed, 1);
-        for (int trial = 0; trial < 100; ++trial) {
+        for (int trial = 0; trial < test::trials(100); ++trial) {
             ContactProblem problem =
                 heap(random, 1 + static_cast<int>(random.below(25)), random.below(2) == 0 ? 0 : 0.5);
             if (trial % 2 == 0) // from about the solution
@@ -162,7 +163,7 @@ class NewtonTest : public QObject {
 
     void withoutABudgetNothingIsFactored() {
         Random random(test::seed, 2);
-        for (int trial = 0; trial < 30; ++trial) {
+        for (int trial = 0; trial < test::trials(30); ++trial) {
             ContactProblem problem = heap(random, 20, 0.5);
             const std::vector<ContactRow> rows = problem.rows;
             const NewtonReport report = NewtonSolver().solve(problem, tolerance, 0);
@@ -185,7 +186,7 @@ class NewtonTest : public QObject {
         QFETCH(double, apart);
         Random random(test::seed, 4);
         int most = 0;
-        for (int trial = 0; trial < 200; ++trial) {
+        for (int trial = 0; trial < test::trials(200); ++trial) {
             ContactProblem problem = column(1 + static_cast<int>(random.below(4)), random.uniform(0, 1));
             for (ContactRow& row : problem.rows) row.bound = random.uniform(0, apart);
             const NewtonReport report = NewtonSolver().solve(problem, tolerance);
@@ -199,7 +200,7 @@ class NewtonTest : public QObject {
     void solverThatDidSomethingElseBeforeDoesTheSame() {
         Random random(test::seed, 3);
         NewtonSolver used;
-        for (int trial = 0; trial < 30; ++trial) {
+        for (int trial = 0; trial < test::trials(30); ++trial) {
             const ContactProblem problem = heap(random, 1 + static_cast<int>(random.below(30)), 0.5);
             const double most = std::pow(10, random.uniform(3, 7));
             ContactProblem one = problem, other = problem;
