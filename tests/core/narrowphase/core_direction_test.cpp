@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/quick_contact.h"
 #include "tests/support/test_class.h"
-#include "tests/support/trials.h"
 
 #include "core/narrowphase/core_direction.h"
 #include "core/study/cases/random_pairs.h"
@@ -162,7 +161,7 @@ class CoreDirectionTest : public QObject {
         Random random(seed, static_cast<std::uint64_t>(4 * formA + formB));
         std::vector<double> shortBy, overlapping, turned;
         int missed = 0;
-        for (int i = 0; i < test::trials(5000); ++i) {
+        for (int i = 0; i < 5000; ++i) {
             double exact = 0;
             const ShapePair pair =
                 nearPair(random, static_cast<Form>(formA), static_cast<Form>(formB), exact);
@@ -201,7 +200,7 @@ class CoreDirectionTest : public QObject {
     void itSaysNoWhereTheyAreFurtherApartThanTheMargin() {
         Random random(seed, 100);
         int apart = 0, near = 0;
-        for (int i = 0; i < test::trials(5000); ++i) {
+        for (int i = 0; i < 5000; ++i) {
             double exact = 0;
             const ShapePair pair = nearPair(random, Form::Any, Form::Any, exact);
             const double size = smallerOf(pair), margin = random.uniform(0, 0.1) * size;
@@ -225,7 +224,7 @@ class CoreDirectionTest : public QObject {
 
     void whereFacesMeetFacesItIsExact() {
         Random random(seed, 101);
-        for (int i = 0; i < test::trials(2000); ++i) {
+        for (int i = 0; i < 2000; ++i) {
             // B stands on A, somewhere on its face, turned about the common normal.
             const Vec3 up = randomDirection(random);
             const Quat upright = Quat::FromTwoVectors(Vec3::UnitY(), up);
@@ -253,7 +252,7 @@ class CoreDirectionTest : public QObject {
 
     void cylindersSideBySideAndCrossedAreExact() {
         Random random(seed, 102);
-        for (int i = 0; i < test::trials(2000); ++i) {
+        for (int i = 0; i < 2000; ++i) {
             const Cylinder shapeA{randomLength(random, 2), randomLength(random, 2)},
                 shapeB{randomLength(random, 2), randomLength(random, 2)};
             const double radii = shapeA.radius + shapeB.radius;
@@ -281,7 +280,7 @@ class CoreDirectionTest : public QObject {
     void theGuessHardlyMatters() {
         Random random(seed, 103);
         std::vector<double> spread;
-        for (int i = 0; i < test::trials(1500); ++i) {
+        for (int i = 0; i < 1500; ++i) {
             double exact = 0;
             const ShapePair pair = nearPair(random, static_cast<Form>(random.below(4)),
                                             static_cast<Form>(random.below(4)), exact);
@@ -306,7 +305,7 @@ class CoreDirectionTest : public QObject {
     void aDirectionThatIsFollowedIsThatOfItsSource() {
         Random random(seed, 9);
         std::array<int, 6> counts{};
-        for (int trial = 0; trial < test::trials(4000); ++trial) {
+        for (int trial = 0; trial < 4000; ++trial) {
             double exact = 0;
             ShapePair pair = nearPair(random, Form::Any, Form::Any, exact);
             const auto find = [&](DirectionSource& source, Vec3& normal, const Vec3& guess) {
@@ -340,7 +339,7 @@ class CoreDirectionTest : public QObject {
     void seenFromTheOtherSideItIsTheSame() {
         Random random(seed, 104);
         std::vector<double> off;
-        for (int i = 0; i < test::trials(5000); ++i) {
+        for (int i = 0; i < 5000; ++i) {
             double exact = 0;
             const ShapePair pair = nearPair(random, static_cast<Form>(random.below(4)),
                                             static_cast<Form>(random.below(4)), exact);
@@ -359,7 +358,7 @@ class CoreDirectionTest : public QObject {
     void coresThatOverlapAreLeftToTheExactMethod() {
         Random random(seed, 105);
         int same = 0;
-        for (int i = 0; i < test::trials(2000); ++i) {
+        for (int i = 0; i < 2000; ++i) {
             const ShapePair pair =
                 randomPair(random, random.below(2) == 0 ? kindOf<Cylinder>() : kindOf<Cuboid>(),
                            random.below(2) == 0 ? kindOf<Cylinder>() : kindOf<Cuboid>(), Poses::OneCentre);
