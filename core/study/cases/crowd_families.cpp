@@ -179,7 +179,7 @@ constexpr double realTime = 16 * 2e6;
 
 void runCorners(Trial& trial) {
     Worst dearest, gained;
-    forMembers(trial, trial.byDefault() ? 12 : 2, 500, [&](int member, Random& random) {
+    forMembers(trial, trial.byDefault() ? 20 : 2, 500, [&](int member, Random& random) {
         for (const bool isBurst : {false, true}) {
             World world = trial.world(isBurst ? burstScene(member, random) : cornerScene(member, random));
             const double start = energyOf(world);
@@ -253,10 +253,10 @@ std::string bystander(int member, Random& random) {
 
 void runBystanders(Trial& trial) {
     double unlike = 0;
-    forMembers(trial, 4, 500, [&](int member, Random& random) {
+    forMembers(trial, 20, 500, [&](int member, Random& random) {
         const std::string near = nearBodies(random), far = near + bystander(member, random);
         World alone = trial.world(near), beside = trial.world(far);
-        for (int frame = 0; frame < trial.shortOrLong(8, 60) && trial.step(alone) && trial.step(beside);
+        for (int frame = 0; frame < trial.shortOrLong(4, 60) && trial.step(alone) && trial.step(beside);
              ++frame)
             for (const BodyIndex i : alone.pipeline().bodies().mobileBodies)
                 if (alone.state().pose[i].position != beside.state().pose[i].position) ++unlike;

@@ -67,7 +67,7 @@ std::string pressed(int member, Random& random) {
 
 void runPressed(Trial& trial) {
     Worst gained, off;
-    forMembers(trial, 12, 500, [&](int member, Random& random) {
+    forMembers(trial, 20, 500, [&](int member, Random& random) {
         World world = trial.world(pressed(member, random));
         const EnergyCourse course = courseOf(trial, world, trial.shortOrLong(10, 300));
         gained.note(course.gained, member);
