@@ -1,37 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/broadphase/box_blocks.h"
 
+#include "core/math/morton.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace carom {
-namespace {
-
-constexpr int bitsOfAxis = 21;
-
-/// The bits of a number, two zeros after each.
-std::uint64_t spread(std::uint64_t bits) {
-    bits = (bits | bits << 32) & 0x1f00000000ffff;
-    bits = (bits | bits << 16) & 0x1f0000ff0000ff;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-    return (bits | bits << 2) & 0x1249249249249249;
-}
-
-/// Where a place comes along Morton's curve through cells of size `cell` (G. M. Morton, "A computer oriented
-/// geodetic data base", 1966).
-std::uint64_t mortonCode(const Vec3& place, const Vec3& lowest, double cell) {
-    constexpr double most = (std::uint64_t{1} << bitsOfAxis) - 1;
-    std::uint64_t code = 0;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        const double cells = std::clamp((place[axis] - lowest[axis]) / cell, 0.0, most);
-        code |= spread(static_cast<std::uint64_t>(cells)) << axis;
-    }
-    return code;
-}
-
-} // namespace
-
 void BoxBlocks::build(std::span<const Aabb> boxes) {
     const std::size_t count = boxes.size();
     m_blockCount = (count + size - 1) / size;
@@ -51,7 +25,7 @@ void BoxBlocks::build(std::span<const Aabb> boxes) {
     const double cell = extent > 0 ? extent / static_cast<double>(count) : 1;
     m_order.clear();
     for (std::size_t entry = 0; entry < count; ++entry)
-        m_order.emplace_back(mortonCode(boxes[entry].centre(), lowest, cell),
+        m_order.emplace_back(mortonCode((boxes[entry].centre() - lowest) / cell, mortonBits),
                              static_cast<std::uint32_t>(entry));
     std::sort(m_order.begin(), m_order.end());
     for (std::size_t block = 0; block < m_blockCount; ++block) {
@@ -87,11 +61,6 @@ std::span<const std::uint32_t> BoxBlocks::overlapping(const Aabb& box) {
     const std::size_t hits = carom::overlapping(m_boxes, box, m_ranges, m_hits.data());
     for (std::size_t k = 0; k < hits; ++k) m_hits[k] = m_entry[m_hits[k]];
     return {m_hits.data(), hits};
-}
-
-std::size_t BoxBlocks::bytes() const {
-    return m_boxes.bytes() + m_blocks.bytes() +
-           (m_place.capacity() + m_entry.capacity() + m_hits.capacity()) * sizeof(std::uint32_t);
 }
 
 } // namespace carom

@@ -107,7 +107,7 @@ void SpringSteps::load(const SpringNetwork& network, const State& state) {
         for (const End* end : {&link.from, &link.to})
             if (end->body >= 0) link.yield += m_moving[static_cast<std::size_t>(end->body)].inverseMass;
     }
-    groupLinks();
+    m_fours.assign((m_links.size() + wideLanes - 1) / wideLanes, {}); // lanes without a spring stay empty
 }
 
 // No velocity vanishes faster than at the sum of the rates of two bodies that a damper joins (W. Anderson, T.
@@ -147,33 +147,36 @@ void SpringSteps::beginLinks(double T, double guess) {
     loadFours();
 }
 
-// Springs that turn nothing are looked at four at a time. Those in between stay in order.
-void SpringSteps::groupLinks() {
-    const auto turns = [](const End& end) { return end.body >= 0 && !end.isCentre; };
-    const auto turnsNothing = [&](const Link& link) { return !turns(link.from) && !turns(link.to); };
-    m_fours.clear();
-    for (std::size_t first = 0; first + wideLanes <= m_links.size();) {
-        const auto link = m_links.begin() + static_cast<std::ptrdiff_t>(first);
-        const bool four = std::all_of(link, link + wideLanes, turnsNothing);
-        if (four) m_fours.emplace_back().first = first;
-        first += four ? wideLanes : 1;
+void SpringSteps::loadFours() {
+    for (std::size_t i = 0; i < m_links.size(); ++i) {
+        const Link& link = m_links[i];
+        Four& four = m_fours[i / wideLanes];
+        const std::size_t lane = i % wideLanes;
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            four.span[static_cast<std::size_t>(axis)][lane] = link.span[axis];
+            four.push[static_cast<std::size_t>(axis)][lane] = link.push[axis];
+        }
+        four.pull[lane] = link.pull;
+        four.share[lane] = link.share;
+        four.damping[lane] = link.damping;
+        four.length[lane] = link.length;
+        four.before[lane] = link.before;
     }
 }
 
-void SpringSteps::loadFours() {
-    for (Four& four : m_fours)
-        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-            const Link& link = m_links[four.first + lane];
-            for (Eigen::Index axis = 0; axis < 3; ++axis) {
-                four.span[static_cast<std::size_t>(axis)][lane] = link.span[axis];
-                four.push[static_cast<std::size_t>(axis)][lane] = link.push[axis];
-            }
-            four.pull[lane] = link.pull;
-            four.share[lane] = link.share;
-            four.damping[lane] = link.damping;
-            four.length[lane] = link.length;
-            four.before[lane] = link.before;
-        }
+Vec3 SpringSteps::placeOf(End& end) const {
+    if (end.body < 0) return end.before;
+    const Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+    if (end.isCentre) return body.x1;
+    end.armAfter = body.q1 * end.at;
+    return body.x1 + end.armAfter;
+}
+
+void SpringSteps::push(const End& end, const Vec3& impulse) {
+    if (end.body < 0) return;
+    Moving& body = m_moving[static_cast<std::size_t>(end.body)];
+    body.impulse += impulse;
+    if (!end.isCentre) body.torque += 0.5 * (end.armBefore + end.armAfter).cross(impulse);
 }
 
 // The impulses of all springs, by where their ends are at the end of the part so far.
@@ -183,87 +186,40 @@ void SpringSteps::pull() {
         body.impulse.setZero();
         body.torque.setZero();
     }
-    auto four = m_fours.begin();
-    for (std::size_t i = 0; i < m_links.size();) {
-        const bool isFour = four != m_fours.end() && four->first == i;
-        isFour ? pullFour(*four++) : pullOne(m_links[i]);
-        i += isFour ? wideLanes : 1;
+    for (std::size_t first = 0; first < m_links.size(); first += wideLanes) {
+        const std::size_t lanes = std::min(m_links.size() - first, std::size_t{wideLanes});
+        Four& four = m_fours[first / wideLanes];
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            Link& link = m_links[first + lane];
+            const Vec3 last = placeOf(link.to) - placeOf(link.from);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                four.last[axis][lane] = last[static_cast<Eigen::Index>(axis)];
+        }
+        findImpulses(four);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            Link& link = m_links[first + lane];
+            link.push = Vec3(four.push[0][lane], four.push[1][lane], four.push[2][lane]);
+            push(link.to, link.push);
+            push(link.from, -link.push);
+        }
     }
 }
 
-Vec3 SpringSteps::placeOf(const End& end, Vec3& arm) const {
-    if (end.body < 0) return end.before;
-    const Moving& body = m_moving[static_cast<std::size_t>(end.body)];
-    if (end.isCentre) return body.x1;
-    arm = body.q1 * end.at;
-    return body.x1 + arm;
-}
-
-void SpringSteps::push(const End& end, const Vec3& armAfter, const Vec3& impulse) {
-    if (end.body < 0) return;
-    Moving& body = m_moving[static_cast<std::size_t>(end.body)];
-    body.impulse += impulse;
-    if (!end.isCentre) body.torque += 0.5 * (end.armBefore + armAfter).cross(impulse);
-}
-
-void SpringSteps::pullOne(Link& link) {
-    Vec3 armFrom = Vec3::Zero(), armTo = Vec3::Zero();
-    const Vec3 last = placeOf(link.to, armTo) - placeOf(link.from, armFrom);
-    const Vec3 middle = 0.5 * (last + link.span);
-    const double after = last.norm(), length = 0.5 * (link.before + after);
-    const double impulse = link.pull * (length - link.length) + link.damping * (after - link.before);
-    const Vec3 found = length > 0 ? Vec3((-impulse / length) * middle) : Vec3(-impulse * Vec3::UnitY());
-    const Vec3 off = found - link.push;
-    link.push += off;
-    if (after > 0) link.push -= (link.share * off.dot(last) / (after * after)) * last;
-    push(link.to, armTo, link.push);
-    push(link.from, armFrom, -link.push);
-}
-
-// As pullOne(), each spring in a lane. False if one has no length.
-CAROM_WIDE bool SpringSteps::findImpulses(Four& springs) {
-    const Wide after = rootOf(dot(springs.last, springs.last));
-    for (int lane = 0; lane < wideLanes; ++lane)
-        if (!(after[lane] > 0)) return false;
-    const Wide length = 0.5 * (springs.before + after);
-    const Wide impulse =
-        springs.pull * (length - springs.length) + springs.damping * (after - springs.before);
-    const Wide perLength = -impulse / length;
+// A spring without length pushes upwards.
+CAROM_WIDE void SpringSteps::findImpulses(Four& four) {
+    const Wide zero{};
+    const Wide after = rootOf(dot(four.last, four.last)), length = 0.5 * (four.before + after);
+    const Wide impulse = four.pull * (length - four.length) + four.damping * (after - four.before);
+    const std::array<Wide, 3> upwards{zero, -impulse, zero};
     std::array<Wide, 3> off;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Wide middle = 0.5 * (springs.last[axis] + springs.span[axis]);
-        off[axis] = perLength * middle - springs.push[axis];
-        springs.push[axis] += off[axis];
+        const Wide middle = 0.5 * (four.last[axis] + four.span[axis]);
+        const Wide found = length > zero ? (-impulse / length) * middle : upwards[axis];
+        off[axis] = found - four.push[axis];
+        four.push[axis] += off[axis];
     }
-    const Wide along = springs.share * dot(off, springs.last) / (after * after);
-    for (std::size_t axis = 0; axis < 3; ++axis) springs.push[axis] -= along * springs.last[axis];
-    return true;
-}
-
-// The same for four springs that turn nothing.
-void SpringSteps::pullFour(Four& four) {
-    const auto placeOfCentre = [this](const End& end) {
-        return end.body < 0 ? end.before : m_moving[static_cast<std::size_t>(end.body)].x1;
-    };
-    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-        const Link& link = m_links[four.first + lane];
-        const Vec3 last = placeOfCentre(link.to) - placeOfCentre(link.from);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            four.last[axis][lane] = last[static_cast<Eigen::Index>(axis)];
-    }
-    const bool isFound = findImpulses(four);
-    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-        Link& link = m_links[four.first + lane];
-        if (!isFound) {
-            pullOne(link);
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                four.push[axis][lane] = link.push[static_cast<Eigen::Index>(axis)];
-            continue;
-        }
-        link.push = Vec3(four.push[0][lane], four.push[1][lane], four.push[2][lane]);
-        if (link.to.body >= 0) m_moving[static_cast<std::size_t>(link.to.body)].impulse += link.push;
-        if (link.from.body >= 0) m_moving[static_cast<std::size_t>(link.from.body)].impulse -= link.push;
-    }
+    const Wide along = after > zero ? four.share * dot(off, four.last) / (after * after) : zero;
+    for (std::size_t axis = 0; axis < 3; ++axis) four.push[axis] -= along * four.last[axis];
 }
 
 // The square of the speed at which as much energy moves as turns with an angular momentum [m²/s²]; 0 of what

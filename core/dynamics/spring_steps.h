@@ -71,11 +71,12 @@ class SpringSteps {
         Vec3 impulse, torque; ///< [N s], [N m s], of this round
     };
     struct End {
-        int body = -1;              ///< place in `moving`, or none
-        Vec3 at = Vec3::Zero();     ///< in the body, or in the world
-        bool isCentre = false;      ///< of the body
-        Vec3 before = Vec3::Zero(); ///< place at the start of the part [m]
-        Vec3 armBefore = Vec3::Zero();
+        int body = -1;                 ///< place in `moving`, or none
+        Vec3 at = Vec3::Zero();        ///< in the body, or in the world
+        bool isCentre = false;         ///< of the body
+        Vec3 before = Vec3::Zero();    ///< place at the start of the part [m]
+        Vec3 armBefore = Vec3::Zero(); ///< from the centre [m]
+        Vec3 armAfter = Vec3::Zero();  ///< at the end of the part so far [m]
     };
     struct Link {
         End from, to;
@@ -90,7 +91,6 @@ class SpringSteps {
 
     /// Four springs one behind the other, each a lane.
     struct alignas(32) Four {
-        std::size_t first = 0;                      ///< of them
         std::array<Wide, 3> last{}, span{}, push{}; ///< by axis; last: as span, at the end of the part so far
         Wide pull{}, share{}, damping{}, length{}, before{};
     };
@@ -99,13 +99,10 @@ class SpringSteps {
     End endOf(const SpringNetwork& network, const State& state, BodyIndex body, const Vec3& at);
     bool followPart(const SpringNetwork& network, double T, double guess);
     void pull();
-    void pullOne(Link& link);
-    void groupLinks();
     void loadFours();
-    void pullFour(Four& four);
-    static bool findImpulses(Four& springs);
-    Vec3 placeOf(const End& end, Vec3& arm) const;
-    void push(const End& end, const Vec3& armAfter, const Vec3& impulse);
+    static void findImpulses(Four& four);
+    Vec3 placeOf(End& end) const;
+    void push(const End& end, const Vec3& impulse);
     double advance(const SpringNetwork& network, double T);
     void beginLinks(double T, double guess);
     double fastestDamping() const;

@@ -21,8 +21,9 @@
 //     islands  bodies that such pairs join. Contacts of small ones are updated more often and in smaller
 //              steps: bodies that turn touch at other points, and an impact passes through a chain of bodies
 //              by a few of them a pass. So there is a block of bodies for every division of the substep.
-//     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew, pairs
-//              that can no longer meet are removed, and all pairs of the island are sorted again
+//     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew; at the
+//              start of a frame, pairs that can no longer meet are removed, and all pairs of such an island
+//              are sorted again
 //     leaving  single islands leave, and may enter again: those of which more than a quarter of the bodies
 //              move beyond their reach, that refinement is to try again, that have too many contacts for
 //              their block's division, or that meet another block. Bodies at rest stay for many frames.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/candidates.h"
 
+#include "core/base/reserve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -90,6 +92,7 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
                                            const Neighbours& neighbours) {
     m_up.clear();
     m_down.clear();
+    reserveFor(neighbours.ends(), m_up);
     for (const BodyIndex i : m_free) {
         const Body body = m_body[i];
         for (const BodyIndex k : neighbours.around(i)) {

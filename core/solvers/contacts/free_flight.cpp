@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/free_flight.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
 namespace carom {
 
 FreeFlight::FreeFlight(const Bodies& bodies)
-    : m_kind(bodies.count(), Kind::Left), m_radius(bodies.count()), m_reach(bodies.count(), 0.0),
-      m_due(bodies.count(), 0), m_start(bodies.count()) {
-    for (BodyIndex i = 0; i < bodies.count(); ++i)
-        m_radius[i] =
-            isWall(bodies.shape[i]) ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
-}
+    : m_kind(bodies.count(), Kind::Left), m_reach(bodies.count(), 0.0), m_due(bodies.count(), 0),
+      m_start(bodies.count()) {}
 
 void FreeFlight::clear() {
     for (const BodyIndex i : m_bodies) m_kind[i] = Kind::Left;
@@ -29,9 +24,9 @@ double FreeFlight::reachInFrame(const SolverInput& input, BodyIndex body) const 
         const Vec3& inverse = input.bodies.inverseInertia[body];
         const double faster = inverse.maxCoeff() / inverse.minCoeff();
         reach += (time + Neighbours::reachFactor * h) * faster * input.state.angularVelocity[body].norm() *
-                 m_radius[body];
+                 input.bodies.boundingRadius[body];
     }
-    return std::max(reach, Neighbours::leastMargin * m_radius[body]);
+    return std::max(reach, Neighbours::leastMargin * input.bodies.boundingRadius[body]);
 }
 
 // Where a body that flies is when a substep begins.
@@ -46,12 +41,13 @@ bool FreeFlight::mayMeet(const SolverInput& input, BodyIndex body, BodyIndex oth
     const bool fly = has(other);
     const double time = input.parts * input.substep;
     const double fall = fly ? 0 : 0.5 * input.gravity.norm() * time * time;
-    const double within = m_radius[body] + m_radius[other] + m_reach[body] + reachOf(other) + fall;
-    const Vec3 between = input.state.pose[other].position - m_start[body].position;
-    const Vec3 velocity = (fly ? m_start[other].velocity : Vec3::Zero()) - m_start[body].velocity;
-    const double approach = -between.dot(velocity);
-    const double nearest = approach > 0 ? std::min(approach / velocity.squaredNorm(), time) : 0;
-    return (between + nearest * velocity).squaredNorm() <= within * within;
+    const double within = input.bodies.boundingRadius[body] + input.bodies.boundingRadius[other] +
+                          m_reach[body] + reachOf(other) + fall;
+    const auto courseOf = [&](BodyIndex i) -> Course {
+        if (!has(i)) return {.place = input.state.pose[i].position};
+        return {.place = m_start[i].position, .velocity = m_start[i].velocity, .ends = time};
+    };
+    return doMeet(courseOf(body), courseOf(other), 0, within);
 }
 
 // The first substep in which they do; the number of substeps if none.

@@ -79,10 +79,9 @@ class FreeFlight {
 
     // By body.
     std::vector<Kind> m_kind;
-    std::vector<double> m_radius; // of its bounding ball; of walls infinite [m]
-    std::vector<double> m_reach;  // of those that fly: in any substep of the frame [m]
-    std::vector<int> m_due;       // of those that fly: the substep in which they come near something
-    std::vector<Start> m_start;   // of those that fly
+    std::vector<double> m_reach; // of those that fly: in any substep of the frame [m]
+    std::vector<int> m_due;      // of those that fly: the substep in which they come near something
+    std::vector<Start> m_start;  // of those that fly
 
     std::vector<BodyIndex> m_bodies;
     Coasting m_coasting;

@@ -109,7 +109,8 @@ class SteppedMotion {
     /// Adds a pair of bodies that have been added, or of one of these and an immobile one. Its manifold is
     /// that of the last update; balls need none.
     void addPair(const SteppedInput& input, const Entry& entry, Manifolds& manifolds);
-    /// Pairs have been added to an island that has been solved before: all of its pairs are sorted again.
+    /// Pairs have been added to an island that has been solved before: all of its pairs are sorted again when
+    /// the next frame begins.
     void reorder(std::uint32_t island) { m_groups[island].isUnordered = m_isUnordered = true; }
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
     template<class Is>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/events/event_gas.h"
 
+#include "core/math/morton.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -104,20 +106,9 @@ void EventGas::sortByPlace() {
     constexpr unsigned bits = 10;
     const Aabb region = regionOfCentres();
     const double scale = ((1U << bits) - 1) / std::max(region.size().maxCoeff(), 1e-300);
-    const auto spread = [](std::uint64_t v) {
-        std::uint64_t spaced = 0;
-        for (unsigned bit = 0; bit < bits; ++bit) spaced |= (v >> bit & 1U) << (3 * bit);
-        return spaced;
-    };
     for (std::uint32_t i = 0; i < m_origins.size(); ++i) {
         const Vec3 position = positionAt(m_origins[i], accelerationOf(i), m_now);
-        std::uint64_t code = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double along = std::clamp((position[axis] - region.lower[axis]) * scale, 0.0,
-                                            static_cast<double>((1U << bits) - 1));
-            code |= spread(static_cast<std::uint64_t>(along)) << axis;
-        }
-        m_order[i] = code << 32U | i;
+        m_order[i] = mortonCode((position - region.lower) * scale, bits) << 32U | i;
     }
     std::sort(m_order.begin(), m_order.end());
 
