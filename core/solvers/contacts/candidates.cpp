@@ -16,7 +16,10 @@ double roomFor(const Bodies& bodies, BodyIndex body, double reach) {
 
 } // namespace
 
-Candidates::Candidates(const Bodies& bodies) : m_body(bodies.count()) {
+Candidates::Candidates(const Bodies& bodies)
+    : m_body(bodies.count()), m_kind(bodies.count(), Kind::Immobile) {
+    for (const BodyIndex i : bodies.bounded)
+        if (bodies.mobile[i] == 0) m_immobile.push_back(i);
     for (BodyIndex i = 0; i < bodies.count(); ++i) {
         const bool wall = isWall(bodies.shape[i]);
         m_body[i].radius = wall ? std::numeric_limits<double>::infinity() : bodies.boundingRadius[i];
@@ -41,35 +44,49 @@ bool Candidates::areWithin(const Bodies& bodies, const State& state, BodyPair pa
 
 void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                       std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase) {
-    if (!noteReach(bodies, state, members, placed, neighbours)) neighbours.search(bodies, state, broadphase);
-    if (!shareReach(bodies, state, neighbours)) neighbours.search(bodies, state, broadphase);
+    for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
+    for (const BodyIndex i : m_immobile) m_body[i].centre = state.pose[i].position;
+    m_free.clear();
+    for (const BodyIndex i : members) {
+        m_kind[i] = placed[i] != 0 ? Kind::Placed : Kind::Member;
+        if (placed[i] == 0) m_free.push_back(i);
+    }
+    m_changed.assign(members.begin(), members.end());
+    if (!noteReach(bodies, state, members, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!shareReach(bodies, state, m_free, neighbours)) neighbours.search(bodies, state, broadphase);
+}
+
+void Candidates::join(const Bodies& bodies, const State& state, std::span<const BodyIndex> joined,
+                      Neighbours& neighbours, Broadphase& broadphase) {
+    for (const BodyIndex i : joined) m_kind[i] = Kind::Member;
+    m_merged.resize(m_free.size() + joined.size());
+    std::merge(m_free.begin(), m_free.end(), joined.begin(), joined.end(), m_merged.begin());
+    std::swap(m_free, m_merged);
+    m_changed.assign(joined.begin(), joined.end());
+    if (!noteReach(bodies, state, joined, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!shareReach(bodies, state, joined, neighbours)) neighbours.search(bodies, state, broadphase);
 }
 
 bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                           std::span<const std::uint8_t> placed, Neighbours& neighbours) {
-    for (const BodyIndex i : bodies.mobileBodies) m_body[i].kind = Kind::Left;
-    for (const BodyIndex i : bodies.bounded) m_body[i].centre = state.pose[i].position;
-    m_free.clear();
+                           Neighbours& neighbours) {
     bool covered = true;
     for (const BodyIndex i : members) {
-        m_body[i].kind = placed[i] != 0 ? Kind::Placed : Kind::Member;
+        m_body[i].centre = state.pose[i].position;
         setReach(i, neighbours.reach(i));
         covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
-        if (placed[i] == 0) m_free.push_back(i);
     }
     return covered;
 }
 
-// The larger reach that bodies have because of what may strike them.
-bool Candidates::shareReach(const Bodies& bodies, const State& state, Neighbours& neighbours) {
-    m_shared.clear();
-    for (const BodyIndex i : m_free) {
+// The larger reach that bodies have because of what may strike them: of pairs with at least one of `from`.
+bool Candidates::shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
+                            Neighbours& neighbours) {
+    const std::size_t first = m_changed.size();
+    for (const BodyIndex i : from) {
         const Body body = m_body[i];
         for (const BodyIndex k : neighbours.around(i)) {
-            const Body& other = m_body[k];
-            if (!mayBeWithin(body, other)) continue;
-            if (other.kind == Kind::Immobile || other.kind == Kind::Left) continue;
-            if (other.kind == Kind::Member && k < i) continue;
+            if (m_kind[k] == Kind::Immobile || m_kind[k] == Kind::Left) continue;
+            if (!mayBeWithin(body, m_body[k])) continue;
             const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
             const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
             const double reach = Neighbours::reachAfter(bodies, slower, std::min(reachI, reachK), faster,
@@ -77,12 +94,14 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, Neighbours
             if (!(m_body[slower].reach < reach)) continue;
             if (!areWithin(bodies, state, {std::min(i, k), std::max(i, k)}, reachI + reachK)) continue;
             setReach(slower, reach);
-            m_shared.push_back(slower);
+            m_changed.push_back(slower);
         }
     }
     bool covered = true;
-    for (const BodyIndex i : m_shared)
-        covered = neighbours.covers(i, roomFor(bodies, i, m_body[i].reach)) && covered;
+    for (std::size_t n = first; n < m_changed.size(); ++n)
+        covered =
+            neighbours.covers(m_changed[n], roomFor(bodies, m_changed[n], m_body[m_changed[n]].reach)) &&
+            covered;
     return covered;
 }
 
@@ -96,9 +115,8 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
     for (const BodyIndex i : m_free) {
         const Body body = m_body[i];
         for (const BodyIndex k : neighbours.around(i)) {
-            const Body& other = m_body[k];
-            if (!mayBeWithin(body, other)) continue;
-            if (other.kind == Kind::Left || (other.kind == Kind::Member && k < i)) continue;
+            if (m_kind[k] == Kind::Left || (m_kind[k] == Kind::Member && k < i)) continue;
+            if (!mayBeWithin(body, m_body[k])) continue;
             const BodyPair pair{std::min(i, k), std::max(i, k)};
             if (areWithin(bodies, state, pair, marginOf(pair))) (i < k ? m_up : m_down).push_back(pair);
         }

@@ -25,6 +25,13 @@ class Candidates {
     /// known.
     void look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
               std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase);
+    /// The same where these bodies, ascending, which are not placed, have become members since.
+    void join(const Bodies& bodies, const State& state, std::span<const BodyIndex> joined,
+              Neighbours& neighbours, Broadphase& broadphase);
+    /// Members whose reach the last of these has set; some may be named twice.
+    std::span<const BodyIndex> changed() const { return m_changed; }
+    /// Members that are not placed, ascending.
+    std::span<const BodyIndex> free() const { return m_free; }
 
     /// How far a member's surface may move [m]: a body that is struck may leave as fast as the striker, so
     /// neighbours share their reach.
@@ -43,7 +50,6 @@ class Candidates {
         double radius = 0;          // [m]
         double extent = 0;          // the radius, and how far it reaches at least as a pair's margin is [m]
         double reach = 0;           // [m]
-        Kind kind = Kind::Immobile;
     };
     static bool mayBeWithin(const Body& a, const Body& b) {
         const double extents = a.extent + b.extent;
@@ -51,16 +57,20 @@ class Candidates {
     }
     void setReach(BodyIndex body, double reach);
     bool noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                   std::span<const std::uint8_t> placed, Neighbours& neighbours);
-    bool shareReach(const Bodies& bodies, const State& state, Neighbours& neighbours);
+                   Neighbours& neighbours);
+    bool shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
+                    Neighbours& neighbours);
     bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) const;
     double leastMarginOf(BodyPair pair) const;
 
-    std::vector<Body> m_body;        // by body
-    std::vector<BodyIndex> m_free;   // members that are not placed
-    std::vector<BodyIndex> m_shared; // members with a larger reach than their own
-    std::vector<BodyPair> m_up;      // from a member to a larger index, ascending
-    std::vector<BodyPair> m_down;    // from a member to something immobile or placed of smaller index
+    // By body.
+    std::vector<Body> m_body; // of those that are not left
+    std::vector<Kind> m_kind;
+
+    std::vector<BodyIndex> m_immobile; // and bounded
+    std::vector<BodyIndex> m_free, m_merged, m_changed;
+    std::vector<BodyPair> m_up;   // from a member to a larger index, ascending
+    std::vector<BodyPair> m_down; // from a member to something immobile or placed of smaller index
     std::vector<BodyPair> m_pairs;
 };
 

@@ -97,9 +97,8 @@ class Contacts final : public Solver {
     void findMembers(const SolverInput& input);
     bool renewBase(const SolverInput& input);
     void wakeMoved(const SolverInput& input);
-    bool wakeTouched(const SolverInput& input);
-    template<class ReachOf>
-    bool joinMet(const SolverInput& input, const ReachOf& reachOf);
+    void joinReached(const SolverInput& input);
+    void wakeTouched(const SolverInput& input, std::span<const BodyIndex> members);
     void addMembers(const SolverInput& input, std::span<const BodyIndex> bodies);
     void coverMembers(const SolverInput& input);
     void findContacts(const SolverInput& input);
@@ -160,8 +159,7 @@ class Contacts final : public Solver {
     Calm m_calm;
     std::vector<std::uint8_t> m_isOnSpring; // by body: such a body never counts as calm
     std::vector<BodyIndex> m_members;       // mobile bodies that neither sleep nor fly
-    std::vector<BodyIndex> m_free;          // members that were not on the base path when the substep began
-    std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_joined, m_leaving;
+    std::vector<BodyIndex> m_entering, m_passing, m_woken, m_met, m_changed, m_joined, m_leaving;
     std::vector<Island> m_brieflyHere; // islands of m_brief
     std::vector<SteppedMotion::Entry> m_brieflyPaired;
     std::vector<BodyPair> m_links;     // the ends of springs
@@ -217,8 +215,8 @@ SolverReport Contacts::move(const SolverInput& input) {
         coverMembers(input);
         findContacts(input);
     }
-    m_refinement.choose({input.bodies, input.state, m_islands, m_free, m_found.canMeet(), m_joins,
-                         input.gravity, input.substep, input.part, input.parts},
+    m_refinement.choose({input.bodies, input.state, m_islands, m_candidates.free(), m_found.canMeet(),
+                         m_joins, input.gravity, input.substep, input.part, input.parts},
                         budget());
     m_work.islands = m_islands.count() + m_base.islands() + m_flight.bodies().size();
     for (const Refinement::Choice& choice : m_refinement.refined())
@@ -280,7 +278,8 @@ void Contacts::findMembers(const SolverInput& input) {
         m_flight.start(input, m_isOnSpring, m_base.blockOf(), m_neighbours, m_members);
         m_refinement.forget(m_flight.bodies());
     }
-    joinMet(input, [this](BodyIndex i) { return m_neighbours.reach(i); });
+    m_flight.findDue(input, m_met);
+    if (!m_met.empty()) addMembers(input, m_met);
     if (!m_base.isEmpty()) {
         if (input.part == 0) {
             for (const BodyIndex i : m_members)
@@ -290,8 +289,7 @@ void Contacts::findMembers(const SolverInput& input) {
         if (!renewBase(input)) leaveMarked(input);
     }
     coverMembers(input);
-    const auto reachOf = [this](BodyIndex i) { return m_candidates.reach(i); };
-    while (joinMet(input, reachOf) || wakeTouched(input)) coverMembers(input);
+    joinReached(input);
     m_sleeping.exchange(input.bodies, m_contacts);
 }
 
@@ -301,14 +299,21 @@ bool Contacts::renewBase(const SolverInput& input) {
                         lastingSkin, m_neighbours, input.broadphase, m_found.manifolds());
 }
 
-// Makes members of flying bodies that come near a member, which reaches as far as reachOf(member) says. False
-// if there are none.
-template<class ReachOf>
-bool Contacts::joinMet(const SolverInput& input, const ReachOf& reachOf) {
-    m_flight.findMet(input, m_neighbours, reachOf, m_met);
-    if (m_met.empty()) return false;
-    addMembers(input, m_met);
-    return true;
+// Makes members of bodies that fly or sleep and that members may reach, and of those that these may reach.
+void Contacts::joinReached(const SolverInput& input) {
+    m_changed.assign(m_members.begin(), m_members.end());
+    while (!m_changed.empty()) {
+        m_flight.findMet(
+            input, m_changed, m_neighbours, [this](BodyIndex i) { return m_candidates.reach(i); }, m_met);
+        wakeTouched(input, m_changed);
+        m_met.insert(m_met.end(), m_woken.begin(), m_woken.end());
+        m_changed.clear();
+        if (m_met.empty()) continue;
+        std::sort(m_met.begin(), m_met.end());
+        addMembers(input, m_met);
+        m_candidates.join(input.bodies, input.state, m_met, m_neighbours, input.broadphase);
+        m_changed.assign(m_candidates.changed().begin(), m_candidates.changed().end());
+    }
 }
 
 // `bodies` ascend.
@@ -322,9 +327,6 @@ void Contacts::addMembers(const SolverInput& input, std::span<const BodyIndex> b
 
 void Contacts::coverMembers(const SolverInput& input) {
     m_candidates.look(input.bodies, input.state, m_members, m_base.blockOf(), m_neighbours, input.broadphase);
-    m_free.clear();
-    for (const BodyIndex i : m_members)
-        if (!m_base.has(i)) m_free.push_back(i);
 }
 
 // Wakes sleeping bodies that have been given a velocity.
@@ -336,22 +338,17 @@ void Contacts::wakeMoved(const SolverInput& input) {
     m_calm.forget(m_woken);
 }
 
-// Wakes sleeping bodies that a member may touch within the substep and makes them members. False if there are
-// none.
-bool Contacts::wakeTouched(const SolverInput& input) {
-    if (m_sleeping.bodies().empty()) return false;
+// Wakes sleeping bodies that one of these members may touch within the substep.
+void Contacts::wakeTouched(const SolverInput& input, std::span<const BodyIndex> members) {
     m_woken.clear();
-    for (const BodyIndex i : m_members)
+    if (m_sleeping.bodies().empty()) return;
+    for (const BodyIndex i : members)
         for (const BodyIndex k : m_neighbours.around(i))
             if (m_sleeping.isAsleep(k) && // not yet woken by another
                 areWithin(input.bodies, input.state, {std::min(i, k), std::max(i, k)}, m_candidates.reach(i)))
                 m_sleeping.wake(k, m_woken);
-    if (m_woken.empty()) return false;
     m_calm.forget(m_woken);
-    std::sort(m_woken.begin(), m_woken.end());
     m_flight.join(m_woken);
-    addMembers(input, m_woken);
-    return true;
 }
 
 void Contacts::findContacts(const SolverInput& input) {
@@ -364,7 +361,7 @@ void Contacts::findContacts(const SolverInput& input) {
 bool Contacts::findJoining(const SolverInput& input) {
     m_reach.find({here(input), m_neighbours, m_members, m_found.set().pairs, m_found.gaps(),
                   m_found.canMeet(), m_isOnSpring, m_base.blockOf()});
-    m_islands.find(m_bodies, m_free, m_found.set().pairs, m_links, m_reach.pairs());
+    m_islands.find(m_bodies, m_candidates.free(), m_found.set().pairs, m_links, m_reach.pairs());
     m_joins.assign(m_islands.count(), 0);
     if (m_base.isEmpty()) return true;
     const std::span<const std::uint8_t> blockOf = m_base.blockOf();

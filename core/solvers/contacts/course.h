@@ -5,6 +5,8 @@
 #include "core/math/types.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace carom {
 
@@ -18,23 +20,43 @@ struct Course {
     Vec3 velocityAt(double time) const { return time < ends ? velocity : Vec3::Zero(); }
 };
 
-/// Whether two courses come within `distance` [m] of each other at `time` [s] or later.
-inline bool doMeet(const Course& a, const Course& b, double time, double distance) {
+/// The first and the last time of something [s].
+struct TimeSpan {
+    double from = std::numeric_limits<double>::infinity(), until = -std::numeric_limits<double>::infinity();
+
+    bool isEmpty() const { return from > until; }
+    void include(double first, double last) {
+        from = std::min(from, first);
+        until = std::max(until, last);
+    }
+};
+
+/// When two courses are within `distance` [m] of each other, at `time` [s] or later; in between they may be
+/// further apart, as each may end. While neither does, the square of their distance is a convex parabola.
+inline TimeSpan meetingOf(const Course& a, const Course& b, double time, double distance) {
     const double within = distance * distance;
+    TimeSpan meeting;
     Vec3 between = b.placeAt(time) - a.placeAt(time);
-    if (between.squaredNorm() <= within) return true;
+    double excess = between.squaredNorm() - within;
     for (const double end : {std::min(a.ends, b.ends), std::max(a.ends, b.ends)}) {
         if (!(end > time)) continue;
         const Vec3 velocity = b.velocityAt(time) - a.velocityAt(time);
+        const Vec3 then = between + (end - time) * velocity;
+        const double excessThen = then.squaredNorm() - within;
         const double square = velocity.squaredNorm(), approach = -between.dot(velocity);
-        if (approach > 0) {
-            const Vec3 nearest = between + std::min(approach / square, end - time) * velocity;
-            if (nearest.squaredNorm() <= within) return true;
+        const double discriminant = approach * approach - square * excess;
+        const bool isInside = approach > 0 && approach < square * (end - time) && discriminant >= 0;
+        if (excess <= 0 || excessThen <= 0 || isInside) {
+            const double root = std::sqrt(std::max(0.0, discriminant));
+            meeting.include(excess <= 0 ? time : time + (approach - root) / square,
+                            excessThen <= 0 ? end : time + (approach + root) / square);
         }
-        between += (end - time) * velocity;
+        between = then;
+        excess = excessThen;
         time = end;
     }
-    return false;
+    if (excess <= 0) meeting.include(time, std::numeric_limits<double>::infinity());
+    return meeting;
 }
 
 /// The box around all places of a box that moves by `shift` [m].

@@ -47,7 +47,7 @@ bool FreeFlight::mayMeet(const SolverInput& input, BodyIndex body, BodyIndex oth
         if (!has(i)) return {.place = input.state.pose[i].position};
         return {.place = m_start[i].position, .velocity = m_start[i].velocity, .ends = time};
     };
-    return doMeet(courseOf(body), courseOf(other), 0, within);
+    return !meetingOf(courseOf(body), courseOf(other), 0, within).isEmpty();
 }
 
 // The first substep in which they do; the number of substeps if none.
@@ -85,7 +85,7 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
     }
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
     for (const BodyIndex i : m_bodies)
-        for (const BodyIndex k : neighbours.around(i)) {
+        for (const BodyIndex k : neighbours.around(i, time)) {
             const bool fly = has(k);
             if (m_kind[k] == Kind::Member || (fly && k < i)) continue;
             if (m_due[i] == 0 && (!fly || m_due[k] == 0)) continue;
@@ -104,6 +104,24 @@ void FreeFlight::advance(const SolverInput& input) {
         input.state.pose[i].position = placeIn(input, i, input.part);
         input.state.velocity[i] = m_start[i].velocity + input.part * input.substep * input.gravity;
     }
+}
+
+void FreeFlight::findDue(const SolverInput& input, std::vector<BodyIndex>& due) {
+    due.clear();
+    for (const BodyIndex i : m_bodies) {
+        if (m_due[i] > input.part) continue;
+        m_kind[i] = Kind::Member;
+        due.push_back(i);
+    }
+    land(input, due);
+}
+
+// Ends the flights of bodies that are members now.
+void FreeFlight::land(const SolverInput& input, std::vector<BodyIndex>& landed) {
+    if (landed.empty()) return;
+    std::sort(landed.begin(), landed.end());
+    std::erase_if(m_bodies, [this](BodyIndex i) { return !has(i); });
+    finish(input, input.part, landed);
 }
 
 // Moves bodies, whose flights end, from where these began through so many substeps.

@@ -15,8 +15,9 @@
 //
 //     start    at the start of a frame all bodies fly that nothing holds, until they come near one that flies
 //              too, sleeps, or cannot move
-//     findMet  in each substep, the flights of bodies end that come near one that does not fly: it may be
-//              struck and change its course
+//     findDue  in each substep, the flights of those end that do
+//     findMet  and those of bodies that come near one that does not fly: it may be struck and change its
+//              course
 //     end      at the end of the frame, the flights of all others end
 //
 // Near means that bounding balls and boxes are within the sum of their reach: how far either can come in a
@@ -45,12 +46,14 @@ class FreeFlight {
                std::vector<BodyIndex>& members);
     /// Brings the positions and velocities of those that fly to the start of a later substep.
     void advance(const SolverInput& input);
-    /// Ends the flights of bodies that come near others in this substep, and writes them to `met`, ascending.
-    /// They are members from now on, and turned as far as they have. reachOf(member) is how far its surface
-    /// may move [m].
+    /// Ends the flights of bodies that come near others in this substep, and writes them to `due`, ascending.
+    /// They are members from now on, and turned as far as they have.
+    void findDue(const SolverInput& input, std::vector<BodyIndex>& due);
+    /// The same for those that come near one of these members. reachOf(member) is how far its surface may
+    /// move [m].
     template<class ReachOf>
-    void findMet(const SolverInput& input, const Neighbours& neighbours, const ReachOf& reachOf,
-                 std::vector<BodyIndex>& met);
+    void findMet(const SolverInput& input, std::span<const BodyIndex> members, const Neighbours& neighbours,
+                 const ReachOf& reachOf, std::vector<BodyIndex>& met);
     /// These bodies slept, and are members from now on.
     void join(std::span<const BodyIndex> woken) {
         for (const BodyIndex i : woken) m_kind[i] = Kind::Member;
@@ -61,8 +64,8 @@ class FreeFlight {
     void clear();
 
   private:
-    /// Left: immobile or asleep. Met: a member from the end of findMet() on.
-    enum class Kind : std::uint8_t { Left, Member, Flying, Met };
+    /// Left: immobile or asleep.
+    enum class Kind : std::uint8_t { Left, Member, Flying };
     struct Start {
         Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(); // [m], [m/s]
     };
@@ -75,6 +78,7 @@ class FreeFlight {
         return areWithin(input.bodies, input.state, {std::min(flying, other), std::max(flying, other)},
                          m_reach[flying] + reach);
     }
+    void land(const SolverInput& input, std::vector<BodyIndex>& landed);
     void finish(const SolverInput& input, int parts, std::span<const BodyIndex> landed);
 
     // By body.
@@ -88,22 +92,17 @@ class FreeFlight {
 };
 
 template<class ReachOf>
-void FreeFlight::findMet(const SolverInput& input, const Neighbours& neighbours, const ReachOf& reachOf,
-                         std::vector<BodyIndex>& met) {
+void FreeFlight::findMet(const SolverInput& input, std::span<const BodyIndex> members,
+                         const Neighbours& neighbours, const ReachOf& reachOf, std::vector<BodyIndex>& met) {
     met.clear();
     if (m_bodies.empty()) return;
-    for (const BodyIndex i : m_bodies) {
-        const auto isMet = [&](BodyIndex k) {
-            return m_kind[k] == Kind::Member && isNear(input, i, k, reachOf(k));
-        };
-        if (m_due[i] > input.part && std::ranges::none_of(neighbours.around(i), isMet)) continue;
-        m_kind[i] = Kind::Met;
-        met.push_back(i);
-    }
-    for (const BodyIndex i : met) m_kind[i] = Kind::Member;
-    if (met.empty()) return;
-    std::erase_if(m_bodies, [this](BodyIndex i) { return !has(i); });
-    finish(input, input.part, met);
+    for (const BodyIndex i : members)
+        for (const BodyIndex k : neighbours.around(i)) {
+            if (!has(k) || !isNear(input, k, i, reachOf(i))) continue;
+            m_kind[k] = Kind::Member;
+            met.push_back(k);
+        }
+    land(input, met);
 }
 
 } // namespace carom

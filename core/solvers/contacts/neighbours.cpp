@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace carom {
@@ -25,6 +26,12 @@ constexpr std::size_t alwaysFew = 16;
 /// Others around a body for which there is room from the start; there are nearly always fewer. Twice or half
 /// changes memory only, and how often lists grow.
 constexpr std::size_t usualAround = 16;
+
+constexpr TimeSpan always{0, std::numeric_limits<double>::infinity()};
+
+auto placeIn(std::vector<Neighbour>& list, BodyIndex body) {
+    return std::ranges::lower_bound(list, body, {}, &Neighbour::body);
+}
 
 } // namespace
 
@@ -203,10 +210,10 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
     for (const BodyIndex i : m_outrun) {
-        for (const BodyIndex k : m_around[i]) {
+        for (const Neighbour& neighbour : m_around[i]) {
+            const BodyIndex k = neighbour.body;
             if (bodies.mobile[k] == 0 || m_isOutrun[k] != 0) continue;
-            std::vector<BodyIndex>& others = m_around[k];
-            others.erase(std::lower_bound(others.begin(), others.end(), i));
+            m_around[k].erase(placeIn(m_around[k], i));
             --m_ends;
         }
         m_ends -= m_around[i].size();
@@ -216,7 +223,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, i);
     for (const BodyIndex i : m_outrun) {
         if (std::exchange(m_isOutrun[i], std::uint8_t{0}) == 0) continue;
-        std::sort(m_around[i].begin(), m_around[i].end());
+        std::ranges::sort(m_around[i], {}, &Neighbour::body);
     }
     m_outrun.clear();
 }
@@ -225,19 +232,19 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
 void Neighbours::findAround(const Bodies& bodies, BodyIndex body) {
     for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[body]])) {
         const BodyIndex other = bodies.bounded[entry];
-        if (other == body || m_isOutrun[other] == 2 || !doSkinsTouch(bodies, body, other)) continue;
-        m_around[body].push_back(other);
+        if (other == body || m_isOutrun[other] == 2) continue;
+        const TimeSpan meeting = meetingOfSkins(bodies, body, other);
+        if (meeting.isEmpty()) continue;
+        m_around[body].emplace_back(other, meeting);
         ++m_ends;
         if (bodies.mobile[other] == 0) continue;
         ++m_ends;
-        std::vector<BodyIndex>& others = m_around[other];
-        others.insert(m_isOutrun[other] == 1 ? others.end()
-                                             : std::lower_bound(others.begin(), others.end(), body),
-                      body);
+        std::vector<Neighbour>& others = m_around[other];
+        others.emplace(m_isOutrun[other] == 1 ? others.end() : placeIn(others, body), body, meeting);
     }
     for (const BodyIndex w : bodies.walls) {
         if (!comesNear(bodies, body, w)) continue;
-        m_around[body].push_back(w);
+        m_around[body].emplace_back(w, always);
         ++m_ends;
     }
 }
@@ -261,26 +268,27 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     m_ends = 0;
     auto wall = m_wallPairs.begin();
     for (const BodyPair pair : broadphase.pairs()) { // ascending, so each body's list is, too
-        if (!doSkinsTouch(bodies, pair.a, pair.b)) continue;
-        while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++);
-        addPair(bodies, pair);
+        const TimeSpan meeting = meetingOfSkins(bodies, pair.a, pair.b);
+        if (meeting.isEmpty()) continue;
+        while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++, always);
+        addPair(bodies, pair, meeting);
     }
-    while (wall != m_wallPairs.end()) addPair(bodies, *wall++);
+    while (wall != m_wallPairs.end()) addPair(bodies, *wall++, always);
 }
 
-void Neighbours::addPair(const Bodies& bodies, BodyPair pair) {
+void Neighbours::addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& meeting) {
     for (const auto& [i, k] : {pair, BodyPair{pair.b, pair.a}}) {
         if (bodies.mobile[i] == 0) continue;
-        m_around[i].push_back(k);
+        m_around[i].emplace_back(k, meeting);
         ++m_ends;
     }
 }
 
-// Whether two bodies may come within their skins as both go on.
-bool Neighbours::doSkinsTouch(const Bodies& bodies, BodyIndex body, BodyIndex other) const {
+// When two bodies may be within their skins as both go on.
+TimeSpan Neighbours::meetingOfSkins(const Bodies& bodies, BodyIndex body, BodyIndex other) const {
     const double within =
         bodies.boundingRadius[body] + bodies.boundingRadius[other] + m_skin[body] + m_skin[other];
-    return doMeet(m_course[body], m_course[other], m_now, within);
+    return meetingOf(m_course[body], m_course[other], m_now, within);
 }
 
 bool Neighbours::comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const {

@@ -6,6 +6,7 @@
 #include "core/dynamics/bodies.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/course.h"
+#include "core/solvers/contacts/near.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -23,7 +24,8 @@
 //     path    what it needs in the substep at hand; more, for what may be hit on the way, is asked for by
 //             covers()
 //
-// Where only some have used it up, these are found anew, and the rest of the lists stays.
+// Where only some have used it up, these are found anew, and the rest of the lists stays. With each pair
+// stands when its skins touch (near.h): what a body passes later, or has passed, is not looked at.
 //
 // Users of the list test its pairs at their present poses: the motion depends neither on the skins nor on
 // when they were renewed, only the time does.
@@ -118,8 +120,11 @@ class Neighbours {
         return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
 
-    /// The bodies in pairs with `body`, walls among them, ascending; none for immobile bodies.
-    std::span<const BodyIndex> around(BodyIndex body) const { return m_around[body]; }
+    /// The bodies in pairs with `body` that it may meet now, or within `time` [s] while both follow their
+    /// courses; walls among them, ascending; none for immobile bodies.
+    Near around(BodyIndex body, double time = 0) const { return {m_around[body], {m_now, m_now + time}}; }
+    /// All bodies in pairs with it.
+    std::span<const Neighbour> listed(BodyIndex body) const { return m_around[body]; }
     /// The sum of the lengths of all these lists: at least the number of pairs.
     std::size_t ends() const { return m_ends; }
 
@@ -132,7 +137,7 @@ class Neighbours {
     static constexpr double leastMargin = 0.01;
 
   private:
-    bool doSkinsTouch(const Bodies& bodies, BodyIndex body, BodyIndex other) const;
+    TimeSpan meetingOfSkins(const Bodies& bodies, BodyIndex body, BodyIndex other) const;
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
@@ -143,7 +148,7 @@ class Neighbours {
     void findAround(const Bodies& bodies, BodyIndex body);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies);
-    void addPair(const Bodies& bodies, BodyPair pair);
+    void addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& meeting);
 
     std::vector<std::uint8_t> m_mobile;  // of bodies.bounded
     std::vector<std::uint32_t> m_number; // by body: its place in bodies.bounded
@@ -165,7 +170,7 @@ class Neighbours {
     BoxBlocks m_blocks;                   // of m_boxes, for searches for single bodies
     bool m_areBlocksBuilt = false;        // since the last search for all
     std::vector<BodyPair> m_wallPairs;
-    std::vector<std::vector<BodyIndex>> m_around; // by body
+    std::vector<std::vector<Neighbour>> m_around; // by body; their bodies ascend
     std::size_t m_ends = 0;                       // of m_around together
 };
 

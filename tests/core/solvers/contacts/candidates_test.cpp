@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -93,6 +94,34 @@ class CandidatesTest : public QObject {
             }
         }
         QVERIFY(found > 1000);
+    }
+
+    // Whether members are there from the start or join, in whatever parts.
+    void whoJoinsLaterIsAsIfThereFromTheStart() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 85);
+        for (int trial = 0; trial < 20; ++trial) {
+            const Scene scene = crowdOf(random, 10 + random.below(60));
+            const Bodies bodies = bodiesOf(scene);
+            const State state = initialStateOf(scene);
+            std::array<std::vector<BodyIndex>, 3> parts;
+            for (const BodyIndex i : bodies.mobileBodies) parts[random.below(3)].push_back(i);
+            const std::unique_ptr<Broadphase> search = broadphases()[0].create();
+            Neighbours neighbours(bodies);
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), substep, 4 * substep,
+                              *search);
+            const std::vector<std::uint8_t> placed(bodies.count(), 0);
+            Candidates whole(bodies), joining(bodies);
+            joining.look(bodies, state, parts[0], placed, neighbours, *search);
+            joining.join(bodies, state, parts[1], neighbours, *search);
+            joining.join(bodies, state, parts[2], neighbours, *search);
+            for (const BodyIndex i : parts[2]) QVERIFY(std::ranges::count(joining.changed(), i) > 0);
+            whole.look(bodies, state, bodies.mobileBodies, placed, neighbours, *search);
+            QVERIFY(std::ranges::equal(joining.free(), whole.free()));
+            for (const BodyIndex i : bodies.mobileBodies) QCOMPARE(joining.reach(i), whole.reach(i));
+            const std::span<const BodyPair> pairs = joining.find(bodies, state, neighbours);
+            QVERIFY(std::ranges::equal(pairs, whole.find(bodies, state, neighbours)));
+        }
     }
 
     void whoIsAboutToBeHitSharesTheReachOfWhatHitsIt() {

@@ -65,13 +65,54 @@ class CourseTest : public QObject {
             const Course a = courseOf(random), b = courseOf(random);
             const double time = std::max(a.begins, b.begins), distance = random.uniform(0.1, 3);
             const double least = leastDistance(a, b, time);
-            const bool is = doMeet(a, b, time, distance);
-            QCOMPARE(is, doMeet(b, a, time, distance));
+            const bool is = !meetingOf(a, b, time, distance).isEmpty();
+            QCOMPARE(is, !meetingOf(b, a, time, distance).isEmpty());
             if (least <= distance) QVERIFY(is);
             if (least > distance + known) QVERIFY(!is);
             ++(is ? meet : pass);
         }
         QVERIFY(meet > 300 && pass > 300);
+    }
+
+    // The span begins and ends where the distance is the one asked for, or where time begins; it never ends
+    // if both end near each other. Outside of it they are further apart.
+    void theMeetingLastsFromTheFirstTimeToTheLast() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 84);
+        int begin = 0, end = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const Course a = courseOf(random), b = courseOf(random);
+            const double time = std::max(a.begins, b.begins), distance = random.uniform(0.1, 3);
+            const auto apart = [&](double then) { return (a.placeAt(then) - b.placeAt(then)).norm(); };
+            const TimeSpan meeting = meetingOf(a, b, time, distance);
+            if (meeting.isEmpty()) continue;
+            QVERIFY(meeting.from >= time);
+            if (meeting.from > time) {
+                QVERIFY(std::abs(apart(meeting.from) - distance) < 1e-9);
+                ++begin;
+            }
+            QCOMPARE(std::isinf(meeting.until), apart(9) <= distance);
+            if (!std::isinf(meeting.until)) {
+                QVERIFY(std::abs(apart(meeting.until) - distance) < 1e-9);
+                ++end;
+            }
+            for (int k = 0; k <= 100; ++k) {
+                const double then = time + 0.04 * k;
+                if (apart(then) < distance) QVERIFY(then >= meeting.from && then <= meeting.until);
+            }
+        }
+        qInfo("%d begin later, %d end", begin, end);
+        QVERIFY(begin > 50 && end > 100);
+    }
+
+    // Resting bodies crawl by speeds of which squares are 0.
+    void theSlowestStayNearEachOther() {
+        const Course a{.place = {0, 0, 0}, .velocity = {1e-170, 0, 0}, .ends = 1};
+        const Course b{.place = {1, 0, 0}, .velocity = {0, 1e-160, 0}, .ends = 2};
+        const TimeSpan meeting = meetingOf(a, b, 0, 1.5);
+        QCOMPARE(meeting.from, 0.0);
+        QVERIFY(std::isinf(meeting.until));
+        QVERIFY(meetingOf(a, b, 0, 0.5).isEmpty());
     }
 
     void theSweptBoxHoldsBothEnds() {

@@ -53,10 +53,14 @@ class Flights {
         if (part > 0) flight.advance(input(part));
         for (const BodyIndex i : members)
             if (!m_neighbours.covers(i, reach)) m_neighbours.search(bodies, state, *m_broadphase);
-        std::vector<BodyIndex> met;
-        flight.findMet(
-            input(part), m_neighbours, [&](BodyIndex) { return reach; }, met);
+        std::vector<BodyIndex> met, reached;
+        flight.findDue(input(part), met);
         members.insert(members.end(), met.begin(), met.end());
+        flight.findMet(
+            input(part), members, m_neighbours, [&](BodyIndex) { return reach; }, reached);
+        members.insert(members.end(), reached.begin(), reached.end());
+        met.insert(met.end(), reached.begin(), reached.end());
+        std::sort(met.begin(), met.end());
         m_neighbours.pass(test::substep);
         return met;
     }
