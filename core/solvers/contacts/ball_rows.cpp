@@ -476,15 +476,15 @@ void BallRows::setMasses(const BallGroup& group, std::size_t lane, std::span<con
                    : 0;
 }
 
-void BallRows::hold(std::span<const std::uint8_t> still, std::span<const SolverBody> bodies) {
-    m_heldDeepest = 0;
+void BallRows::hold(std::span<const std::uint8_t> still, std::span<const std::uint8_t> changed,
+                    std::span<const SolverBody> bodies) {
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
         BallGroup& group = m_groups[i];
         Fixed& fixed = m_fixed[i];
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
-            if (fixed.source[lane] == noPair) continue;
+            if ((changed[group.a[lane]] | changed[group.b[lane]]) == 0 || fixed.source[lane] == noPair)
+                continue;
             const bool isHeld = (still[group.a[lane]] & still[group.b[lane]]) != 0;
-            if (isHeld) m_heldDeepest = std::max(m_heldDeepest, -group.gap[lane]);
             setMasses(group, lane, bodies, fixed);
             if (isHeld == (fixed.isHeld[lane] > 0)) continue;
             fixed.isHeld[lane] = isHeld ? 1 : 0;
@@ -502,14 +502,22 @@ void BallRows::hold(std::span<const std::uint8_t> still, std::span<const SolverB
     countGroups();
 }
 
+// Marks the groups of which all pairs are held.
 void BallRows::markHeld() {
+    Wide deepest{};
+    m_heldContacts = 0;
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        const Fixed& fixed = m_fixed[i];
+        deepest = fixed.isHeld > Wide{} ? larger(deepest, -m_groups[i].gap) : deepest;
         bool isHeld = true;
-        for (std::size_t lane = 0; lane < wideLanes; ++lane)
-            isHeld = isHeld && (m_fixed[i].source[lane] == noPair || m_fixed[i].isHeld[lane] > 0);
+        for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+            isHeld = isHeld && (fixed.source[lane] == noPair || fixed.isHeld[lane] > 0);
+            m_heldContacts += fixed.held[0][lane] > 0 ? 1 : 0;
+        }
         m_groups[i].held = isHeld;
         if (isHeld) m_groups[i].idle = true, m_groups[i].watched = false;
     }
+    m_heldDeepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
 }
 
 void BallRows::countGroups() {

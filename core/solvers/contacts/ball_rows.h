@@ -86,10 +86,12 @@ class BallRows {
     /// Sorts the pairs into the order of `sources`, as if they had been added in it.
     void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile);
     /// Pairs of two bodies that stand still, by `still`, are held: they are not solved for, and keep their
-    /// impulses until one of the bodies moves. Effective masses of all others are computed from the present
-    /// masses.
-    void hold(std::span<const std::uint8_t> still, std::span<const SolverBody> bodies);
-    double heldDeepest() const { return m_heldDeepest; } ///< overlap of held pairs [m]
+    /// impulses until one of the bodies moves. Effective masses of others are computed from the present
+    /// masses. Only pairs with a body that has `changed` are looked at.
+    void hold(std::span<const std::uint8_t> still, std::span<const std::uint8_t> changed,
+              std::span<const SolverBody> bodies);
+    double heldDeepest() const { return m_heldDeepest; }        ///< overlap of held pairs [m]
+    std::size_t heldContacts() const { return m_heldContacts; } ///< those of them with an impulse
     /// Of what is not empty.
     std::size_t groups() const { return m_groups.size(); }
     std::size_t activeGroups() const { return m_active; }
@@ -163,16 +165,16 @@ class BallRows {
         Vec3 normal, impulse; ///< from A to B; on B [N s]
         bool isSolved = false;
     };
-    /// visit(Contact) for every pair with a body that stands still and with an impulse.
+    /// visit(Contact) for every pair with one of these bodies (by number, not 0) and with an impulse.
     template<class Visit>
-    void forEachPressing(std::span<const std::uint8_t> still, const Visit& visit) const {
-        for (std::size_t i = 0; i < m_groups.size(); ++i) visitStill(still, i, true, visit);
+    void forEachPressing(std::span<const std::uint8_t> bodies, const Visit& visit) const {
+        for (std::size_t i = 0; i < m_groups.size(); ++i) visitContacts(bodies, i, true, visit);
     }
     /// visit(Contact) for every pair with a body that stands still that is not held, with or without one.
     template<class Visit>
     void forEachBeside(std::span<const std::uint8_t> still, const Visit& visit) const {
         for (std::size_t i = 0; i < m_groups.size(); ++i)
-            if (!m_groups[i].held) visitStill(still, i, false, visit);
+            if (!m_groups[i].held) visitContacts(still, i, false, visit);
     }
 
   private:
@@ -195,13 +197,14 @@ class BallRows {
     static BallGroup emptyGroup(std::uint32_t immobile);
     struct Refresh;
     template<class Visit>
-    void visitStill(std::span<const std::uint8_t> still, std::size_t i, bool alsoHeld,
-                    const Visit& visit) const {
+    void visitContacts(std::span<const std::uint8_t> bodies, std::size_t i, bool alsoHeld,
+                       const Visit& visit) const {
         const BallGroup& group = m_groups[i];
         const Fixed& fixed = m_fixed[i];
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             const bool isHeld = fixed.isHeld[lane] > 0;
-            if (fixed.source[lane] == noPair || (still[group.b[lane]] | still[group.a[lane]]) == 0) continue;
+            if (fixed.source[lane] == noPair || (bodies[group.b[lane]] | bodies[group.a[lane]]) == 0)
+                continue;
             if (alsoHeld ? !((isHeld ? fixed.held[0] : group.row.normal)[lane] > 0) : isHeld) continue;
             visit(Contact{group.a[lane], group.b[lane], group.radiusA[lane], group.radiusB[lane],
                           group.restitution[lane], laneOf(group.normal, lane), impulseOf(i, lane),
@@ -226,6 +229,7 @@ class BallRows {
     LanePacker m_packer;
     std::size_t m_active = 0, m_watched = 0; // groups
     double m_deepest = 0, m_heldDeepest = 0;
+    std::size_t m_heldContacts = 0;
 };
 
 } // namespace carom

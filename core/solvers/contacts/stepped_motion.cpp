@@ -117,6 +117,7 @@ void SteppedMotion::addPair(const SteppedInput& input, const Entry& entry, Manif
     const std::uint32_t index = static_cast<std::uint32_t>(m_entries.size());
     m_entries.push_back(entry);
     m_isFlipped.push_back(0);
+    if (m_still.any()) noteChanged(entry.pair);
     const ContactPair laws = pairOf(input.bodies, entry.pair, 0);
     const bool sphereA = isSphere(input.bodies, a), sphereB = isSphere(input.bodies, b);
     const bool areBalls =
@@ -159,7 +160,15 @@ void SteppedMotion::addBall(const SteppedInput& input, std::uint32_t entry, cons
     if (from.place != Manifolds::none && manifolds[from.place].count > 0)
         pair.impulse = (isFlipped ? -m_step : m_step) * manifolds[from.place].points[0].force;
     m_balls.add(pair, entry, immobile, m_bodies);
-    m_areStillNoted = m_areStillNoted && !m_still.any();
+}
+
+// Loads may depend on this pair, which is new.
+void SteppedMotion::noteChanged(BodyPair pair) {
+    const std::uint32_t a = m_local[pair.a], b = m_local[pair.b];
+    if (!m_still.rests(a) && !m_still.rests(b)) return;
+    m_still.note(a);
+    m_still.note(b);
+    m_areStillNoted = false;
 }
 
 // Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in

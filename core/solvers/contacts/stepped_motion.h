@@ -217,6 +217,7 @@ class SteppedMotion {
         Watched watched;  ///< its gap is 0 if the pair must be updated [m]
         double slack = 0; ///< within it they may touch however slow they are [m]
         bool hasPoints = false;
+        double heldDepth = -1; ///< overlap of two that stand still in contact; below 0 if they do not [m]
     };
     /// The law of the contact of a pair, once it has had one.
     struct PairLaws {
@@ -307,6 +308,14 @@ class SteppedMotion {
     void noteStill(const SteppedInput& input, const Manifolds& manifolds);
     void holdPairs();
     void addUpLoads(const SteppedInput& input, const Manifolds& manifolds);
+    void addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds);
+    void touchBesideChanged(const Manifolds& manifolds);
+    bool addsLoad(std::uint32_t number) const { return m_still.rests(number) && m_still.isTouched(number); }
+    /// What a contact with `other` adds to.
+    StillBodies::Load& loadOf(std::uint32_t number, std::uint32_t other) {
+        return m_still.is(other) ? m_still.lasting(number) : m_still.passing(number);
+    }
+    void noteChanged(BodyPair pair);
     void sampleLoads();
     bool wakeUnbalanced(const SteppedInput& input, double part);
     void moveOn(const SteppedInput& input, std::uint32_t number);
@@ -326,7 +335,7 @@ class SteppedMotion {
     TurningBodies m_turning;
     StillBodies m_still;
     bool m_areStillNoted = true;    // by all pairs
-    std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move
+    std::size_t m_heldContacts = 0; // between bodies that stand still, or cannot move; balls apart
     double m_heldDeepest = 0;       // overlap of these [m]
     Scratch<std::vector<std::uint32_t>> m_candidates, m_awake; // numbers; m_awake: of those that move
     Scratch<std::vector<std::uint32_t>> m_moving;              // into m_general: pairs of which one moves

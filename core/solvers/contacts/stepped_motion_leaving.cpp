@@ -131,6 +131,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_places.resize(kept);
     m_turning.resize(kept);
     m_still.resize(kept);
+    m_still.noteAll();
     m_areStillNoted = !m_still.any();
     m_island.resize(kept);
     m_free.resize(kept);

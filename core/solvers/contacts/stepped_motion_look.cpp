@@ -26,7 +26,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
         findContacts(input, duration, manifolds, report);
     }
     m_arePartsFound = false;
-    report.contacts += m_heldContacts;
+    report.contacts += m_heldContacts + m_balls.heldContacts();
     report.maxPenetration =
         std::max({report.maxPenetration, m_deepest, m_heldDeepest, m_balls.heldDeepest()});
 }

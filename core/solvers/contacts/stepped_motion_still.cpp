@@ -60,55 +60,84 @@ bool SteppedMotion::isUnbalanced(const SteppedInput& input, std::uint32_t number
                                 input.bodies.boundingRadius[body], part);
 }
 
-// Updates what depends on which bodies stand still.
+// Updates what depends on which bodies stand still, where that has changed.
 void SteppedMotion::noteStill(const SteppedInput& input, const Manifolds& manifolds) {
     addUpLoads(input, manifolds);
     holdPairs();
 }
 
 void SteppedMotion::holdPairs() {
-    m_balls.hold(m_still.flags(), m_bodies);
+    m_balls.hold(m_still.flags(), m_still.changed(), m_bodies);
+    m_still.forgetChanges();
     m_areStillNoted = true;
     for (Group& group : m_groups) group.hasStill = false;
     for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
         if (m_still.is(i)) m_groups[m_island[i]].hasStill = true;
 }
 
-// Adds up the loads by gravity and by the present forces of all contacts.
+// Adds up the loads by gravity and by the present forces of all contacts, of bodies that have changed or
+// touch one that has.
 void SteppedMotion::addUpLoads(const SteppedInput& input, const Manifolds& manifolds) {
-    m_still.beginLoads();
+    touchBesideChanged(manifolds);
+    for (std::uint32_t i = 1; i < m_bodies.size(); ++i) {
+        if (!m_still.isTouched(i)) continue;
+        m_still.clearLoads(i);
+        if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
+    }
     m_heldContacts = 0;
     m_heldDeepest = 0;
-    for (std::uint32_t i = 1; i < m_bodies.size(); ++i)
-        if (m_still.is(i)) m_still.lasting(i).force = input.bodies.mass[m_list[i - 1]] * input.gravity;
-    const auto loadOf = [this](std::uint32_t number, std::uint32_t other) -> StillBodies::Load& {
-        return m_still.is(other) ? m_still.lasting(number) : m_still.passing(number);
-    };
+    for (std::uint32_t number = 0; number < m_general.size(); ++number) addUpLoads(input, number, manifolds);
+    const double perStep = 1 / m_step;
+    m_balls.forEachPressing(m_still.touched(), [&](const BallRows::Contact& contact) {
+        const Vec3 force = perStep * contact.impulse;
+        const auto [a, b] = std::pair(contact.a, contact.b);
+        if (addsLoad(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
+        if (addsLoad(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
+    });
+}
+
+void SteppedMotion::touchBesideChanged(const Manifolds& manifolds) {
+    m_still.beginLoads();
+    const std::span<const std::uint8_t> changed = m_still.changed();
     for (const std::uint32_t entry : m_general) {
         const auto [first, second] = m_entries[entry].pair;
         const std::uint32_t a = m_local[first], b = m_local[second];
-        if (m_entries[entry].isGone || (!m_still.is(a) && !m_still.is(b))) continue;
+        if ((changed[a] | changed[b]) == 0 || m_entries[entry].isGone) continue;
         const PersistentManifold& manifold = manifolds[m_entries[entry].place];
         if (manifold.count == 0 || manifold.open) continue;
+        m_still.touch(a);
+        m_still.touch(b);
+    }
+    m_balls.forEachPressing(changed, [this](const BallRows::Contact& contact) {
+        m_still.touch(contact.a);
+        m_still.touch(contact.b);
+    });
+}
+
+// The loads by a pair that is not of two balls.
+void SteppedMotion::addUpLoads(const SteppedInput& input, std::uint32_t number, const Manifolds& manifolds) {
+    const Entry& entry = m_entries[m_general[number]];
+    const std::uint32_t a = m_local[entry.pair.a], b = m_local[entry.pair.b];
+    const bool isHeld = m_still.is(a) && m_still.is(b);
+    double& heldDepth = m_open[number].heldDepth;
+    if (m_still.isTouched(a) || m_still.isTouched(b)) {
+        heldDepth = -1;
+        if (entry.isGone || (!m_still.is(a) && !m_still.is(b))) return;
+        const PersistentManifold& manifold = manifolds[entry.place];
+        if (manifold.count == 0 || manifold.open) return;
         const PlacedManifold contact = placed({input.bodies, input.state, input.gravity, m_step}, manifold);
-        if (m_still.is(a) && m_still.is(b)) ++m_heldContacts;
+        if (isHeld) heldDepth = 0;
         for (const PointInput& point :
              std::span(contact.points).first(static_cast<std::size_t>(contact.count))) {
-            if (m_still.is(a) && m_still.is(b)) m_heldDeepest = std::max(m_heldDeepest, -point.separation);
-            if (m_still.rests(a)) loadOf(a, b).add(point.armA, -point.impulse);
-            if (m_still.rests(b)) loadOf(b, a).add(point.armB, point.impulse);
+            if (isHeld) heldDepth = std::max(heldDepth, -point.separation);
+            if (addsLoad(a)) loadOf(a, b).add(point.armA, -point.impulse);
+            if (addsLoad(b)) loadOf(b, a).add(point.armB, point.impulse);
         }
-        if (m_still.rests(a)) loadOf(a, b).torque -= contact.torque;
-        if (m_still.rests(b)) loadOf(b, a).torque += contact.torque;
+        if (addsLoad(a)) loadOf(a, b).torque -= contact.torque;
+        if (addsLoad(b)) loadOf(b, a).torque += contact.torque;
     }
-    const double perStep = 1 / m_step;
-    m_balls.forEachPressing(m_still.flags(), [&](const BallRows::Contact& contact) {
-        const Vec3 force = perStep * contact.impulse;
-        const auto [a, b] = std::pair(contact.a, contact.b);
-        if (m_still.is(a) && m_still.is(b)) ++m_heldContacts;
-        if (m_still.rests(a)) loadOf(a, b).add(contact.radiusA * contact.normal, -force);
-        if (m_still.rests(b)) loadOf(b, a).add(-contact.radiusB * contact.normal, force);
-    });
+    m_heldContacts += isHeld && heldDepth >= 0 ? 1 : 0;
+    m_heldDeepest = std::max(m_heldDeepest, heldDepth);
 }
 
 // Samples the forces of the last step between bodies that stand still and bodies that move.

@@ -13,6 +13,7 @@ constexpr double sampleWeight = 0.25;
 
 void StillBodies::begin() {
     m_is.assign(1, 1);
+    m_isChanged.assign(1, 0);
     m_lasting.assign(1, {});
     m_passing.assign(1, {});
     m_count = 0;
@@ -20,27 +21,25 @@ void StillBodies::begin() {
 
 void StillBodies::add() {
     m_is.push_back(0);
+    m_isChanged.push_back(0);
     m_lasting.emplace_back();
     m_passing.emplace_back();
 }
 
 void StillBodies::renumber(std::size_t from, std::size_t to) {
     m_is[to] = m_is[from];
+    m_isChanged[to] = m_isChanged[from];
     m_lasting[to] = m_lasting[from];
     m_passing[to] = m_passing[from];
 }
 
 void StillBodies::resize(std::size_t count) {
     m_is.resize(count);
+    m_isChanged.resize(count);
     m_lasting.resize(count);
     m_passing.resize(count);
     m_count = 0;
     for (std::size_t i = 1; i < count; ++i) m_count += m_is[i];
-}
-
-void StillBodies::beginLoads() {
-    m_lasting.assign(m_is.size(), {});
-    m_passing.assign(m_is.size(), {});
 }
 
 void StillBodies::beginSamples() { m_sample.assign(m_is.size(), {}); }

@@ -5,6 +5,7 @@
 #include "core/base/scratch.h"
 #include "core/math/types.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -69,7 +70,22 @@ class StillBodies {
     void set(std::uint32_t number, bool isStill) {
         m_count = m_count + (isStill ? 1 : 0) - m_is[number];
         m_is[number] = isStill ? 1 : 0;
+        note(number);
     }
+
+    /// This body, or a pair of it, has changed: loads that depend on it must be added up again.
+    void note(std::uint32_t number) { m_isChanged[number] = number != 0 ? 1 : 0; }
+    void noteAll() { std::fill(m_isChanged.begin() + 1, m_isChanged.end(), std::uint8_t{1}); }
+    void forgetChanges() { std::fill(m_isChanged.begin(), m_isChanged.end(), std::uint8_t{0}); }
+    std::span<const std::uint8_t> changed() const { return m_isChanged; }
+
+    /// Begins to add up loads: of those that have changed, and of those that touch() names. The others keep
+    /// theirs.
+    void beginLoads() { m_isTouched = m_isChanged; }
+    void touch(std::uint32_t number) { m_isTouched[number] = number != 0 ? 1 : 0; }
+    std::span<const std::uint8_t> touched() const { return m_isTouched; }
+    bool isTouched(std::uint32_t number) const { return m_isTouched[number] != 0; }
+    void clearLoads(std::uint32_t number) { m_lasting[number] = m_passing[number] = {}; }
 
     /// Load that does not change while the same bodies stand still: by gravity and by contacts between them.
     Load& lasting(std::uint32_t number) { return m_lasting[number]; }
@@ -79,16 +95,16 @@ class StillBodies {
     Load& sample(std::uint32_t number) { return m_sample[number]; }
     /// Whether a body that moves presses on it, or did recently.
     bool isPressed(std::uint32_t number) const { return m_passing[number].borne > 0; }
-    void beginLoads();
     void beginSamples();
     /// Adds the samples to the mean.
     void takeSamples();
     /// Whether more than `part` of the load on a body of this weight [N] and size [m] is unbalanced.
     bool isUnbalanced(std::uint32_t number, double weight, double size, double part) const;
-    std::size_t bytes() const { return heldBytes(m_is, m_lasting, m_passing); }
+    std::size_t bytes() const { return heldBytes(m_is, m_isChanged, m_lasting, m_passing); }
 
   private:
-    std::vector<std::uint8_t> m_is;
+    std::vector<std::uint8_t> m_is, m_isChanged;
+    Scratch<std::vector<std::uint8_t>> m_isTouched;
     std::vector<Load> m_lasting, m_passing;
     Scratch<std::vector<Load>> m_sample;
     std::size_t m_count = 0; // without number 0

@@ -516,6 +516,51 @@ class BallRowsTest : public QObject {
         }
     }
 
+    // Bodies stop and move on, one after the other: only pairs of those that have are looked at.
+    void holdingWhatHasChangedHoldsAllOfIt() {
+        Random random(test::seed, 14);
+        std::size_t held = 0;
+        for (int trial = 0; trial < 60; ++trial) {
+            BallScene some = randomBalls(random, 2 + random.below(60)), all = some;
+            BallRows few, every;
+            some.fill(few);
+            all.fill(every);
+            const StepSettings settings = randomSettings(random, some.duration);
+            std::vector<std::uint8_t> still(some.bodies.size(), 0);
+            still[some.immobile()] = 1;
+            for (int n = 0; n < 10; ++n) {
+                std::vector<std::uint8_t> changed(still.size(), 0);
+                const std::vector<std::uint8_t> allOfThem(still.size(), 1);
+                for (std::uint32_t i = 0; i < some.immobile(); ++i) {
+                    if (random.below(4) != 0) continue;
+                    changed[i] = 1;
+                    still[i] ^= 1;
+                    for (std::vector<SolverBody>* bodies : {&some.bodies, &all.bodies}) {
+                        SolverBody& body = (*bodies)[i];
+                        const double inverse = still[i] != 0 ? 0 : 1 + 0.1 * i;
+                        body.inverseMass = inverse;
+                        body.roundInverse = 2.5 * inverse;
+                        setInverseInertia(body.roundInverse * Mat3::Identity(), body);
+                        if (still[i] != 0) body.velocity = body.spin = {};
+                    }
+                }
+                few.hold(still, changed, some.bodies);
+                every.hold(still, allOfThem, all.bodies);
+                QCOMPARE(few.heldContacts(), every.heldContacts());
+                QCOMPARE(few.heldDeepest(), every.heldDeepest());
+                some.refresh(few);
+                all.refresh(every);
+                step(few, some, settings, 2);
+                step(every, all, settings, 2);
+                QCOMPARE(few.activeGroups(), every.activeGroups());
+                for (std::size_t i = 0; i < some.bodies.size(); ++i)
+                    QVERIFY(sameBits(some.bodies[i], all.bodies[i]));
+                held += few.heldContacts();
+            }
+        }
+        QVERIFY(held > 100);
+    }
+
     void groupsDependOnTheOrderOfPairsAlone() {
         Random random(test::seed, 6);
         for (int trial = 0; trial < 100; ++trial) {
