@@ -7,8 +7,7 @@
 
 #include <QTest>
 
-// Contacts of balls, four at a time, against the same formulas for one pair after another, against the rows
-// of contacts of any shape, and against the closed form of an impact.
+// Contacts of balls, four at a time, against one pair after another, rows of any shape, and closed forms.
 
 namespace carom {
 
@@ -510,8 +509,7 @@ class BallRowsTest : public QObject {
                 added.refresh(others);
                 step(rows, reordered, settings, 2);
                 step(others, added, settings, 2);
-                for (std::size_t i = 0; i < added.bodies.size(); ++i)
-                    QVERIFY(sameBits(reordered.bodies[i], added.bodies[i]));
+                QVERIFY(std::ranges::equal(reordered.bodies, added.bodies, sameBits));
             }
         }
     }
@@ -530,22 +528,15 @@ class BallRowsTest : public QObject {
             still[some.immobile()] = 1;
             for (int n = 0; n < 10; ++n) {
                 std::vector<std::uint8_t> changed(still.size(), 0);
-                const std::vector<std::uint8_t> allOfThem(still.size(), 1);
                 for (std::uint32_t i = 0; i < some.immobile(); ++i) {
                     if (random.below(4) != 0) continue;
                     changed[i] = 1;
                     still[i] ^= 1;
-                    for (std::vector<SolverBody>* bodies : {&some.bodies, &all.bodies}) {
-                        SolverBody& body = (*bodies)[i];
-                        const double inverse = still[i] != 0 ? 0 : 1 + 0.1 * i;
-                        body.inverseMass = inverse;
-                        body.roundInverse = 2.5 * inverse;
-                        setInverseInertia(body.roundInverse * Mat3::Identity(), body);
-                        if (still[i] != 0) body.velocity = body.spin = {};
-                    }
+                    for (BallScene* scene : {&some, &all})
+                        setInverseMass(scene->bodies[i], still[i] != 0 ? 0 : 1 + 0.1 * i);
                 }
                 few.hold(still, changed, some.bodies);
-                every.hold(still, allOfThem, all.bodies);
+                every.hold(still, std::vector<std::uint8_t>(still.size(), 1), all.bodies);
                 QCOMPARE(few.heldContacts(), every.heldContacts());
                 QCOMPARE(few.heldDeepest(), every.heldDeepest());
                 some.refresh(few);
@@ -553,8 +544,7 @@ class BallRowsTest : public QObject {
                 step(few, some, settings, 2);
                 step(every, all, settings, 2);
                 QCOMPARE(few.activeGroups(), every.activeGroups());
-                for (std::size_t i = 0; i < some.bodies.size(); ++i)
-                    QVERIFY(sameBits(some.bodies[i], all.bodies[i]));
+                QVERIFY(std::ranges::equal(some.bodies, all.bodies, sameBits));
                 held += few.heldContacts();
             }
         }

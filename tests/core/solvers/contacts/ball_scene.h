@@ -333,6 +333,14 @@ bool sameBits(const SolverBody& one, const SolverBody& other) {
     return std::memcmp(&one, &other, sizeof(SolverBody)) == 0;
 }
 
+/// Of a ball; without one it stands still.
+void setInverseMass(SolverBody& ball, double inverse) {
+    ball.inverseMass = inverse;
+    ball.roundInverse = 2.5 * inverse;
+    setInverseInertia(ball.roundInverse * Mat3::Identity(), ball);
+    if (inverse == 0) ball.velocity = ball.spin = {};
+}
+
 /// A whole step but gravity, as the base path makes it. The number of impacts.
 int step(BallRows& rows, BallScene& scene, const StepSettings& settings, int passes) {
     rows.recordApproach(scene.bodies, settings);
