@@ -177,6 +177,7 @@ class Contacts final : public Solver {
     SteppedMotion m_rest; // of a substep that refinement left unfinished
     Coasting m_coasting;
     WorkCounters m_work; // of this substep
+    Stopwatch m_watch;   // goes on from substep to substep: reading it costs as much as a tiny phase
 };
 
 // A later substep of a frame in which all bodies sleep: nothing can give one a velocity before the frame
@@ -201,10 +202,10 @@ SolverReport Contacts::advance(const SolverInput& input) {
 
 SolverReport Contacts::move(const SolverInput& input) {
     SolverReport report;
-    Stopwatch watch;
+    if (input.part == 0) m_watch = {};
     const std::uint64_t searches = m_neighbours.searches();
     findMembers(input);
-    report.broadphase = watch.lap();
+    report.broadphase = m_watch.lap();
 
     m_work = {};
     findContacts(input);
@@ -221,10 +222,10 @@ SolverReport Contacts::move(const SolverInput& input) {
     m_work.islands = m_islands.count() + m_base.islands() + m_flight.bodies().size();
     for (const Refinement::Choice& choice : m_refinement.refined())
         m_found.makeExact(here(input), m_islands[choice.island].pairs, m_work);
-    report.narrowphase = watch.lap();
+    report.narrowphase = m_watch.lap();
     enterBase(input);
     report.searched = m_neighbours.searches() != searches;
-    report.broadphase += watch.lap();
+    if (!m_refinement.stepped().empty()) report.broadphase += m_watch.lap();
     report.resting = m_sleeping.bodies().size() + m_base.stillBodies();
     report.contacts = m_sleeping.contacts().pairs.size();
     for (const Refinement::Choice& choice : m_refinement.refined())
@@ -235,12 +236,12 @@ SolverReport Contacts::move(const SolverInput& input) {
     m_refinement.pay(m_work.operations, baseOperations());
     m_work.searches = m_neighbours.searches() - searches;
     report.work = m_work;
-    report.respond = watch.lap();
+    report.respond = m_watch.lap();
     if (report.loss) return report;
     m_coasting.move(input, m_refinement.lone());
     if (input.part + 1 == input.parts) m_flight.end(input);
     report.loss = findLoss(input.bodies, input.state);
-    report.integrate = watch.lap();
+    report.integrate = m_watch.lap();
     return report;
 }
 
