@@ -3,6 +3,7 @@
 #include "tests/support/text.h"
 
 #include "core/language/parameter_change.h"
+#include "core/simulation/generated_scene.h"
 
 #include <QTest>
 
@@ -124,12 +125,19 @@ class ParameterChangeTest : public QObject {
             {"body 9.mass", "there is no body 9; the scene has 4"},
             {"spring 1.stiffness", "there is no spring 1; the scene has 1"},
             {"spring 0.from", "`from` names a body, which cannot be varied"},
+            {"sweep.vary", "`vary` is a text, which cannot be varied"},
             {"generate.seed", "the text has no `generate` declaration"}};
         for (const auto& [path, message] : rows) {
             const ParameterPlace place = placeIn(analysis, path);
             QVERIFY2(place.parameter == nullptr, path);
             QCOMPARE(place.objection, std::string(message));
         }
+        const Analysis empty = analyse("gravity { accel 0, -9.8, 0 }\n");
+        QCOMPARE(placeIn(empty, "bodies.mass").objection, std::string("the text declares no bodies"));
+        Analysis generated = analyse("generate { scene pile n 3 }\n");
+        QVERIFY(!addGenerated(generated.scene));
+        QCOMPARE(placeIn(generated, "body 1.mass").objection,
+                 std::string("body 1 is generated and has no declaration"));
     }
 
     void aValueIsJudgedAsTheLanguageDoes() {
