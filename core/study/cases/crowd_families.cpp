@@ -256,7 +256,7 @@ void runBystanders(Trial& trial) {
     forMembers(trial, 20, 500, [&](int member, Random& random) {
         const std::string near = nearBodies(random), far = near + bystander(member, random);
         World alone = trial.world(near), beside = trial.world(far);
-        for (int frame = 0; frame < trial.shortOrLong(4, 60) && trial.step(alone) && trial.step(beside);
+        for (int frame = 0; frame < trial.shortOrLong(3, 60) && trial.step(alone) && trial.step(beside);
              ++frame)
             for (const BodyIndex i : alone.pipeline().bodies().mobileBodies)
                 if (alone.state().pose[i].position != beside.state().pose[i].position) ++unlike;

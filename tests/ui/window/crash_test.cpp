@@ -25,7 +25,7 @@ using namespace carom::test;
 namespace {
 
 constexpr quint32 seed = 4711;    // of the moments of the kills
-constexpr int behind = 500;       // [ms] the swap file may be, by the settings of these sessions
+constexpr int behind = 200;       // [ms] the swap file may be, by the settings of these sessions
 constexpr int intoTheFrame = 300; // [ms] of processor time
 constexpr int mostTurns = 1000;   // until one is killed in time
 const QByteArray original = "// a scene\n";
@@ -92,7 +92,7 @@ class Session {
         QElapsedTimer clock;
         clock.start();
         while (clock.elapsed() < longestWait && m_process.state() != QProcess::NotRunning) {
-            m_process.waitForFinished(100); // looking takes a fifth of that; sees an early end, too
+            m_process.waitForFinished(50); // looking takes half of that; sees an early end, too
             if (holds()) return true;
         }
         return false;
