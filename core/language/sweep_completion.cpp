@@ -47,12 +47,12 @@ class SweepCompleter {
 
     CompletionList measure() {
         const std::vector<std::string> words = wordsIn(m_before);
-        static constexpr std::array<std::string_view, 5> kinds = {"final", "max", "min", "mean", "first"};
+        static constexpr std::array<std::string_view, 5> kindWords = {"final", "max", "min", "mean", "first"};
         const auto isKind = [](std::string_view word) {
-            return std::ranges::find(kinds, word) != kinds.end();
+            return std::ranges::find(kindWords, word) != kindWords.end();
         };
         if (words.empty()) {
-            for (const std::string_view kind : kinds)
+            for (const std::string_view kind : kindWords)
                 add(CompletionKind::Word, kind, "of a quantity in each run");
             addQuantities(false);
         } else if (words.size() == 1 && isKind(words[0])) {

@@ -312,8 +312,8 @@ class Validator {
         std::uint32_t line = before.name.offset;
         while (line > 0 && (m_text[line - 1] == ' ' || m_text[line - 1] == '\t')) --line;
         const bool ownLine = line > 0 && (m_text[line - 1] == '\n' || m_text[line - 1] == '\r');
-        const std::string indent = "\n" + std::string(m_text.substr(line, before.name.offset - line));
-        return {{behind, 0}, (ownLine ? indent : "  ") + parameters};
+        const std::string lineStart = "\n" + std::string(m_text.substr(line, before.name.offset - line));
+        return {{behind, 0}, (ownLine ? lineStart : "  ") + parameters};
     }
 
     bool hasTwoEnds(const DeclarationSyntax& syntax, const Spring& spring) {

@@ -40,10 +40,10 @@ struct Asked {
 
 // The row that was asked for, or the fallback with a warning.
 template<class Row>
-const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> rows, const Row* fallback,
+const Row* rowFor(const std::optional<std::string>& name, std::span<const Row> known, const Row* fallback,
                   const Asked& asked, std::vector<Diagnostic>& warnings) {
     if (!name) return fallback;
-    if (const Row* row = findByName(rows, *name)) return row;
+    if (const Row* row = findByName(known, *name)) return row;
     asked.warn(std::string(asked.parameter) + " `" + *name + "` is not simulated yet; `" +
                    std::string(fallback->name) + "` runs in its place",
                warnings);

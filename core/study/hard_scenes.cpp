@@ -109,8 +109,8 @@ std::vector<HardCase> makeCases() {
     std::vector<HardCase> cases;
     for (const HardScene& scene : hardScenes()) {
         const Scene analysed = analyse(std::string(scene.text)).scene;
-        const StudyColumns columns = columnsOf(analysed);
-        const std::string& byDefault = words.emplace_back(columns[0] ? limitsOf(analysed, "default") : "–");
+        const StudyColumns answered = columnsOf(analysed);
+        const std::string& byDefault = words.emplace_back(answered[0] ? limitsOf(analysed, "default") : "–");
         const std::string& accurate = words.emplace_back(limitsOf(analysed, "accurate"));
         const std::string_view behindNumber = std::string_view(scene.text).substr(scene.text.find(':'));
         const std::string& title = words.emplace_back(sentenceBehind(behindNumber, ": "));
@@ -123,7 +123,7 @@ std::vector<HardCase> makeCases() {
                          .byDefault = byDefault,
                          .accurate = accurate,
                          .aim = accurate,
-                         .columns = columns,
+                         .columns = answered,
                          .run = runScene,
                          .scene = scene.text});
     }

@@ -85,19 +85,19 @@ void drawContacts(LinePen& pen, const OverlayState& state) {
         solved.push_back(one.pair);
         pen.arrow(one.at, normalReach * sizeOf(one.pair) * one.normal, contactColour);
     }
-    double largest = 0, reach = 0;
+    double largest = 0, longest = 0;
     for (const ContactForce& one : state.forces) largest = std::max(largest, one.force.norm());
     for (const TouchingPair& touching : state.touching) {
-        reach = std::max(reach, forceReach * sizeOf(touching.pair));
+        longest = std::max(longest, forceReach * sizeOf(touching.pair));
         if (std::binary_search(solved.begin(), solved.end(), touching.pair)) continue; // ascending
         for (const ContactPoint& point : touching.manifold)
             pen.arrow(point.onB, normalReach * sizeOf(touching.pair) * touching.manifold.normal,
                       contactColour);
     }
-    for (const BodyPair& pair : solved) reach = std::max(reach, forceReach * sizeOf(pair));
+    for (const BodyPair& pair : solved) longest = std::max(longest, forceReach * sizeOf(pair));
     if (!(largest > 0) || !std::isfinite(largest)) return;
     for (const ContactForce& one : state.forces)
-        pen.arrow(one.at, state.arrows * reach / largest * one.force, forceColour);
+        pen.arrow(one.at, state.arrows * longest / largest * one.force, forceColour);
 }
 
 /// The centre of mass of all mobile bodies, as a star as large as a body.

@@ -20,7 +20,7 @@ struct PassRow {
 };
 
 const std::array<PassRow, passCount>& passRows() {
-    static const std::array<PassRow, passCount> rows = {{
+    static const std::array<PassRow, passCount> passes = {{
         {Pass::Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}},
         {Pass::WallFace,
          {"frame.glsl", "light.glsl", "wall.vert"},
@@ -46,7 +46,7 @@ const std::array<PassRow, passCount>& passRows() {
         {Pass::Line, {"frame.glsl", "line.vert"}, {"line.frag"}},
         {Pass::Ribbon, {"frame.glsl", "ribbon.vert"}, {"line.frag"}},
     }};
-    return rows;
+    return passes;
 }
 
 QByteArray sourceOf(const std::vector<const char*>& files, Feature features) {

@@ -29,7 +29,7 @@ namespace {
 constexpr double leastDistance = 0.01;
 /// Solves of a part at most, each with other points of rims. At half, a disc may be left that sinks in at a
 /// place of its rim; at twice, such a part costs up to twice as much.
-constexpr int mostRounds = 8;
+constexpr int mostRimRounds = 8;
 /// A distance at which a place stands for a direction, in units of the body's size: the directions from two
 /// places of the body differ by a millionth. Twice or half changes that only.
 constexpr double farAway = 1e6;
@@ -43,7 +43,7 @@ constexpr double idlePart = 1e-3;
 // Solves again with points of rims added that the solution lets move into the other body.
 void IslandMotion::holdRims(const MotionInput& input, double duration, bool findsImpacts) {
     const double tolerance = m_tolerance;
-    for (int round = 0; round < mostRounds && !m_unsolved && remaining(input) > 0; ++round) {
+    for (int round = 0; round < mostRimRounds && !m_unsolved && remaining(input) > 0; ++round) {
         const double closing = addRimPoints(input, round % 2 != 0);
         if (!(closing > 0)) break;
         double fastest = 0;

@@ -42,7 +42,7 @@ namespace {
 /// The third round is good to 1e-10 at any step that resolves the oscillation. At half as many, stiffer
 /// springs end with an error; at twice, they cost twice as many solves. At a hundredth of the change,
 /// rounding keeps the rounds from ending; at a hundred times, two digits are lost.
-constexpr int mostRounds = 8;
+constexpr int mostSpringRounds = 8;
 constexpr double roundsEnd = 1e-14;
 /// Rounds of Newton's method at most; and the change, relative to the fastest velocity, below which one that
 /// does not halve is rounding. At half as many, more steps are found to have no solution; at a thousandth of
@@ -139,7 +139,7 @@ void IslandMotion::solveSprings(const MotionInput& input, double duration) {
     };
     if (stiff) guess(-1);
     if (!m_problem.rows.empty()) {
-        for (int round = 0; round < mostRounds && !m_unsolved; ++round) {
+        for (int round = 0; round < mostSpringRounds && !m_unsolved; ++round) {
             rememberVelocities();
             linkSprings(input, duration);
             solve(input);

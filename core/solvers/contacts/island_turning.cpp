@@ -33,7 +33,7 @@ namespace {
 
 /// Rounds at most. A disk that rolls by a third of a radian needs 10 for seven digits. At half, discs that
 /// roll fast keep an error; at twice, rounds that do not converge cost twice as much.
-constexpr int mostRounds = 30;
+constexpr int mostTurningRounds = 30;
 /// A point further from where it was than this part of the smaller body, seen from both bodies, is another.
 /// At half, discs that roll fast lose their point; at twice, it may become one on the other side of the body.
 constexpr double sameWithin = 0.5;
@@ -111,7 +111,7 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
         m_presses[m_rowPoint[i]] = m_problem.rows[i].impulse.x() > 0 ? 1 : 0;
     double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int round = 0; round < mostTurningRounds; ++round) {
         if (m_unsolved || remaining(input) <= 0) {
             m_unsolved = true;
             return;

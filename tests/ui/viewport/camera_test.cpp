@@ -14,7 +14,7 @@ namespace {
 
 /// A few dozen roundings of 1e-16 on figures of order 1000 (pixels) or 10 (metres).
 constexpr double rounding = 1e-9;
-constexpr PictureSize picture{900, 600};
+constexpr PictureSize widePicture{900, 600};
 
 Camera randomCamera(Random& random) {
     Camera camera;
@@ -28,8 +28,8 @@ Camera randomCamera(Random& random) {
 }
 
 Eigen::Vector2d randomPixel(Random& random) {
-    const double x = random.uniform(0, picture.width);
-    return {x, random.uniform(0, picture.height)};
+    const double x = random.uniform(0, widePicture.width);
+    return {x, random.uniform(0, widePicture.height)};
 }
 
 } // namespace
@@ -43,10 +43,10 @@ class CameraTest : public QObject {
         for (int i = 0; i < 1000; ++i) {
             const Camera camera = randomCamera(random);
             const Eigen::Vector2d pixel = randomPixel(random);
-            const Ray ray = rayThrough(camera, picture, pixel);
+            const Ray ray = rayThrough(camera, widePicture, pixel);
             QVERIFY(std::abs(ray.direction.norm() - 1) < rounding);
             const std::optional<Eigen::Vector2d> back =
-                projected(camera, picture, ray.origin + random.uniform(1, 50) * ray.direction);
+                projected(camera, widePicture, ray.origin + random.uniform(1, 50) * ray.direction);
             QVERIFY2(back && (*back - pixel).norm() < rounding,
                      qPrintable(QStringLiteral("camera %1 of seed 1").arg(i)));
         }
@@ -57,13 +57,13 @@ class CameraTest : public QObject {
         Random random(2);
         for (int i = 0; i < 1000; ++i) {
             const Camera camera = randomCamera(random);
-            const Vec3 point = rayThrough(camera, picture, randomPixel(random)).origin +
+            const Vec3 point = rayThrough(camera, widePicture, randomPixel(random)).origin +
                                random.uniform(1, 50) * camera.forward();
             const Eigen::Vector4d clip =
-                projectionMatrix(camera, picture, 0.1, 100) * viewMatrix(camera) * point.homogeneous();
-            const Eigen::Vector2d pixel((clip.x() / clip.w() + 1) / 2 * picture.width,
-                                        (1 - clip.y() / clip.w()) / 2 * picture.height);
-            QVERIFY((pixel - *projected(camera, picture, point)).norm() < rounding);
+                projectionMatrix(camera, widePicture, 0.1, 100) * viewMatrix(camera) * point.homogeneous();
+            const Eigen::Vector2d pixel((clip.x() / clip.w() + 1) / 2 * widePicture.width,
+                                        (1 - clip.y() / clip.w()) / 2 * widePicture.height);
+            QVERIFY((pixel - *projected(camera, widePicture, point)).norm() < rounding);
         }
     }
 
@@ -71,7 +71,7 @@ class CameraTest : public QObject {
         for (const bool orthographic : {false, true}) {
             Camera camera;
             camera.orthographic = orthographic;
-            const Mat4 clipFromWorld = projectionMatrix(camera, picture, 0.5, 80) * viewMatrix(camera);
+            const Mat4 clipFromWorld = projectionMatrix(camera, widePicture, 0.5, 80) * viewMatrix(camera);
             const auto depth = [&](double distance) {
                 const Vec3 point = camera.eye() + distance * camera.forward();
                 const Eigen::Vector4d clip = clipFromWorld * point.homogeneous();
@@ -87,12 +87,12 @@ class CameraTest : public QObject {
         for (int i = 0; i < 1000; ++i) {
             Camera camera = randomCamera(random);
             const Eigen::Vector2d pixel = randomPixel(random);
-            const Ray ray = rayThrough(camera, picture, pixel);
+            const Ray ray = rayThrough(camera, widePicture, pixel);
             const Vec3 point = ray.origin + random.uniform(1, 30) * ray.direction;
             const double before = camera.distance;
             zoomAt(camera, point, 0.7);
             QVERIFY(std::abs(camera.distance - 0.7 * before) < rounding);
-            QVERIFY((*projected(camera, picture, point) - pixel).norm() < rounding);
+            QVERIFY((*projected(camera, widePicture, point) - pixel).norm() < rounding);
         }
     }
 
@@ -101,9 +101,9 @@ class CameraTest : public QObject {
         for (int i = 0; i < 1000; ++i) {
             Camera camera = randomCamera(random);
             const Vec3 target = camera.target;
-            const Eigen::Vector2d before = *projected(camera, picture, target);
-            pan(camera, picture, {37, -21});
-            QVERIFY((*projected(camera, picture, target) - before - Eigen::Vector2d(37, -21)).norm() <
+            const Eigen::Vector2d before = *projected(camera, widePicture, target);
+            pan(camera, widePicture, {37, -21});
+            QVERIFY((*projected(camera, widePicture, target) - before - Eigen::Vector2d(37, -21)).norm() <
                     rounding);
         }
     }
@@ -123,13 +123,14 @@ class CameraTest : public QObject {
             Camera camera = randomCamera(random);
             const Vec3 lower(random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9));
             const Vec3 size(random.uniform(0.1, 5), random.uniform(0.1, 5), random.uniform(0.1, 5));
-            frame(camera, picture, {lower, lower + size});
+            frame(camera, widePicture, {lower, lower + size});
             double widest = 0;
             for (int corner = 0; corner < 8; ++corner) {
                 const Vec3 share(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
-                const Eigen::Vector2d pixel = *projected(camera, picture, lower + size.cwiseProduct(share));
-                const double x = std::abs(2 * pixel.x() / picture.width - 1);
-                const double y = std::abs(2 * pixel.y() / picture.height - 1);
+                const Eigen::Vector2d pixel =
+                    *projected(camera, widePicture, lower + size.cwiseProduct(share));
+                const double x = std::abs(2 * pixel.x() / widePicture.width - 1);
+                const double y = std::abs(2 * pixel.y() / widePicture.height - 1);
                 widest = std::max({widest, x, y});
             }
             QVERIFY2(widest < 1 && widest > 0.6, qPrintable(QString::number(widest)));

@@ -19,7 +19,7 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity(); // operations
 constexpr double tight = 1e-13; // velocities of order 1, some dozens of operations
 
-constexpr double rounding = 1e-11; // hundreds of impacts of masses 1:50
+constexpr double impactsRounding = 1e-11; // hundreds of impacts of masses 1:50
 
 /// Balls that touch each other in a row along x, with contacts from each to the next.
 struct Row {
@@ -171,9 +171,9 @@ class ImpactsTest : public QObject {
             const Vec3 momentum = row.momentum();
             const double energy = row.energy();
             struck += row.solve().impacts;
-            QVERIFY((row.momentum() - momentum).norm() < rounding);
-            QVERIFY(row.energy() <= energy * (1 + rounding));
-            QVERIFY(row.closing() <= rounding);
+            QVERIFY((row.momentum() - momentum).norm() < impactsRounding);
+            QVERIFY(row.energy() <= energy * (1 + impactsRounding));
+            QVERIFY(row.closing() <= impactsRounding);
         }
         QVERIFY(struck > 500);
     }

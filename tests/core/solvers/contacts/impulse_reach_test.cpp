@@ -23,7 +23,7 @@
 namespace carom {
 namespace {
 
-constexpr double radius = 0.1; // [m]
+constexpr double ballRadius = 0.1; // [m]
 
 struct Ball {
     Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero();
@@ -36,7 +36,7 @@ class Reached {
     explicit Reached(const std::vector<Ball>& balls) {
         Scene scene;
         for (const Ball& ball : balls)
-            scene.bodies.push_back(test::sphere(radius, ball.mass, ball.centre, ball.velocity));
+            scene.bodies.push_back(test::sphere(ballRadius, ball.mass, ball.centre, ball.velocity));
         m_bodies = bodiesOf(scene);
         m_state = initialStateOf(scene);
         Neighbours neighbours(m_bodies);
@@ -81,7 +81,7 @@ std::vector<bool> struckOneByOne(std::vector<Ball> balls) {
         for (std::size_t i = 0; i < balls.size(); ++i)
             for (std::size_t k = i + 1; k < balls.size(); ++k) {
                 const Vec3 d = balls[k].centre - balls[i].centre, u = balls[k].velocity - balls[i].velocity;
-                const double b = d.dot(u), c = d.squaredNorm() - 4 * radius * radius;
+                const double b = d.dot(u), c = d.squaredNorm() - 4 * ballRadius * ballRadius;
                 const double inner = b * b - u.squaredNorm() * c;
                 if (b >= 0 || inner < 0) continue;
                 const double at = std::max(0.0, c / (-b + std::sqrt(inner)));
@@ -106,7 +106,7 @@ std::vector<bool> struckOneByOne(std::vector<Ball> balls) {
 
 std::vector<Ball> rowOfBalls(int count, double gap, double speed) {
     std::vector<Ball> balls;
-    for (int i = 0; i < count; ++i) balls.push_back({Vec3(i * (2 * radius + gap), 0, 0)});
+    for (int i = 0; i < count; ++i) balls.push_back({Vec3(i * (2 * ballRadius + gap), 0, 0)});
     balls[0].velocity = Vec3(speed, 0, 0);
     return balls;
 }
@@ -151,7 +151,7 @@ class ImpulseReachTest : public QObject {
     void reachIsLentAsFarAsMomentumAllows() {
         Scene scene;
         for (const double mass : {1.0, 1.0, 1e6})
-            scene.bodies.push_back(test::sphere(radius, mass, Vec3::Zero()));
+            scene.bodies.push_back(test::sphere(ballRadius, mass, Vec3::Zero()));
         const Bodies bodies = bodiesOf(scene);
         QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 1, 3.0), 3.0);
         QCOMPARE(Neighbours::reachAfter(bodies, 0, 0.0, 2, 3.0), 3.0);
@@ -175,7 +175,7 @@ class ImpulseReachTest : public QObject {
                 }
                 ball.mass = std::pow(10, random.uniform(-1, 1));
                 const bool isFree = std::all_of(balls.begin(), balls.end(), [&](const Ball& other) {
-                    return (other.centre - ball.centre).norm() > 2 * radius;
+                    return (other.centre - ball.centre).norm() > 2 * ballRadius;
                 });
                 if (isFree) balls.push_back(ball);
             }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double islandSubstep = 1.0 / 240; // [s]
 constexpr double islandMargin = 0.1;        // [m]
-constexpr double ballRadius = 0.2;          // [m]
+constexpr double eachRadius = 0.2;          // [m]
 constexpr double touching = 1e-4;           // an overlap of less, relative to the radius
 constexpr double enoughOperations = 1e7;    // for the whole substep
 const Vec3 islandGravity(0, -9.81, 0);      // [m/s²]
@@ -31,7 +31,7 @@ Scene ballsOnATower(double speed) {
     for (int k = 0; k < 3; ++k) {
         const double gap = (0.1 + 0.3 * k) * speed * islandSubstep;
         Body ball =
-            test::sphere(ballRadius, 1, Vec3(0.6 * (k - 1), 3 + ballRadius + gap, 0), Vec3(0, -speed, 0));
+            test::sphere(eachRadius, 1, Vec3(0.6 * (k - 1), 3 + eachRadius + gap, 0), Vec3(0, -speed, 0));
         ball.elastic = 0.8;
         scene.bodies.push_back(ball);
     }
@@ -81,7 +81,7 @@ void IslandMotionTest::noBudgetLetsABodyThrough() {
         for (const ContactPair& pair : found.pairs)
             collideInto(bodies, state, pairOf(bodies, pair.bodies(), 0), {}, reached);
         for (const ContactConstraint& point : reached.points)
-            QVERIFY2(point.separation > -touching * ballRadius,
+            QVERIFY2(point.separation > -touching * eachRadius,
                      qPrintable(QString("%1 m deep, %2 s left of %3 operations")
                                     .arg(-point.separation)
                                     .arg(motion.left())

@@ -21,8 +21,8 @@ namespace carom {
 namespace {
 
 constexpr std::uint64_t seed = 20261123;
-constexpr double step = 0.01; // [s]
-constexpr double side = 12;   // of the box the bodies are in [m]
+constexpr double stepTime = 0.01; // [s]
+constexpr double side = 12;       // of the box the bodies are in [m]
 constexpr int steps = 60;
 
 class Crowd {
@@ -46,9 +46,9 @@ class Crowd {
         for (const BodyIndex i : bodies.mobileBodies) {
             if (random.uniform() < part) {
                 state.velocity[i] = 30 * Vec3(random.gaussian(), random.gaussian(), random.gaussian());
-                state.pose[i].position += step * state.velocity[i];
+                state.pose[i].position += stepTime * state.velocity[i];
             }
-            state.pose[i].position += step * state.velocity[i];
+            state.pose[i].position += stepTime * state.velocity[i];
         }
     }
     static double anywhere(Random& random) { return random.uniform(-side / 2, side / 2); }
@@ -128,12 +128,12 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
-            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
-                              4 * step, *broadphase);
+            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
+                              4 * stepTime, *broadphase);
             QVERIFY(isComplete(crowd, neighbours));
             QVERIFY(isInOrder(crowd, neighbours));
             crowd.wander(random, leaping);
-            neighbours.pass(step);
+            neighbours.pass(stepTime);
         }
     }
 
@@ -145,8 +145,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
         for (int i = 0; i < steps; ++i) {
-            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step,
-                              4 * step, *broadphase);
+            neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
+                              4 * stepTime, *broadphase);
             const BodyIndex one = crowd.bodies.mobileBodies[random.below(300)];
             crowd.state.pose[one].position =
                 Vec3(Crowd::anywhere(random), Crowd::anywhere(random), Crowd::anywhere(random));
@@ -166,11 +166,13 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         for (int i = 0; i < 5; ++i) {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, 4 * step, *broadphase);
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, 4 * stepTime,
+                              *broadphase);
             QCOMPARE(neighbours.searches(), 1U);
             QCOMPARE(neighbours.ends(), 0U);
-            for (const BodyIndex k : bodies.mobileBodies) state.pose[k].position += step * state.velocity[k];
-            neighbours.pass(step);
+            for (const BodyIndex k : bodies.mobileBodies)
+                state.pose[k].position += stepTime * state.velocity[k];
+            neighbours.pass(stepTime);
         }
     }
 
@@ -180,8 +182,8 @@ class NeighboursTest : public QObject {
         Crowd crowd(random, 300);
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(crowd.bodies);
-        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), step, 4 * step,
-                          *broadphase);
+        neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
+                          4 * stepTime, *broadphase);
         const BodyIndex asking = crowd.bodies.mobileBodies[random.below(300)];
         QVERIFY(!neighbours.covers(asking, side / 2));
         neighbours.search(crowd.bodies, crowd.state, *broadphase);
@@ -204,7 +206,8 @@ class NeighboursTest : public QObject {
         const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
         Neighbours neighbours(bodies);
         const auto update = [&] {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step, step, *broadphase);
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, stepTime,
+                              *broadphase);
         };
         update();
         QVERIFY(!neighbours.covers(0, 1.0));
@@ -230,16 +233,16 @@ class NeighboursTest : public QObject {
         Neighbours neighbours(bodies);
         std::string near;
         for (int i = 0; i < 12; ++i) {
-            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), step / 4, 2 * step,
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime / 4, 2 * stepTime,
                               *broadphase);
             QVERIFY(std::ranges::count(namesOf(neighbours.listed(0)), BodyIndex{1}) == 1);
             QCOMPARE(namesOf(neighbours.around(0)), namesOf(neighbours.around(1)).empty()
                                                         ? std::vector<BodyIndex>{}
                                                         : std::vector<BodyIndex>{1});
             near += namesOf(neighbours.around(0)).empty() ? '-' : '+';
-            if (i == 0) QVERIFY(namesOf(neighbours.around(0, 4 * step)) == std::vector<BodyIndex>{1});
-            state.pose[0].position += step / 2 * state.velocity[0] / 2;
-            neighbours.pass(step / 4);
+            if (i == 0) QVERIFY(namesOf(neighbours.around(0, 4 * stepTime)) == std::vector<BodyIndex>{1});
+            state.pose[0].position += stepTime / 2 * state.velocity[0] / 2;
+            neighbours.pass(stepTime / 4);
         }
         qInfo("%s", near.c_str());
         QVERIFY(near.starts_with("--"));
