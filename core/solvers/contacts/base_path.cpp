@@ -103,6 +103,12 @@ double BasePath::pathOf(const SteppedInput& input, BodyIndex body, double time,
            0.5 * input.gravity.norm() * time * time + neighbours.pull(body, time);
 }
 
+// How far a body comes in this time, if nothing strikes it, and a part of its size more [m].
+double BasePath::ownReach(const SteppedInput& input, BodyIndex body, double time, double skin,
+                          const Neighbours& neighbours) const {
+    return pathOf(input, body, time, neighbours) + skin * input.bodies.boundingRadius[body];
+}
+
 bool BasePath::isUnchanged(const State& state) const {
     return std::all_of(m_blocks.begin(), m_blocks.end(), [&](const SteppedMotion& block) {
         return block.isEmpty() || block.isUnchanged(state);
@@ -128,7 +134,7 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
         markIslands([](BodyIndex) { return true; });
         return false;
     }
-    while (!findStruck(input, neighbours)) { // so that the pairs depend on the poses only
+    while (!findStruck(input, time, skin, neighbours)) { // so that the pairs depend on the poses only
         neighbours.search(input.bodies, input.state, broadphase);
         forget();
         findOutrun(input, substep, time, skin, neighbours);
@@ -163,23 +169,31 @@ void BasePath::findOutrun(const SteppedInput& input, double substep, double time
             if (block.isMarked(i) ||
                 Neighbours::reachFactor * pathOf(input, i, substep, neighbours) <= roomOf(input, i))
                 continue;
-            m_renewed.push_back(
-                {i, pathOf(input, i, time, neighbours) + skin * input.bodies.boundingRadius[i]});
+            m_renewed.push_back({i, ownReach(input, i, time, skin, neighbours)});
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
 }
 
+// How much further a body may come in the substep in which `striker` strikes it than it would by itself [m].
+// In the next one it is renewed.
+double BasePath::kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,
+                        const Neighbours& neighbours) {
+    const double own = neighbours.reach(body);
+    return Neighbours::reachAfter(input.bodies, body, own, striker, neighbours.reach(striker)) - own;
+}
+
 // Extends the reach of bodies that one of these may strike, as prepare() would. False if the neighbours must
 // be searched and this function be called again.
-bool BasePath::findStruck(const SteppedInput& input, Neighbours& neighbours) {
+bool BasePath::findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours) {
     for (std::size_t n = 0, outrun = m_renewed.size(); n < outrun; ++n) {
         const auto [i, reach] = m_renewed[n];
         for (const BodyIndex k : neighbours.around(i)) {
             if (input.bodies.mobile[k] == 0 || !has(k)) continue;
+            const double kick = kickOf(input, k, i, neighbours);
+            if (!(kick > 0)) continue;
             const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : roomOf(input, k);
-            if (room >= reach || !areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
-            const double after = Neighbours::reachAfter(input.bodies, k, room, i, reach);
-            if (!(after > room)) continue;
+            const double after = ownReach(input, k, time, skin, neighbours) + kick;
+            if (room >= after || !areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
             if (m_renewal[k] == 0) {
                 m_renewed.push_back({k, after});
                 m_renewal[k] = static_cast<std::uint32_t>(m_renewed.size());
@@ -251,23 +265,26 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
                        Neighbours& neighbours) {
     const Bodies& bodies = input.bodies;
     bool covered = coversThoseHere(input, neighbours);
+    m_kick.resize(bodies.count());
     for (const BodyIndex i : list) {
         m_block[i] = entering;
         m_origin[i] = input.state.pose[i];
-        m_reach[i] = pathOf(input, i, time, neighbours) + skin * bodies.boundingRadius[i];
+        m_reach[i] = ownReach(input, i, time, skin, neighbours);
+        m_kick[i] = 0;
         covered = neighbours.covers(i, m_reach[i]) && covered;
     }
     if (!covered) return false;
     for (const BodyIndex i : list)
         for (const BodyIndex k : neighbours.around(i)) {
-            if (m_block[k] != entering || k < i || m_reach[i] == m_reach[k]) continue;
+            if (m_block[k] != entering || k < i) continue;
             if (!areWithin(bodies, input.state, {i, k}, m_reach[i] + m_reach[k])) continue;
-            const BodyIndex slower = m_reach[i] < m_reach[k] ? i : k;
-            const BodyIndex faster = slower == i ? k : i;
-            m_reach[slower] =
-                Neighbours::reachAfter(bodies, slower, m_reach[slower], faster, m_reach[faster]);
-            covered = neighbours.covers(slower, m_reach[slower]) && covered;
+            m_kick[i] = std::max(m_kick[i], kickOf(input, i, k, neighbours));
+            m_kick[k] = std::max(m_kick[k], kickOf(input, k, i, neighbours));
         }
+    for (const BodyIndex i : list) {
+        m_reach[i] += m_kick[i];
+        covered = neighbours.covers(i, m_reach[i]) && covered;
+    }
     return covered;
 }
 

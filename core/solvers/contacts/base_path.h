@@ -15,8 +15,8 @@
 // no search.
 //
 //     reach    how far a body's surface can move within a frame, with a multiple of its last substep for
-//              impacts; bodies within reach of each other share the larger one, since one may strike the
-//              other
+//              impacts, and how much further if another strikes it, in the substep in which it does; then it
+//              is renewed
 //     pairs    those of the neighbours' lists within the reach of both
 //     islands  bodies that such pairs join. Contacts of small ones are updated more often and in smaller
 //              steps: bodies that turn touch at other points, and an impact passes through a chain of bodies
@@ -181,7 +181,11 @@ class BasePath {
     bool isUnchanged(const State& state) const;
     void findOutrun(const SteppedInput& input, double substep, double time, double skin,
                     const Neighbours& neighbours);
-    bool findStruck(const SteppedInput& input, Neighbours& neighbours);
+    double ownReach(const SteppedInput& input, BodyIndex body, double time, double skin,
+                    const Neighbours& neighbours) const;
+    static double kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,
+                         const Neighbours& neighbours);
+    bool findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours);
     void markWhereMany();
     void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
     SteppedMotion& block(std::size_t number) { return m_blocks[number]; }
@@ -214,6 +218,7 @@ class BasePath {
     Scratch<Islands> m_islands;
     Scratch<std::vector<std::uint8_t>> m_numbers;                      // by island that enters: its block
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
+    Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     std::vector<Renewed> m_renewed;
     std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here

@@ -53,6 +53,30 @@ class BasePathLeavingTest : public QObject {
     Q_OBJECT
 
   private Q_SLOTS:
+    // A body that is struck comes as far as what strikes it in that substep, and then has a new reach: whom
+    // it strikes in turn, in the same substep or later, is not passed.
+    void whoIsStruckPassesNobody() {
+        constexpr double radius = 0.1, speed = 30; // [m], [m/s]; an eighth of a metre a substep
+        Scene scene = test::sceneOf({}, Vec3::Zero());
+        for (const double x : {0.0, 0.27, 0.49, 1.5}) {
+            scene.bodies.push_back(test::sphere(radius, 1, {x, 0, 0}));
+            scene.bodies.back().elastic = 1;
+        }
+        scene.bodies[0].velocity.x() = speed;
+        for (int k = 0; k < 4; ++k) scene.bodies.push_back(test::sphere(radius, 1, {0.4 * k, 0, 2}));
+        Entered entered(scene);
+        entered.enterAll();
+        for (int n = 0; n < 24; ++n) {
+            entered.step();
+            for (BodyIndex i = 1; i < 4; ++i)
+                QVERIFY(entered.state.pose[i].position.x() - entered.state.pose[i - 1].position.x() >
+                        1.98 * radius);
+        }
+        for (BodyIndex i = 0; i < 3; ++i) QVERIFY(entered.state.velocity[i].norm() < 1e-3 * speed);
+        QVERIFY(std::abs(entered.state.velocity[3].x() - speed) < 1e-3 * speed);
+        for (BodyIndex i = 4; i < 8; ++i) QVERIFY(entered.state.velocity[i] == Vec3::Zero());
+    }
+
     // Clusters that know nothing of each other: some leave and enter again, the others do not notice.
     void islandsThatLeaveChangeNothingForTheOthers() {
         Random random(test::seed, 5);
