@@ -204,6 +204,14 @@ void rotateFreely(const Vec3& inertia, const Vec3& angularMomentum, double h, Qu
     orientation.normalize();
 }
 
+TwoRotations rotationsOf(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat orientation) {
+    if (hasEqualMoments(inertia)) return {angularMomentum / inertia.x(), Vec3::Zero()};
+    rotateFreely(inertia, angularMomentum, 0.5 * h, orientation);
+    const double middle = inertia[middleOf(inertia)];
+    const Vec3 rates = (inertia.cwiseInverse().array() - 1 / middle).matrix();
+    return {angularMomentum / middle, rates.cwiseProduct(orientation.conjugate() * angularMomentum)};
+}
+
 void rotateInParts(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation) {
     if (angularMomentum == Vec3::Zero()) return;
     constexpr std::array<double, 1> whole = {1};

@@ -49,6 +49,15 @@ void rotateInPieces(const Vec3& inertia, const Vec3& angularMomentum, double h, 
 /// rad.
 void rotateInParts(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat& orientation);
 
+/// Constant rotations of which one is about an axis of the body, which the other turns with it.
+struct TwoRotations {
+    Vec3 world = Vec3::Zero(); ///< [rad/s]
+    Vec3 body = Vec3::Zero();  ///< [rad/s], body axes
+};
+/// Those that turn a body as rotateFreely does: exact for two or three equal moments, otherwise of order 2
+/// over h seconds.
+TwoRotations rotationsOf(const Vec3& inertia, const Vec3& angularMomentum, double h, Quat orientation);
+
 /// rotateInPieces for the bodies of `list`; their angular velocities follow from their angular momenta.
 void rotateInPieces(const Bodies& bodies, std::span<const BodyIndex> list, double h, int order, State& state);
 

@@ -13,20 +13,23 @@
 // projections on n is d now and for a time τ afterwards at least
 //
 //     d + (v·n) τ + (g·n) τ²/2 − Ω τ,      v, g: velocity, acceleration of B relative to A,
-//                                          Ω = |ωA| ρA + |ωB| ρB [m/s], the rotation bound
+//                                          Ω = ΩA + ΩB [m/s], the rotation bounds
 //
-// so nothing meets before that reaches zero. ρ is the radius of the smallest ball about the centre that holds
-// the shape, and a body's spin about an axis of symmetry does not count, since it moves no surface outwards.
+// so nothing meets before that reaches zero. A body turns by p about an axis of the world and by s about one
+// of its own, together ω, which precesses with a constant length. Its rotation bound is |ω| ρ or, if that is
+// less, |p| ρ + |s| ρs. ρ is the radius of the smallest ball about the centre that holds the shape, and ρs
+// that of the smallest cylinder about s; a body's spin about an axis of symmetry does not count, since it
+// moves no surface outwards.
 //
 // That bound assumes that all of a turning body moves as fast as its farthest corner, and its steps shrink
 // with the gap where shapes pass each other closely. So the projections are bounded, too. Let h(m) be how far
 // a shape reaches along m, from its support function; let the direction turn, m = n + τ ṅ, as the direction
 // of the distance did over the last step; Δ is from A's centre to B's. Seen from a body m turns against its
-// spin ω by a rotation, which is n + τ (ṅ + n × ω) to within τ² (|ω||ṅ| + |ω|²/2), and h changes by no more
-// than ρ times what m changes by. So the gap along m is at least
+// spin ω by a rotation, which is n + τ (ṅ + n × ω) to within τ² (|ω||ṅ| + (|ω|² + |ω̇|)/2), |ω̇| = |p × s|, and
+// h changes by no more than ρ times what m changes by. So the gap along m is at least
 //
 //     Δ·n + τ (v·n + Δ·ṅ) + τ² (g·n/2 + v·ṅ − κ) + τ³ g·ṅ/2 − Σ h(n + τ (ṅ + n × ω)),
-//     κ = Σ ρ (|ω||ṅ| + |ω|²/2)
+//     κ = Σ ρ (|ω||ṅ| + (|ω|² + |ω̇|)/2)
 //
 // The sum is convex in τ; with the factors of τ² and τ³ no more than zero the bound is concave, and where it
 // is positive it was so all the time before. The longer of both bounds is taken.
@@ -62,16 +65,38 @@ double spinRadius(const Shape& shape) {
     return isWall(shape) || hasCentralNormals(shape) ? 0 : boundingRadiusOf(shape);
 }
 
-// The part of the angular velocity that moves the surface [rad/s]. Its length is constant, as the axis of a
-// cylinder turns about the angular velocity.
-Vec3 effectiveSpin(const MovingShape& moving, const Pose& pose) {
-    if (kindOf(*moving.start.shape) != kindOf<Cylinder>()) return moving.angularVelocity;
-    const Vec3 axis = axisOf(pose);
-    return moving.angularVelocity - moving.angularVelocity.dot(axis) * axis;
+// The spin about the body's own axis [rad/s, body axes]. One about a cylinder's axis moves no surface, so it
+// may be any: it is the one with which the angular velocity has no part along the axis.
+Vec3 ownSpinOf(const MovingShape& moving) {
+    if (kindOf(*moving.start.shape) != kindOf<Cylinder>()) return moving.ownSpin;
+    return Vec3(0, -moving.angularVelocity.dot(axisOf(*moving.start.pose)), 0);
 }
 
+Vec3 spinAt(const MovingShape& moving, const Pose& pose) {
+    return moving.angularVelocity + pose.directionToWorld(ownSpinOf(moving));
+}
+
+// How far the surface reaches from this axis of the body, as far as a spin about it moves the surface [m].
+double radiusAbout(const Shape& shape, const Vec3& axis) {
+    const Cuboid* cuboid = std::get_if<Cuboid>(&shape);
+    if (cuboid == nullptr || axis.isZero(0)) return 0;
+    double farthest = 0;
+    for (const double x : {-1, 1})
+        for (const double y : {-1, 1}) {
+            const Vec3 corner = cuboid->halfSize.cwiseProduct(Vec3(x, y, 1));
+            farthest = std::max(farthest, corner.cross(axis).norm());
+        }
+    return farthest / axis.norm();
+}
+
+// An upper bound of the speed that turning gives the surface [m/s].
 double turningSpeed(const MovingShape& moving) {
-    return effectiveSpin(moving, *moving.start.pose).norm() * spinRadius(*moving.start.shape);
+    const Shape& shape = *moving.start.shape;
+    const double radius = spinRadius(shape);
+    if (!(radius > 0)) return 0;
+    const Vec3 own = ownSpinOf(moving);
+    return std::min(spinAt(moving, *moving.start.pose).norm() * radius,
+                    moving.angularVelocity.norm() * radius + own.norm() * radiusAbout(shape, own));
 }
 
 // The first positive time at which gap + speed t + acceleration t²/2 falls through zero; speed < 0 or
@@ -97,13 +122,13 @@ class TurningShadow {
   public:
     TurningShadow(const MovingShape& moving, const Pose& pose, const Vec3& normal, const Vec3& turning) {
         if (isWall(*moving.start.shape)) return; // the direction is its normal, and does not turn
-        const Vec3 spin = spinRadius(*moving.start.shape) > 0 ? effectiveSpin(moving, pose) : Vec3(0, 0, 0);
+        const double radius = spinRadius(*moving.start.shape);
+        const Vec3 spin = radius > 0 ? spinAt(moving, pose) : Vec3(0, 0, 0);
         m_placed = {moving.start.shape, &pose};
         m_normal = normal;
         m_turning = turning + normal.cross(spin);
-        // A cylinder's effective spin turns with its axis, by the part of the spin about that.
-        const double bend = spin.squaredNorm() + spin.norm() * (moving.angularVelocity - spin).norm();
-        m_bend = spinRadius(*moving.start.shape) * (spin.norm() * turning.norm() + 0.5 * bend);
+        const double bend = spin.squaredNorm() + moving.angularVelocity.cross(spin).norm();
+        m_bend = radius * (spin.norm() * turning.norm() + 0.5 * bend);
     }
     double reach(double time) const {
         return m_placed.shape == nullptr ? 0 : extentOf(m_placed, m_normal + time * m_turning);
@@ -170,7 +195,7 @@ class FreeMotion {
     static Vec3 velocityOf(const MovingShape& moving, const Pose& pose, double time, const Vec3& point) {
         if (isWall(*moving.start.shape)) return Vec3::Zero();
         return moving.velocity + time * moving.acceleration +
-               moving.angularVelocity.cross(point - pose.position);
+               (moving.angularVelocity + pose.directionToWorld(moving.ownSpin)).cross(point - pose.position);
     }
     /// As safeStep() along one turning direction; `safe` if that is longer.
     double extend(const Instant& now, const Vec3& turning, double safe, double left) const {
@@ -328,9 +353,10 @@ Pose poseAfter(const MovingShape& moving, double time) {
     if (isWall(*moving.start.shape)) return start;
     Pose pose = start;
     pose.position += time * (moving.velocity + 0.5 * time * moving.acceleration);
-    if (!moving.angularVelocity.isZero(0))
-        pose.orientation =
-            (fromRotationVector(time * moving.angularVelocity) * start.orientation).normalized();
+    if (!moving.angularVelocity.isZero(0) || !moving.ownSpin.isZero(0))
+        pose.orientation = (fromRotationVector(time * moving.angularVelocity) * start.orientation *
+                            fromRotationVector(time * moving.ownSpin))
+                               .normalized();
     return pose;
 }
 

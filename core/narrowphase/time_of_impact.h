@@ -11,11 +11,13 @@
 
 namespace carom {
 
-/// A shape that moves freely: constant acceleration, constant angular velocity in the world.
+/// A shape that moves freely: constant acceleration, and two constant rotations of which one is about an axis
+/// of the body that the other turns with it. A body with two equal moments of inertia turns so to rounding.
 struct MovingShape {
     PlacedShape start;                   ///< where it is at time 0; walls do not move
     Vec3 velocity = Vec3::Zero();        ///< at time 0 [m/s]
-    Vec3 angularVelocity = Vec3::Zero(); ///< world [rad/s]
+    Vec3 angularVelocity = Vec3::Zero(); ///< world [rad/s]; without the one below
+    Vec3 ownSpin = Vec3::Zero();         ///< body axes [rad/s]
     Vec3 acceleration = Vec3::Zero();    ///< [m/s²]
 };
 Pose poseAfter(const MovingShape& moving, double time);

@@ -59,10 +59,11 @@ double IslandMotion::firstImpact(const MotionInput& input, double duration) {
     return first;
 }
 
-// Whether a pair has open points, and comes so near within `duration` that they may close.
+// Whether a pair comes so near within `duration` that open points may close, or that one that touches may
+// roll on to where it is deep.
 bool IslandMotion::mayMeet(const MotionInput& input, std::uint32_t p, double duration) const {
     const ContactPair& pair = m_contacts.pairs[p];
-    double gap = std::numeric_limits<double>::infinity();
+    double gap = m_held[p] != 0 ? deepRoll * pair.size : std::numeric_limits<double>::infinity();
     for (std::uint32_t i = pair.first; i < pair.first + pair.count; ++i)
         if (m_held[p] == 0 || m_waits[i] != 0) gap = std::min(gap, m_contacts.points[i].separation);
     return gap <= duration * fastestApproach(input, pair);
@@ -230,7 +231,7 @@ double IslandMotion::cornerTime(const MotionInput& input, const ContactPair& pai
     return t;
 }
 
-// Approximates a body's path by a parabola and a constant mean spin.
+// A body's path: a parabola, and the free rotation about the mean of the angular momenta at both ends.
 MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, double duration) const {
     MovingShape moving{.start = {&input.bodies.shape[i], &input.state.pose[i]}};
     const int local = localOf(i);
@@ -241,7 +242,15 @@ MovingShape IslandMotion::movingShape(const MotionInput& input, BodyIndex i, dou
     // Without rounding if only gravity acts: two balls in the same field have a closed form.
     moving.acceleration =
         m_pushed[at(local)] == 0 ? input.gravity : Vec3((end.velocity - start.velocity).head<3>() / duration);
-    moving.angularVelocity = 0.5 * (start.velocity + end.velocity).tail<3>();
+    if (hasEqualMoments(input.bodies.inertia[i])) {
+        moving.angularVelocity = 0.5 * (start.velocity + end.velocity).tail<3>();
+        return moving;
+    }
+    const Vec3 momentum = 0.5 * (start.angularMomentum + endMomentum(at(local)));
+    const TwoRotations turning =
+        rotationsOf(input.bodies.inertia[i], momentum, duration, input.state.pose[i].orientation);
+    moving.angularVelocity = turning.world;
+    moving.ownSpin = turning.body;
     return moving;
 }
 

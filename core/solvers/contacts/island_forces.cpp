@@ -29,7 +29,7 @@ constexpr int mostRounds = 8;
 
 // Velocities after `duration` under gravity and the forces of contacts that touch.
 void IslandMotion::solveVelocities(const MotionInput& input, double duration, bool findsImpacts) {
-    m_unsolved = false;
+    m_unsolved = m_turnsTooFar = false;
     beginPart(input, duration);
     chooseRows(input, duration, findsImpacts);
     solveForces(input, duration);

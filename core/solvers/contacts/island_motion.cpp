@@ -27,6 +27,9 @@ constexpr int mostRelocations = 8;
 /// And until it changes by less than this part. At a thousandth, by rounding only; at a thousand times, an
 /// impact on a spring is wrong by a billionth of its time.
 constexpr double relocationEnd = 1e-12;
+/// A part through which contacts cannot be followed is halved so often at most. At half, discs that fall flat
+/// sink in by more; at twice, a substep may take many times as many parts.
+constexpr int mostHalvings = 4;
 
 } // namespace
 
@@ -43,6 +46,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
     const int points = static_cast<int>(m_contacts.points.size());
     const int most = (accurate ? mostEventsAccurate : mostEvents) + mostEventsPerPoint * points;
     int events = 0;
+    double longest = input.substep; // part that contacts are likely to be followed through [s]
     for (double left = input.substep; left > 0;) {
         const bool findsImpacts = events < most;
         m_rattles = 2 * events > most;
@@ -64,8 +68,14 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         loadBodies(input, island);
         impacts(input, left, findsImpacts);
         if (remaining(input) <= 0) return giveUp();
-        double duration = left;
+        double duration = findsImpacts ? std::min(left, longest) : left;
         solveVelocities(input, duration, findsImpacts);
+        for (int half = 0; m_turnsTooFar && half < mostHalvings && remaining(input) > 0; ++half) {
+            duration *= 0.5;
+            solveVelocities(input, duration, findsImpacts);
+        }
+        longest = 2 * duration;
+        if (duration < left) ++events;
         if (findsImpacts && !m_unsolved && remaining(input) > 0) {
             double event = firstImpact(input, duration);
             if (event >= duration && accurate) event = firstStop(input, duration);

@@ -132,6 +132,7 @@ class IslandMotion {
     NewtonReport solveCold(const MotionInput& input, const NewtonReport& warm);
     bool contactsTurn(const MotionInput& input, double duration) const;
     void reserve();
+    bool losesPoint(const Bodies& bodies) const;
     void turnContacts(const MotionInput& input, double duration);
     void predictPoses(const MotionInput& input, double duration);
     void moveRows(const MotionInput& input);
@@ -194,6 +195,7 @@ class IslandMotion {
     std::vector<Uncorrected> m_uncorrected; // by body of the island: before its position was corrected
     bool m_isCorrected = false;             // in this substep
     bool m_unsolved = false;                // the forces of this part were not found
+    bool m_turnsTooFar = false;             // contacts cannot be followed through this part
     bool m_rattles = false;                 // most of the events of this substep are used up
     double m_scale = 0;                     // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;                 // of velocities [m/s]

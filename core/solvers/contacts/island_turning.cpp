@@ -47,6 +47,9 @@ constexpr double sameFace = 0.5;
 /// The change of a round over that of the one before, beyond which rounds do not converge. At half, rounds
 /// end that would converge after one larger change; at twice, those that diverge go on longer.
 constexpr double mostGrowth = 2;
+/// Rounds that lose a point until the part counts as too long. With one, parts are halved that the next round
+/// would find a solution for; with four, such parts cost twice as much before they are halved.
+constexpr int mostLosses = 2;
 
 /// A ball on a wall: neither normal nor arms ever turn.
 bool neverTurns(const Bodies& bodies, const ContactPair& pair) {
@@ -111,6 +114,7 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
     for (std::size_t i = 0; i < m_rowPoint.size(); ++i)
         m_presses[m_rowPoint[i]] = m_problem.rows[i].impulse.x() > 0 ? 1 : 0;
     double before = std::numeric_limits<double>::infinity();
+    int losses = 0; // rounds in which a point was not found again
     for (int round = 0; round < mostTurningRounds; ++round) {
         if (m_unsolved || remaining(input) <= 0) {
             m_unsolved = true;
@@ -127,7 +131,10 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
             const ContactBody& body = m_problem.bodies[i];
             change = std::max(change, fastestPart(body.velocity - m_lastVelocity[i], body.gyration));
         }
-        if (change <= m_tolerance) return;
+        const bool isLost = losesPoint(input.bodies);
+        losses += isLost ? 1 : 0;
+        m_turnsTooFar = isLost && (losses == mostLosses || change <= m_tolerance);
+        if (m_turnsTooFar || change <= m_tolerance) return;
         if (!(change <= mostGrowth * before)) { // the rounds diverge: uses the contacts of the start
             beginPart(input, duration);
             for (std::size_t i = 0; i < m_rowPoint.size(); ++i) placeRow(m_rowPoint[i], m_problem.rows[i]);
@@ -136,6 +143,17 @@ void IslandMotion::turnContacts(const MotionInput& input, double duration) {
         }
         before = change;
     }
+}
+
+// Whether a point that bears a force is not found again at the end: the body has rolled on too far.
+bool IslandMotion::losesPoint(const Bodies& bodies) const {
+    for (std::size_t i = 0; i < m_rowPoint.size(); ++i) {
+        const std::uint32_t point = m_rowPoint[i];
+        if (m_problem.rows[i].impulse.x() > 0 && !m_atEnd[point].found &&
+            !neverTurns(bodies, m_contacts.pairs[m_pairOf[point]]))
+            return true;
+    }
+    return false;
 }
 
 // Computes, from the present velocities, poses in the middle and at the end of the part, and the inertia at
