@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace carom {
+
 void BoxBlocks::build(std::span<const Aabb> boxes) {
     const std::size_t count = boxes.size();
     m_blockCount = (count + size - 1) / size;

@@ -76,13 +76,13 @@ std::string loadedSlab(int points, int more, bool hasCuboids, Random random) {
 }
 
 /// Two scenes, and by how much they differ.
-struct Neighbours {
+struct SceneAndNext {
     std::string one, other;
     double apart = 0; ///< relative, or of a coefficient
 };
 constexpr int kindsOfChange = 9;
 
-Neighbours neighbours(int member, Random random, bool byDefault, int most) {
+SceneAndNext sceneAndNext(int member, Random random, bool byDefault, int most) {
     Crowd crowd;
     crowd.count = static_cast<int>(between(random, 5, most));
     crowd.places = crowd.count + 1;
@@ -91,7 +91,7 @@ Neighbours neighbours(int member, Random random, bool byDefault, int most) {
     const auto with = [&](double apart, auto change) {
         Crowd changed = crowd;
         change(changed);
-        return Neighbours{sceneOf(crowd, random), sceneOf(changed, random), apart};
+        return SceneAndNext{sceneOf(crowd, random), sceneOf(changed, random), apart};
     };
     const double one = 1.0 / crowd.count;
     switch (member % kindsOfChange) {
@@ -158,12 +158,12 @@ double medianDifference(const World& one, const World& other) {
 constexpr int comparedAfter = 12; // frames
 constexpr double mostGrowth = 10;
 
-void runNeighbours(Trial& trial) {
+void runContinuity(Trial& trial) {
     Worst dearer, grown;
-    const int most = trial.shortOrLong(trial.byDefault() ? 80 : 12, trial.byDefault() ? 300 : 30);
+    const int most = trial.shortOrLong(trial.byDefault() ? 80 : 20, trial.byDefault() ? 300 : 30);
     const int frames = trial.shortOrLong(trial.byDefault() ? 40 : 20, 40);
     forMembers(trial, 27, 500, [&](int member, Random& random) {
-        const Neighbours both = neighbours(member, random, trial.byDefault(), most);
+        const SceneAndNext both = sceneAndNext(member, random, trial.byDefault(), most);
         World one = trial.world(both.one), other = trial.world(both.other);
         double work = 0, otherWork = 0;
         for (int frame = 1; frame <= frames && trial.step(one) && trial.step(other); ++frame) {
@@ -181,7 +181,7 @@ void runNeighbours(Trial& trial) {
 
 std::string crowdOfMember0() {
     Random random(familySeed, 0);
-    return neighbours(0, random, true, 80).one;
+    return sceneAndNext(0, random, true, 80).one;
 }
 
 } // namespace
@@ -199,7 +199,7 @@ constinit const HardCase continuityCase = {
     .aim = "holds",
     .columns = steppingColumns,
     .declarations = crowdOfMember0,
-    .run = runNeighbours,
+    .run = runContinuity,
 };
 
 } // namespace carom
