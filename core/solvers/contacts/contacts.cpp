@@ -31,7 +31,7 @@
 // The method `contacts`: bodies are rigid, and contacts are constraints solved for, not collisions counted.
 // A substep, in order:
 //
-//     free flight  bodies that come near nothing are left out (free_flight.h)
+//     free flight  bodies that nothing can strike are left out (free_flight.h)
 //     neighbours   the pairs that can touch within it (neighbours.h, candidates.h)
 //     contacts     where they touch: carried along where they can be (manifolds.h)
 //     islands      bodies that contacts or springs join; solved independently (islands.h)
@@ -304,8 +304,8 @@ bool Contacts::renewBase(const SolverInput& input) {
 void Contacts::joinReached(const SolverInput& input) {
     m_changed.assign(m_members.begin(), m_members.end());
     while (!m_changed.empty()) {
-        m_flight.findMet(
-            input, m_changed, m_neighbours, [this](BodyIndex i) { return m_candidates.reach(i); }, m_met);
+        const auto reachOf = [this](BodyIndex i) { return m_candidates.reach(i); };
+        m_flight.spread(input, m_changed, m_neighbours, reachOf, m_met);
         wakeTouched(input, m_changed);
         m_met.insert(m_met.end(), m_woken.begin(), m_woken.end());
         m_changed.clear();

@@ -59,6 +59,33 @@ inline TimeSpan meetingOf(const Course& a, const Course& b, double time, double 
     return meeting;
 }
 
+/// The first time within `duration` [s] at which something that is `between` away [m] and moves by `velocity`
+/// [m/s] is within `distance` [m]; infinite if there is none.
+inline double firstWithin(const Vec3& between, const Vec3& velocity, double duration, double distance) {
+    const double excess = between.squaredNorm() - distance * distance;
+    if (excess <= 0) return 0;
+    const double approach = -between.dot(velocity), square = velocity.squaredNorm();
+    const double discriminant = approach * approach - square * excess;
+    if (!(approach > 0) || !(discriminant >= 0)) return std::numeric_limits<double>::infinity();
+    const double time = excess / (approach + std::sqrt(discriminant)); // without cancellation
+    return time <= duration ? time : std::numeric_limits<double>::infinity();
+}
+
+/// Whether a box that moves by `shift` [m] touches the other on the way.
+inline bool meetOnTheWay(const Aabb& moving, const Aabb& other, const Vec3& shift) {
+    double from = 0, until = 1; // parts of the way
+    for (int k = 0; k < 3; ++k) {
+        const double below = other.lower[k] - moving.upper[k], above = other.upper[k] - moving.lower[k];
+        if (shift[k] == 0) {
+            if (below > 0 || above < 0) return false;
+            continue;
+        }
+        from = std::max(from, std::min(below / shift[k], above / shift[k]));
+        until = std::min(until, std::max(below / shift[k], above / shift[k]));
+    }
+    return from <= until;
+}
+
 /// The box around all places of a box that moves by `shift` [m].
 inline Aabb swept(const Aabb& box, const Vec3& shift) {
     return {box.lower + shift.cwiseMin(0), box.upper + shift.cwiseMax(0)};

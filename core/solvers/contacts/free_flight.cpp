@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/free_flight.h"
 
+#include "core/solvers/contacts/manifolds.h"
+
 #include <algorithm>
 
+#include <cmath>
+#include <limits>
+
 namespace carom {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+/// A body is looked at again only if it may be faster by more than this part than it was. At twice, a strike
+/// may be taken to reach less far than it does; at half, bodies are looked at more often.
+constexpr double worthANewLook = 0.25;
+
+/// The distance of two centres within which their bodies may touch however slow they are [m].
+double touching(const Bodies& bodies, BodyIndex a, BodyIndex b) {
+    return (1 + Neighbours::leastMargin) * (bodies.boundingRadius[a] + bodies.boundingRadius[b]);
+}
+
+/// What a body may be off its course and still touch what it meets on it [m].
+double leastRoom(const Bodies& bodies, BodyIndex body) {
+    return Neighbours::leastMargin * bodies.boundingRadius[body];
+}
+
+/// How far what flies comes by gravity in a frame [m].
+double fallInFrame(const SolverInput& input) {
+    const double time = input.parts * input.substep;
+    return 0.5 * input.gravity.norm() * time * time;
+}
+
+} // namespace
 
 FreeFlight::FreeFlight(const Bodies& bodies)
-    : m_kind(bodies.count(), Kind::Left), m_reach(bodies.count(), 0.0), m_due(bodies.count(), 0),
+    : m_kind(bodies.count(), Kind::Left), m_turn(bodies.count(), 0.0), m_due(bodies.count(), never),
+      m_part(bodies.count(), -1), m_time(bodies.count(), 0.0), m_speed(bodies.count(), 0.0),
       m_start(bodies.count()) {}
 
 void FreeFlight::clear() {
@@ -14,19 +44,20 @@ void FreeFlight::clear() {
     m_bodies.clear();
 }
 
-// How far a body may come in any substep of the frame, while it flies: it falls, and may spin faster about
-// another axis. As its pose is not that of the time, its turn counts for the whole frame.
-double FreeFlight::reachInFrame(const SolverInput& input, BodyIndex body) const {
-    const double h = input.substep, time = input.parts * h, fall = input.gravity.norm() * h;
-    const double speed = input.state.velocity[body].norm();
-    double reach = Neighbours::reachFactor * (speed + input.parts * fall) * h;
-    if (!std::holds_alternative<Sphere>(input.bodies.shape[body])) {
-        const Vec3& inverse = input.bodies.inverseInertia[body];
-        const double faster = inverse.maxCoeff() / inverse.minCoeff();
-        reach += (time + Neighbours::reachFactor * h) * faster * input.state.angularVelocity[body].norm() *
-                 input.bodies.boundingRadius[body];
-    }
-    return std::max(reach, Neighbours::leastMargin * input.bodies.boundingRadius[body]);
+// How far the surface of what does not look the same from all sides may turn in the frame and after a strike
+// at its end [m]. It may spin faster about another axis.
+double FreeFlight::turnInFrame(const SolverInput& input, BodyIndex body) const {
+    if (isSphere(input.bodies, body)) return 0;
+    const Vec3& inverse = input.bodies.inverseInertia[body];
+    const double time = (input.parts + Neighbours::reachFactor) * input.substep;
+    return time * inverse.maxCoeff() / inverse.minCoeff() * input.state.angularVelocity[body].norm() *
+           input.bodies.boundingRadius[body];
+}
+
+// What the boxes of one that flies must hold besides its way through a substep, seen as straight [m].
+double FreeFlight::roomOf(const SolverInput& input, BodyIndex body) const {
+    return m_turn[body] + leastRoom(input.bodies, body) +
+           0.5 * input.gravity.norm() * input.substep * input.substep;
 }
 
 // Where a body that flies is when a substep begins.
@@ -35,53 +66,82 @@ Vec3 FreeFlight::placeIn(const SolverInput& input, BodyIndex body, int part) con
     return m_start[body].position + time * (m_start[body].velocity + 0.5 * time * input.gravity);
 }
 
-// Whether two may come near each other in the frame. The other flies too, sleeps, or cannot move.
-bool FreeFlight::mayMeet(const SolverInput& input, BodyIndex body, BodyIndex other) const {
-    if (isWall(input.bodies.shape[other])) return true;
-    const bool fly = has(other);
-    const double time = input.parts * input.substep;
-    const double fall = fly ? 0 : 0.5 * input.gravity.norm() * time * time;
-    const double within = input.bodies.boundingRadius[body] + input.bodies.boundingRadius[other] +
-                          m_reach[body] + reachOf(other) + fall;
-    const auto courseOf = [&](BodyIndex i) -> Course {
-        if (!has(i)) return {.place = input.state.pose[i].position};
-        return {.place = m_start[i].position, .velocity = m_start[i].velocity, .ends = time};
+// Whether the boxes of two meet in this part of the frame.
+bool FreeFlight::doBoxesMeet(const SolverInput& input, BodyIndex body, BodyIndex other, int part) const {
+    if (isSphere(input.bodies, body) && isSphere(input.bodies, other)) return true;
+    const auto boxIn = [&](BodyIndex i) {
+        Pose pose = input.state.pose[i];
+        if (has(i)) pose.position = placeIn(input, i, part);
+        return grown(input.bodies.boxAt(i, pose), has(i) ? roomOf(input, i) : leastRoom(input.bodies, i));
     };
-    return !meetingOf(courseOf(body), courseOf(other), 0, within).isEmpty();
+    const auto shiftOf = [&](BodyIndex i) -> Vec3 {
+        if (!has(i)) return Vec3::Zero();
+        return placeIn(input, i, part + 1) - placeIn(input, i, part);
+    };
+    return meetOnTheWay(boxIn(body), boxIn(other), shiftOf(body) - shiftOf(other));
 }
 
-// The first substep in which they do; the number of substeps if none.
-int FreeFlight::partOfMeeting(const SolverInput& input, BodyIndex body, BodyIndex other) const {
-    if (!mayMeet(input, body, other)) return input.parts;
-    Pose pose = input.state.pose[body], otherPose = input.state.pose[other];
+// When two may touch in the frame, if nothing strikes them [s]; infinite if they do not. The other flies too,
+// sleeps, or cannot move.
+double FreeFlight::timeOfMeeting(const SolverInput& input, BodyIndex body, BodyIndex other) const {
+    if (!has(other)) return timeOfMeetingUnmoved(input, body, other);
+    const double h = input.substep;
+    const double meeting = firstWithin(m_start[other].position - m_start[body].position,
+                                       m_start[other].velocity - m_start[body].velocity, input.parts * h,
+                                       touching(input.bodies, body, other));
+    if (!(meeting < never)) return never;
+    for (int part = static_cast<int>(meeting / h); part < input.parts; ++part)
+        if (doBoxesMeet(input, body, other, part)) return std::max(meeting, part * h);
+    return never;
+}
+
+double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body, BodyIndex other) const {
+    const double h = input.substep, time = input.parts * h, fall = 0.5 * input.gravity.norm();
+    const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other]);
+    const double within = wall != nullptr ? (1 + Neighbours::leastMargin) * input.bodies.boundingRadius[body]
+                                          : touching(input.bodies, body, other);
+    const auto meetingOf = [&](const Vec3& place, const Vec3& velocity, double duration) {
+        return firstWithin(place - input.state.pose[other].position, velocity, duration,
+                           within + fall * duration * duration);
+    };
+    if (wall == nullptr && !(meetingOf(m_start[body].position, m_start[body].velocity, time) < never))
+        return never;
     for (int part = 0; part < input.parts; ++part) {
-        pose.position = placeIn(input, body, part);
-        if (has(other)) otherPose.position = placeIn(input, other, part);
-        const bool near =
-            areWithin(input.bodies, {body, other}, pose, otherPose, m_reach[body] + reachOf(other));
-        if (near) return part;
+        const Vec3 place = placeIn(input, body, part), next = placeIn(input, body, part + 1);
+        if (wall != nullptr) {
+            if (std::min(distanceTo(*wall, place), distanceTo(*wall, next)) <= within + fall * h * h)
+                return part * h;
+            continue;
+        }
+        const double meeting = meetingOf(place, (next - place) / h, h);
+        if (meeting < never && doBoxesMeet(input, body, other, part)) return part * h + meeting;
     }
-    return input.parts;
+    return never;
 }
 
 void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
                        std::span<const std::uint8_t> isPlaced, Neighbours& neighbours,
                        std::vector<BodyIndex>& members) {
     m_bodies.clear();
+    m_struck.clear();
+    std::fill(m_turn.begin(), m_turn.end(), 0.0);
     std::fill(m_kind.begin(), m_kind.end(), Kind::Left);
-    for (const BodyIndex i : members) m_kind[i] = Kind::Member;
+    for (const BodyIndex i : members) {
+        m_kind[i] = Kind::Member;
+        m_part[i] = -1;
+    }
     if (!input.motion.isExactInFreeFall || !input.motion.isExactInFreeRotation) return;
     const double time = input.parts * input.substep;
-    const double fall = 0.5 * input.gravity.norm() * time * time;
     bool covered = true;
     for (const BodyIndex i : members) {
         if (isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) continue;
         m_kind[i] = Kind::Flying;
         m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
-        m_reach[i] = reachInFrame(input, i);
-        m_due[i] = input.parts;
+        m_turn[i] = turnInFrame(input, i);
+        m_due[i] = never;
         m_bodies.push_back(i);
-        covered = neighbours.coversFlight(input.state, i, m_reach[i], time, fall) && covered;
+        covered =
+            neighbours.coversFlight(input.state, i, roomOf(input, i), time, fallInFrame(input)) && covered;
     }
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
     for (const BodyIndex i : m_bodies)
@@ -89,9 +149,9 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
             const bool fly = has(k);
             if (m_kind[k] == Kind::Member || (fly && k < i)) continue;
             if (m_due[i] == 0 && (!fly || m_due[k] == 0)) continue;
-            const int part = partOfMeeting(input, i, k);
-            m_due[i] = std::min(m_due[i], part);
-            if (fly) m_due[k] = std::min(m_due[k], part);
+            const double meeting = timeOfMeeting(input, i, k);
+            m_due[i] = std::min(m_due[i], meeting);
+            if (fly) m_due[k] = std::min(m_due[k], meeting);
         }
     for (const BodyIndex i : m_bodies)
         if (m_due[i] == 0) m_kind[i] = Kind::Member;
@@ -108,12 +168,84 @@ void FreeFlight::advance(const SolverInput& input) {
 
 void FreeFlight::findDue(const SolverInput& input, std::vector<BodyIndex>& due) {
     due.clear();
+    for (const BodyIndex i : m_struck) m_kind[i] = Kind::Member;
+    m_struck.clear();
+    const double start = input.part * input.substep, end = start + input.substep;
     for (const BodyIndex i : m_bodies) {
-        if (m_due[i] > input.part) continue;
+        if (!(m_due[i] < end)) continue;
         m_kind[i] = Kind::Member;
+        m_part[i] = input.part;
+        m_time[i] = std::max(0.0, m_due[i] - start);
         due.push_back(i);
     }
     land(input, due);
+}
+
+void FreeFlight::strikeAll(const SolverInput& input, Neighbours& neighbours, std::vector<BodyIndex>& met) {
+    met.clear();
+    bool covered = true;
+    for (const Strike& by : m_strikes)
+        covered = neighbours.coversAhead(by.body, roomAfter(input, by)) && covered;
+    if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
+    for (std::size_t n = 0; n < m_strikes.size(); ++n) {
+        const Strike by = m_strikes[n]; // the list grows
+        if (m_kind[by.body] == Kind::Struck) {
+            if (by.time != m_time[by.body] || by.speed != m_speed[by.body]) continue; // it is struck harder
+            neighbours.noteMoved(input.bodies, input.state, by.body);
+            if (!neighbours.coversAhead(by.body, roomAfter(input, by)))
+                neighbours.search(input.bodies, input.state, input.broadphase);
+        }
+        strike(input, by, neighbours, met);
+    }
+    m_struck.insert(m_struck.end(), met.begin(), met.end());
+    land(input, met);
+}
+
+// How far a body may come in the substep once it is struck, its boxes included [m].
+double FreeFlight::roomAfter(const SolverInput& input, const Strike& by) const {
+    return by.speed * input.substep + m_turn[by.body] + leastRoom(input.bodies, by.body);
+}
+
+// Ends the flights of those that this body may strike after it has been struck.
+void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighbours& neighbours,
+                        std::vector<BodyIndex>& met) {
+    const auto [i, time, speed] = by;
+    const double left = input.substep - time, fall = input.gravity.norm() * input.substep;
+    const auto placeAt = [&](BodyIndex body) -> Vec3 {
+        return input.state.pose[body].position +
+               time * (input.state.velocity[body] + 0.5 * time * input.gravity);
+    };
+    const Vec3 from = placeAt(i), comesBy = (time + 0.5 * left) * input.gravity;
+    for (const BodyIndex k : neighbours.around(i, input.substep)) {
+        const bool isStruck = m_kind[k] == Kind::Struck;
+        if (!has(k) && !isStruck) continue;
+        if (isStruck && m_time[k] <= time && m_speed[k] >= speed) continue;
+        const Vec3 between = placeAt(k) - from;
+        const double contact = touching(input.bodies, i, k);
+        const double meeting =
+            firstWithin(between, input.state.velocity[k] + comesBy, left, contact + speed * left);
+        if (!(meeting < never)) continue;
+        if ((!isSphere(input.bodies, i) || !isSphere(input.bodies, k)) &&
+            !meetOnTheWay(grown(input.bodies.boxAt(k, input.state.pose[k]), roomOf(input, k)),
+                          grown(input.bodies.boxAt(i, input.state.pose[i]), roomAfter(input, by)),
+                          input.substep * (input.state.velocity[k] + 0.5 * input.substep * input.gravity)))
+            continue;
+        const double own = Neighbours::surfaceSpeed(input.bodies, input.state, k) + fall;
+        const double gap = between.norm() - contact;
+        const double at = time + std::max(meeting, gap > 0 ? gap / (speed + own) : 0);
+        const double after = Neighbours::speedAfter(input.bodies, k, own, i, speed);
+        if (isStruck && m_time[k] <= at && (1 + worthANewLook) * m_speed[k] >= after) continue;
+        if (!isStruck) {
+            m_kind[k] = Kind::Struck;
+            m_part[k] = input.part;
+            m_time[k] = at;
+            m_speed[k] = after;
+            met.push_back(k);
+        }
+        m_time[k] = std::min(m_time[k], at);
+        m_speed[k] = std::max(m_speed[k], after);
+        m_strikes.push_back({k, m_time[k], m_speed[k]});
+    }
 }
 
 // Ends the flights of bodies that are members now.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/solvers/coasting.h"
+#include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/neighbours.h"
 #include "core/solvers/solver.h"
 
@@ -13,17 +14,21 @@
 // Bodies that come near nothing for some substeps move by the parabola and turn freely, which is exact over
 // any time, so those substeps leave them out:
 //
-//     start    at the start of a frame all bodies fly that nothing holds, until they come near one that flies
-//              too, sleeps, or cannot move
+//     start    at the start of a frame all bodies fly that nothing holds, until they meet one that flies too,
+//              sleeps, or cannot move
 //     findDue  in each substep, the flights of those end that do
-//     findMet  and those of bodies that come near one that does not fly: it may be struck and change its
-//              course
+//     spread   and those of bodies that may be struck in it: by one that does not fly, or by one that such a
+//              body strikes
 //     end      at the end of the frame, the flights of all others end
 //
-// Near means that bounding balls and boxes are within the sum of their reach: how far either can come in a
-// substep, an impact included. So who flies is in no pair that the substep looks at (candidates.h), and the
-// motion is the same but for rounding, whoever flies. It depends on positions and velocities only, not on the
-// lists.
+// Two that fly meet when their bounding balls do on their parabolas; as both fall alike, that is a straight
+// line for one seen from the other, however fast they are. A body that may be struck from the time t on is
+// then anywhere its speed S of after the strike takes it, and so are those that it may strike:
+//
+//     |p_k(s) − p_i(t)| ≤ r_i + r_k + S_i (h − t)    for some s in [t, h]:    t_k = t + gap/(S_i + v_k)
+//
+// Who flies is in no pair that can meet in the substep, and the motion is the same but for rounding, whoever
+// flies. It depends on positions and velocities only, not on the lists.
 //
 // During a flight the state has the body's present position and velocity; it turns when the flight ends.
 //
@@ -46,14 +51,22 @@ class FreeFlight {
                std::vector<BodyIndex>& members);
     /// Brings the positions and velocities of those that fly to the start of a later substep.
     void advance(const SolverInput& input);
-    /// Ends the flights of bodies that come near others in this substep, and writes them to `due`, ascending.
-    /// They are members from now on, and turned as far as they have.
+    /// Ends the flights of bodies that meet others in this substep, and writes them to `due`, ascending. They
+    /// are members from now on, and turned as far as they have.
     void findDue(const SolverInput& input, std::vector<BodyIndex>& due);
-    /// The same for those that come near one of these members. reachOf(member) is how far its surface may
-    /// move [m].
+    /// The same for those that may be struck because of these members. reachOf(member) is how far its surface
+    /// may move in the substep [m].
     template<class ReachOf>
-    void findMet(const SolverInput& input, std::span<const BodyIndex> members, const Neighbours& neighbours,
-                 const ReachOf& reachOf, std::vector<BodyIndex>& met);
+    void spread(const SolverInput& input, std::span<const BodyIndex> members, Neighbours& neighbours,
+                const ReachOf& reachOf, std::vector<BodyIndex>& met) {
+        m_strikes.clear();
+        if (!m_bodies.empty())
+            for (const BodyIndex i : members)
+                if (m_kind[i] != Kind::Struck)
+                    m_strikes.push_back(
+                        {i, m_part[i] == input.part ? m_time[i] : 0, reachOf(i) / input.substep});
+        strikeAll(input, neighbours, met);
+    }
     /// These bodies slept, and are members from now on.
     void join(std::span<const BodyIndex> woken) {
         for (const BodyIndex i : woken) m_kind[i] = Kind::Member;
@@ -64,45 +77,43 @@ class FreeFlight {
     void clear();
 
   private:
-    /// Left: immobile or asleep.
-    enum class Kind : std::uint8_t { Left, Member, Flying };
+    /// Left: immobile or asleep. Struck: a member that may have been struck in flight in this substep.
+    enum class Kind : std::uint8_t { Left, Member, Struck, Flying };
     struct Start {
         Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(); // [m], [m/s]
     };
-    double reachOf(BodyIndex body) const { return has(body) ? m_reach[body] : 0; }
-    double reachInFrame(const SolverInput& input, BodyIndex body) const;
+    /// A body that may be struck from `time` [s] of the substep on, and how fast its surface may then be.
+    struct Strike {
+        BodyIndex body = 0;
+        double time = 0, speed = 0; // [s], [m/s]
+    };
+    double turnInFrame(const SolverInput& input, BodyIndex body) const;
+    double roomOf(const SolverInput& input, BodyIndex body) const;
     Vec3 placeIn(const SolverInput& input, BodyIndex body, int part) const;
-    int partOfMeeting(const SolverInput& input, BodyIndex body, BodyIndex other) const;
-    bool mayMeet(const SolverInput& input, BodyIndex body, BodyIndex other) const;
-    bool isNear(const SolverInput& input, BodyIndex flying, BodyIndex other, double reach) const {
-        return areWithin(input.bodies, input.state, {std::min(flying, other), std::max(flying, other)},
-                         m_reach[flying] + reach);
-    }
+    double timeOfMeeting(const SolverInput& input, BodyIndex body, BodyIndex other) const;
+    double timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body, BodyIndex other) const;
+    bool doBoxesMeet(const SolverInput& input, BodyIndex body, BodyIndex other, int part) const;
+    void strikeAll(const SolverInput& input, Neighbours& neighbours, std::vector<BodyIndex>& met);
+    double roomAfter(const SolverInput& input, const Strike& by) const;
+    void strike(const SolverInput& input, const Strike& by, const Neighbours& neighbours,
+                std::vector<BodyIndex>& met);
     void land(const SolverInput& input, std::vector<BodyIndex>& landed);
     void finish(const SolverInput& input, int parts, std::span<const BodyIndex> landed);
 
     // By body.
     std::vector<Kind> m_kind;
-    std::vector<double> m_reach; // of those that fly: in any substep of the frame [m]
-    std::vector<int> m_due;      // of those that fly: the substep in which they come near something
+    std::vector<double> m_turn;  // how far its surface may turn in the frame; 0 if it has not flown in it [m]
+    std::vector<double> m_due;   // of those that fly: when they meet something, of the frame [s]
+    std::vector<int> m_part;     // of members: the part in which their flight ended, or -1
+    std::vector<double> m_time;  // and the time of that substep at which it did [s]
+    std::vector<double> m_speed; // of those that may have been struck [m/s]
     std::vector<Start> m_start;  // of those that fly
 
     std::vector<BodyIndex> m_bodies;
+    std::vector<Strike> m_strikes;
+    std::vector<Strike> m_before;    // times and speeds that a call of spread() has changed
+    std::vector<BodyIndex> m_struck; // of this kind
     Coasting m_coasting;
 };
-
-template<class ReachOf>
-void FreeFlight::findMet(const SolverInput& input, std::span<const BodyIndex> members,
-                         const Neighbours& neighbours, const ReachOf& reachOf, std::vector<BodyIndex>& met) {
-    met.clear();
-    if (m_bodies.empty()) return;
-    for (const BodyIndex i : members)
-        for (const BodyIndex k : neighbours.around(i)) {
-            if (!has(k) || !isNear(input, k, i, reachOf(i))) continue;
-            m_kind[k] = Kind::Member;
-            met.push_back(k);
-        }
-    land(input, met);
-}
 
 } // namespace carom

@@ -39,18 +39,6 @@ double freeSpeed(const ImpulseReach::Input& input, BodyIndex body) {
     return input.neighbours.reach(body) / (Neighbours::reachFactor * input.here.duration);
 }
 
-double massOf(const ImpulseReach::Input& input, BodyIndex body) {
-    return 1 / input.here.bodies.inverseMass[body];
-}
-
-/// The largest speed of a body of mass `mass` and speed `own` after a body of mass `striker` and speed
-/// `speed` has struck it: limited by momentum, by energy, and by the reach that all searches assume.
-double speedAfter(double mass, double own, double striker, double speed) {
-    const double byMomentum = Neighbours::momentumLimit(striker / (striker + mass), own, speed);
-    const double byEnergy = std::sqrt(own * own + striker / mass * speed * speed);
-    return std::min({byMomentum, byEnergy, std::max(Neighbours::reachFactor * own, speed)});
-}
-
 } // namespace
 
 void ImpulseReach::reach(BodyIndex body, double time, double speed) {
@@ -85,7 +73,7 @@ void ImpulseReach::spread(const Input& input, BodyIndex body, std::uint32_t p) {
     const double gap = gapAfter(input.here, pair, input.gaps[p], own + others, m_time[body]);
     const double time = gap > 0 ? m_time[body] + gap / (m_speed[body] + others) : m_time[body];
     if (time <= input.here.duration)
-        reach(other, time, speedAfter(massOf(input, other), others, massOf(input, body), m_speed[body]));
+        reach(other, time, Neighbours::speedAfter(input.here.bodies, other, others, body, m_speed[body]));
 }
 
 // Handles a pair whose bodies meet as they move.
@@ -95,8 +83,9 @@ void ImpulseReach::meet(const Input& input, std::uint32_t p) {
     const double gap = std::max(0.0, input.gaps[p]);
     const double time = gap > 0 ? std::min(gap / (ofA + ofB), input.here.duration) : 0;
     const bool movesA = input.here.bodies.mobile[a] != 0, movesB = input.here.bodies.mobile[b] != 0;
-    if (movesA) reach(a, time, movesB ? speedAfter(massOf(input, a), ofA, massOf(input, b), ofB) : ofA);
-    if (movesB) reach(b, time, movesA ? speedAfter(massOf(input, b), ofB, massOf(input, a), ofA) : ofB);
+    const Bodies& bodies = input.here.bodies;
+    if (movesA) reach(a, time, movesB ? Neighbours::speedAfter(bodies, a, ofA, b, ofB) : ofA);
+    if (movesB) reach(b, time, movesA ? Neighbours::speedAfter(bodies, b, ofB, a, ofA) : ofB);
 }
 
 void ImpulseReach::find(const Input& input) {

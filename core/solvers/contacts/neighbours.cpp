@@ -54,7 +54,7 @@ bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Po
 Neighbours::Neighbours(const Bodies& bodies)
     : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
       m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
-      m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
+      m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
       m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
       m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
@@ -74,7 +74,7 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
     const auto renew = [this](BodyIndex i) {
-        m_skin[i] = roominess * m_asked[i];
+        m_room[i] = roominess * m_asked[i];
         m_asked[i] = 0;
     };
     if (areFewOutrun(bodies)) {
@@ -143,10 +143,14 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
         const double speed = surfaceSpeed(bodies, state, i);
+        const double turns = speed - state.velocity[i].norm();
         m_path[i] = speed * duration + fall + m_pull[i];
-        m_drift[i] = (speed - state.velocity[i].norm()) * m_frame + fallInFrame + pull(i, m_frame);
+        m_drift[i] = turns * m_frame + fallInFrame + pull(i, m_frame);
         m_moved[i] = movedFrom(bodies, state, i);
-        if (m_moved[i] + m_path[i] + leastMargin * radius <= m_skin[i]) continue;
+        const double leaves =
+            ((state.velocity[i] - m_course[i].velocityAt(m_now)).norm() + turns) * duration + fall +
+            m_pull[i];
+        if (m_moved[i] + leaves + leastMargin * radius <= m_skin[i]) continue;
         m_outrun.push_back(i);
         serves = false;
     }
@@ -156,17 +160,27 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
 bool Neighbours::covers(BodyIndex body, double room) {
     m_asked[body] = std::max(m_asked[body], room);
     if (m_moved[body] + room <= m_skin[body]) return true;
-    m_skin[body] = roominess * room;
+    m_room[body] = roominess * room;
     m_outrun.push_back(body);
     return false;
 }
 
+void Neighbours::noteMoved(const Bodies& bodies, const State& state, BodyIndex body) {
+    m_moved[body] = movedFrom(bodies, state, body);
+}
+
+bool Neighbours::coversAhead(BodyIndex body, double room) {
+    return covers(body, room + m_duration * m_course[body].velocityAt(m_now).norm());
+}
+
 bool Neighbours::coversFlight(const State& state, BodyIndex body, double room, double time, double fall) {
     const Course& course = m_course[body];
-    m_asked[body] = std::max(m_asked[body], room + fall);
-    const double leaves = time * (state.velocity[body] - course.velocity).norm() + fall;
+    const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
+    // By gravity alone it is so far from its course in the end.
+    const double since = (m_now + time - course.begins) / time, fallen = since * since * fall;
+    m_asked[body] = std::max(m_asked[body], room + fallen);
     if (m_now + time <= course.ends && m_moved[body] + leaves + room <= m_skin[body]) return true;
-    m_skin[body] = roominess * (room + fall);
+    m_room[body] = std::max(m_room[body], roominess * (room + fallen));
     m_outrun.push_back(body);
     return false;
 }
@@ -182,12 +196,9 @@ bool Neighbours::areFewOutrun(const Bodies& bodies) const {
     return m_searches > 0 && m_outrun.size() <= std::max(bodies.mobileBodies.size() / fewOutrun, alwaysFew);
 }
 
-double Neighbours::neededBy(const Bodies& bodies, BodyIndex body) const {
-    return reach(body) + leastMargin * bodies.boundingRadius[body];
-}
-
 void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
-    m_skin[body] = std::max(m_skin[body], roominess * neededBy(bodies, body) + m_drift[body]);
+    m_room[body] = std::max(m_room[body], roominess * leastMargin * bodies.boundingRadius[body]);
+    m_skin[body] = m_room[body] + m_drift[body];
     m_moved[body] = 0;
     const double horizon = framesOfCourse * m_frame;
     m_orientation[body] = state.pose[body].orientation;

@@ -9,6 +9,7 @@
 #include "core/solvers/contacts/near.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,11 +19,11 @@
 // skin (L. Verlet, "Computer experiments on classical fluids", 1967). Most bodies go on as they did, so a
 // skin moves with its body's course (course.h) and need only hold what differs from it:
 //
-//     serves while   moved + path <= skin   for every body
+//     serves while   moved + leaves <= skin   for every body
 //
 //     moved   how far the body is from its course now
-//     path    what it needs in the substep at hand; more, for what may be hit on the way, is asked for by
-//             covers()
+//     leaves  how much further it leaves it in the substep at hand, if nothing strikes it; what it may need
+//             beyond that is asked for by covers(), where it may be struck
 //
 // Where only some have used it up, these are found anew, and the rest of the lists stays. With each pair
 // stands when its skins touch (near.h): what a body passes later, or has passed, is not looked at.
@@ -81,6 +82,11 @@ class Neighbours {
     /// the body is noted, and search() must be called.
     bool covers(BodyIndex body, double room);
 
+    /// Notes where a body is that has moved since it was followed.
+    void noteMoved(const Bodies& bodies, const State& state, BodyIndex body);
+    /// The same for what it can meet while the others follow their courses for the last given duration.
+    bool coversAhead(BodyIndex body, double room);
+
     /// The same for a body that nothing strikes for `time` [s], in all of it; `fall` is how far it then comes
     /// by gravity [m].
     bool coversFlight(const State& state, BodyIndex body, double room, double time, double fall);
@@ -119,6 +125,15 @@ class Neighbours {
             bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
         return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
+    /// The largest speed of a mobile body that is `own` fast [m/s] after `striker`, `speed` fast, has struck
+    /// it: limited by momentum, by energy, and by the reach that all searches assume.
+    static double speedAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,
+                             double speed) {
+        const double inverse = bodies.inverseMass[body], strikers = bodies.inverseMass[striker];
+        const double byMomentum = momentumLimit(inverse / (inverse + strikers), own, speed);
+        const double byEnergy = std::sqrt(own * own + inverse / strikers * speed * speed);
+        return std::min({byMomentum, byEnergy, std::max(reachFactor * own, speed)});
+    }
 
     /// The bodies in pairs with `body` that it may meet now, or within `time` [s] while both follow their
     /// courses; walls among them, ascending; none for immobile bodies.
@@ -141,7 +156,6 @@ class Neighbours {
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
-    double neededBy(const Bodies& bodies, BodyIndex body) const;
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
@@ -157,6 +171,7 @@ class Neighbours {
     std::vector<double> m_pull;          // by body: how much further springs and force terms take it [m]
     std::vector<double> m_drift; // by body: how far it leaves its course in a frame, if nothing hits it [m]
     std::vector<double> m_moved; // by body: at most so far from where the list found it [m]
+    std::vector<double> m_room;  // by body: what its skin is to hold besides the drift [m]
     std::vector<double> m_skin;  // by body [m]
     std::vector<double> m_asked; // by body: the most room covers() was asked for since its skin was made [m]
     std::vector<Quat> m_orientation; // by body: when the list found it

@@ -62,7 +62,7 @@ Lost lostIn(const QString& place) {
     if (place == QLatin1String("contacts, forces"))
         return {
             .scene = onFloor(box, Vec3(0, -huge, 0)), .quantity = "velocity", .step = 10, .isUnmoved = true};
-    if (place == QLatin1String("contacts, motion")) return {.scene = onFloor(ball, Vec3::Zero())};
+    if (place == QLatin1String("contacts, motion")) return {.scene = onFloor(ball, Vec3::Zero()), .frame = 2};
     return {.scene = onFloor(inMotion(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),
             .quantity = "orientation"};
     return {.scene = onFloor(inMotion(spinning(box, Vec3(huge, huge, 0))), Vec3::Zero()),

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 // Two courses meet if they come within a distance, against their distances at many times.
@@ -113,6 +114,55 @@ class CourseTest : public QObject {
         QCOMPARE(meeting.from, 0.0);
         QVERIFY(std::isinf(meeting.until));
         QVERIFY(meetingOf(a, b, 0, 0.5).isEmpty());
+    }
+
+    // Where it comes within the distance it is just as far; before, further.
+    void theFirstTimeWithinIsWhereTheDistanceIsReached() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 85);
+        int come = 0, pass = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const Vec3 between = somewhere(random, 3), velocity = somewhere(random, 3);
+            const double duration = random.uniform(0, 2), distance = random.uniform(0.1, 3);
+            const auto apart = [&](double then) { return (between + then * velocity).norm(); };
+            const double time = firstWithin(between, velocity, duration, distance);
+            const double last = std::min(time, duration);
+            if (time > 0)
+                for (int k = 0; k < 100; ++k) QVERIFY(apart(0.01 * k * last) > distance);
+            if (time == 0) QVERIFY(apart(0) <= distance);
+            if (time > 0 && time <= duration) QVERIFY(std::abs(apart(time) - distance) < 1e-9);
+            ++(time <= duration ? come : pass);
+        }
+        QVERIFY(come > 300 && pass > 300);
+    }
+
+    // Against many places on the way.
+    void boxesMeetOnTheWayWhereTheyOverlapSomewhere() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 86);
+        int meet = 0, pass = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const auto boxOf = [&]() -> Aabb {
+                const Vec3 centre = somewhere(random, 1);
+                const Vec3 half = somewhere(random, 0.5).cwiseAbs();
+                return {centre - half, centre + half};
+            };
+            const Aabb moving = boxOf(), other = boxOf();
+            Vec3 shift = somewhere(random, 3);
+            if (trial % 4 == 0) shift.y() = 0;
+            bool is = false, nearly = false;
+            for (int k = 0; k <= 500; ++k) {
+                const Vec3 so = 0.002 * k * shift;
+                const Aabb here{moving.lower + so, moving.upper + so};
+                is = is || overlap(here, other);
+                nearly = nearly || overlap(grown(here, 0.01), other);
+            }
+            const bool found = meetOnTheWay(moving, other, shift);
+            if (is) QVERIFY(found);
+            if (!nearly) QVERIFY(!found);
+            ++(found ? meet : pass);
+        }
+        QVERIFY(meet > 200 && pass > 200);
     }
 
     void theSweptBoxHoldsBothEnds() {

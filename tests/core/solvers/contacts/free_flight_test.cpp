@@ -56,7 +56,7 @@ class Flights {
         std::vector<BodyIndex> met, reached;
         flight.findDue(input(part), met);
         members.insert(members.end(), met.begin(), met.end());
-        flight.findMet(
+        flight.spread(
             input(part), members, m_neighbours, [&](BodyIndex) { return reach; }, reached);
         members.insert(members.end(), reached.begin(), reached.end());
         met.insert(met.end(), reached.begin(), reached.end());
@@ -108,52 +108,80 @@ class FreeFlightTest : public QObject {
         QVERIFY((toRotationVector(flights.state.pose[0].orientation) - time * spin).norm() < 1e-12);
     }
 
-    // A ball falls to a floor, another meets a third: each flight ends in the substep in which they come
-    // near.
-    void flightsEndWhereSomethingIsNear() {
-        Flights flights(test::sceneOf({test::floorOf(0), test::sphere(0.1, 1, {0, 0.1 + 0.2, 0}, {0, -10, 0}),
-                                       test::sphere(0.1, 1, {20, 5, 0}, {8, 0, 0}),
-                                       test::sphere(0.1, 1, {20.45, 5, 0}, {-8, 0, 0}),
-                                       test::sphere(0.1, 1, {40, 5, 0}, {8, 0, 0})},
-                                      test::downwards()));
+    // A ball falls to a floor, another meets a third: each flight ends in the substep in which they meet, not
+    // before, however fast they are.
+    void flightsEndWhereSomethingIsMet() {
+        Flights flights(test::sceneOf(
+            {test::floorOf(0), test::sphere(0.1, 1, {0, 0.1 + 0.14, 0}, {0, -10, 0}),
+             test::sphere(0.1, 1, {20, 5, 0}, {8, 0, 0}), test::sphere(0.1, 1, {20.45, 5, 0}, {-8, 0, 0}),
+             test::sphere(0.1, 1, {40, 5, 0}, {8, 0, 0})},
+            test::downwards()));
         flights.start();
         std::vector<int> ends(5, -1);
-        for (int part = 0; part < flightParts; ++part) {
+        for (int part = 0; part < flightParts; ++part)
             for (const BodyIndex i : flights.met(part)) ends[i] = part;
-            // A substep from now on it could be where it touches.
-            const double time = part * test::substep, reach = Neighbours::reachFactor * 10 * test::substep;
-            if (ends[1] < 0) QVERIFY(0.2 - 10 * time > reach);
-            if (ends[2] < 0) QVERIFY(0.25 - 16 * time > 2 * 0.8 * reach);
-        }
-        QVERIFY(ends[1] >= 1 && ends[2] >= 1);
+        const auto partOf = [](double time) { return static_cast<int>(time / test::substep); };
+        QCOMPARE(ends[1], partOf((0.14 - 0.001) / 10)); // within a hundredth of its size it touches
+        QCOMPARE(ends[2], partOf((0.25 - 0.002) / 16));
         QCOMPARE(ends[3], ends[2]);
         QCOMPARE(ends[4], -1);
         QVERIFY(flights.flight.has(4));
     }
 
+    // A shower falls fast, all of it alike: nobody meets anybody, near as they are.
+    void whatFallsTogetherFlies() {
+        Scene scene = test::sceneOf({}, test::downwards());
+        for (int k = 0; k < 8; ++k)
+            scene.bodies.push_back(test::sphere(0.1, 1, {0.21 * k, 50, 0}, {3, -40, 0}));
+        Flights flights(scene);
+        flights.start();
+        QVERIFY(flights.members.empty());
+        for (int part = 0; part < flightParts; ++part) QVERIFY(flights.met(part).empty());
+        QCOMPARE(flights.flight.bodies().size(), scene.bodies.size());
+    }
+
     // Who does not fly may be struck: flights end of whom it may then reach, and then of whom those may
-    // reach.
+    // reach, in what is left of the substep.
     void flightsEndOfWhomOthersReach() {
         Scene scene = test::sceneOf({}, test::downwards());
         for (int k = 0; k < 4; ++k)
-            scene.bodies.push_back(test::sphere(0.1, 1, {0.5 * k, 5, 0}, {0.1, -8, 0}));
+            scene.bodies.push_back(test::sphere(0.1, 1, {0.3 * k, 5, 0}, {0.1, -8, 0}));
         Flights flights(scene);
         flights.start({0});
         QCOMPARE(flights.members, std::vector<BodyIndex>{0});
         QVERIFY(flights.met(0, 0.001).empty());
-        QCOMPARE(flights.met(1, 0.25), std::vector<BodyIndex>{1});
-        const Vec3 now = fallen({0.5, 5, 0}, {0.1, -8, 0}, test::substep);
+        // It may come a tenth of a metre further and a tenth is what they are apart: the next one is reached
+        // at the end.
+        QCOMPARE(flights.met(1, 0.11), std::vector<BodyIndex>{1});
+        const Vec3 now = fallen({0.3, 5, 0}, {0.1, -8, 0}, test::substep);
         QVERIFY((flights.state.pose[1].position - now).norm() < 1e-14);
-        QCOMPARE(flights.met(2, 0.25), std::vector<BodyIndex>{2});
-        QCOMPARE(flights.flight.bodies().size(), std::size_t{1});
+        // Reached after a quarter of the substep, it reaches the one after it in the rest, but not the last.
+        QCOMPARE(flights.flight.bodies().size(), std::size_t{2});
+        QVERIFY(flights.flight.has(2) && flights.flight.has(3));
+        QCOMPARE(flights.met(2, 0.11), (std::vector<BodyIndex>{2}));
         QVERIFY(flights.flight.has(3));
+    }
+
+    // What is struck by something faster than itself may come further than was searched for it.
+    void whoIsStruckHardReachesFar() {
+        Scene scene = test::sceneOf({}, test::downwards());
+        scene.bodies.push_back(test::sphere(0.1, 100, {0, 5, 0}, {60, 0, 0}));
+        for (int k = 1; k < 4; ++k)
+            scene.bodies.push_back(test::sphere(0.1, 1, {0.25 * k, 5, 0}, {0.1, 0, 0}));
+        Flights flights(scene);
+        flights.start();
+        std::vector<BodyIndex> all;
+        for (int part = 0; part < flightParts && all.size() < 4; ++part)
+            for (const BodyIndex i : flights.met(part)) all.push_back(i);
+        std::sort(all.begin(), all.end());
+        QCOMPARE(all, (std::vector<BodyIndex>{0, 1, 2, 3}));
     }
 
     void whoSleepsOrCannotMoveIsKeptClearOf() {
         Body pillar = test::cuboid({0.2, 4, 0.2}, 1, {0, 2, 0});
         pillar.fixed = true;
         Scene scene = test::sceneOf({pillar}, test::downwards());
-        scene.bodies.push_back(test::sphere(0.1, 1, {0.6, 2, 0}, {-20, 0, 0}));   // towards it
+        scene.bodies.push_back(test::sphere(0.1, 1, {0.5, 2, 0}, {-20, 0, 0}));   // towards it
         scene.bodies.push_back(test::sphere(0.1, 1, {0.9, 2, 0.9}, {0, -20, 0})); // past it
         Flights flights(scene);
         flights.start();

@@ -77,7 +77,7 @@ bool isComplete(const Crowd& crowd, const Neighbours& neighbours) {
             if (bodies.mobile[a] == 0 && bodies.mobile[b] == 0) continue;
             double margin = 0;
             for (const BodyIndex i : {a, b})
-                if (bodies.mobile[i] != 0) margin += neighbours.reach(i) / Neighbours::reachFactor;
+                if (bodies.mobile[i] != 0) margin += neighbours.reach(i);
             if (!areWithin(bodies, crowd.state, {a, b}, margin)) continue;
             for (const auto& [i, k] : {BodyPair{a, b}, BodyPair{b, a}}) {
                 const std::vector<BodyIndex> around = namesOf(neighbours.around(i));
@@ -130,6 +130,10 @@ class NeighboursTest : public QObject {
         for (int i = 0; i < steps; ++i) {
             neighbours.update(crowd.bodies, crowd.state, crowd.bodies.mobileBodies, Vec3::Zero(), stepTime,
                               4 * stepTime, *broadphase);
+            bool covered = true;
+            for (const BodyIndex k : crowd.bodies.mobileBodies)
+                covered = neighbours.covers(k, neighbours.reach(k)) && covered;
+            if (!covered) neighbours.search(crowd.bodies, crowd.state, *broadphase);
             QVERIFY(isComplete(crowd, neighbours));
             QVERIFY(isInOrder(crowd, neighbours));
             crowd.wander(random, leaping);
