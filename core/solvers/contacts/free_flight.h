@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-// Bodies that come near nothing for some substeps move by the parabola and turn freely, which is exact over
+// Bodies that nothing can strike for some substeps move by the parabola and turn freely, which is exact over
 // any time, so those substeps leave them out:
 //
 //     start    at the start of a frame all bodies fly that nothing holds, until they meet one that flies too,

@@ -12,8 +12,8 @@
 namespace carom {
 namespace {
 
-/// A skin is this many times what the body needs, or was asked for, in one substep. At twice, lists hold more
-/// pairs; at 1, they are made anew for the least that is needed more.
+/// A skin has this many times the room that was asked for. At twice, lists hold more pairs; at 1, they are
+/// made anew for the least that is needed more.
 constexpr double roominess = 1.2;
 /// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
 /// often; at twice, lists hold more that a body will meet much later, or never.

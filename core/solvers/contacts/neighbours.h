@@ -67,11 +67,12 @@ class Neighbours {
     explicit Neighbours(const Bodies& bodies);
 
     /// Records the poses of the bodies and how far each moves within `duration` [s] by its velocity and
-    /// gravity. Searches if the list could miss a pair; the lists are made to last for some frames [s].
+    /// gravity. Searches if a body may leave its skin though nothing strikes it; the lists are made to last
+    /// for some frames [s].
     void update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration, double frame, Broadphase& broadphase);
-    /// The same for some of the bodies, while the others go on as they did when noted last. False if the list
-    /// could miss a pair of them: search() must be called.
+    /// The same for some of the bodies, while the others go on as they did when noted last. False if one of
+    /// them may leave its skin: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration);
     /// Searches, with wider skins of the bodies for which covers() was false; only for these, if they are
@@ -82,10 +83,10 @@ class Neighbours {
     /// the body is noted, and search() must be called.
     bool covers(BodyIndex body, double room);
 
-    /// Notes where a body is that has moved since it was followed.
-    void noteMoved(const Bodies& bodies, const State& state, BodyIndex body);
     /// The same for what it can meet while the others follow their courses for the last given duration.
     bool coversAhead(BodyIndex body, double room);
+    /// Notes where a body is that has moved since it was followed.
+    void noteMoved(const Bodies& bodies, const State& state, BodyIndex body);
 
     /// The same for a body that nothing strikes for `time` [s], in all of it; `fall` is how far it then comes
     /// by gravity [m].
