@@ -12,8 +12,8 @@ namespace carom {
 inline constexpr unsigned mortonBits = 21;
 
 /// How far along Morton's curve a place comes, in cells from the lowest corner; what lies outside counts as
-/// the nearest cell. `bits` are those of an axis, up to mortonBits; the code has three times as many (G. M.
-/// Morton, "A computer oriented geodetic data base", 1966).
+/// the nearest cell, what is not a number as the first. `bits` are those of an axis, up to mortonBits; the
+/// code has three times as many (G. M. Morton, "A computer oriented geodetic data base", 1966).
 inline std::uint64_t mortonCode(const Vec3& cells, unsigned bits) {
     const double most = static_cast<double>((std::uint64_t{1} << bits) - 1);
     const auto spread = [](std::uint64_t v) { // two zeros after each bit
@@ -25,7 +25,7 @@ inline std::uint64_t mortonCode(const Vec3& cells, unsigned bits) {
     };
     std::uint64_t code = 0;
     for (Eigen::Index axis = 0; axis < 3; ++axis)
-        code |= spread(static_cast<std::uint64_t>(std::clamp(cells[axis], 0.0, most))) << axis;
+        code |= spread(static_cast<std::uint64_t>(cells[axis] > 0 ? std::min(cells[axis], most) : 0)) << axis;
     return code;
 }
 

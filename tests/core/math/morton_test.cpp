@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 // Places along Morton's curve, against their bits one by one.
 
 namespace carom {
@@ -34,6 +36,10 @@ class MortonTest : public QObject {
     void whatLiesOutsideCountsAsTheNearestCell() {
         QCOMPARE(mortonCode(Vec3(-5, -1e300, -0.0), 10), std::uint64_t{0});
         QCOMPARE(mortonCode(Vec3(1e300, 1024, 1023), 10), (std::uint64_t{1} << 30U) - 1);
+    }
+    // A run whose numbers are lost puts its boxes in order once more before it stops.
+    void whatIsNotANumberCountsAsTheFirstCell() {
+        QCOMPARE(mortonCode(Vec3(std::nan(""), 1, -std::nan("")), 10), std::uint64_t{2});
     }
 };
 
