@@ -28,16 +28,25 @@ struct ShapePair {
     static double sizeOf(const Shape& shape) { return isWall(shape) ? 0 : boundingRadiusOf(shape); }
 };
 
+/// Drawn one by one, the last first: compilers differ in the order in which they make the arguments of a
+/// call.
+template<int size>
+Eigen::Vector<double, size> gaussianVector(Random& random) {
+    Eigen::Vector<double, size> v;
+    for (int k = size; k-- > 0;) v[k] = random.gaussian();
+    return v;
+}
+
 inline Vec3 randomDirection(Random& random) {
     Vec3 v;
-    do v = Vec3(random.gaussian(), random.gaussian(), random.gaussian());
+    do v = gaussianVector<3>(random);
     while (!(v.norm() > 0));
     return v.normalized();
 }
 
 inline Quat randomOrientation(Random& random) {
     Eigen::Vector4d v;
-    do v = Eigen::Vector4d(random.gaussian(), random.gaussian(), random.gaussian(), random.gaussian());
+    do v = gaussianVector<4>(random);
     while (!(v.norm() > 0));
     return Quat(v.normalized());
 }

@@ -5,6 +5,7 @@
 #include "core/math/random.h"
 #include "core/math/rotation.h"
 #include "core/shapes/cuboid.h"
+#include "core/study/cases/random_pairs.h"
 
 #include <QTest>
 
@@ -228,8 +229,8 @@ class FreeRotationTest : public QObject {
             Vec3 half;
             for (Eigen::Index k = 0; k < 3; ++k) half[k] = std::exp(random.uniform(-4, 4));
             const Vec3 inertia = inertiaOf(Cuboid{half}, 1);
-            Quat whole = fromRotationVector(Vec3(random.gaussian(), random.gaussian(), random.gaussian()));
-            Vec3 spin(random.gaussian(), random.gaussian(), random.gaussian());
+            Quat whole = fromRotationVector(gaussianVector<3>(random));
+            Vec3 spin = gaussianVector<3>(random);
             if (trial % 2 == 0) spin = spin.cwiseProduct(Vec3(1e-3, 1, 1e-3)); // about one axis, nearly
             const Vec3 momentum = angularMomentumFrom(inertia, whole, spin);
             constexpr double h = 0.05;

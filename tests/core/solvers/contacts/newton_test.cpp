@@ -187,7 +187,8 @@ class NewtonTest : public QObject {
         Random random(test::seed, 4);
         int most = 0;
         for (int trial = 0; trial < test::trials(200); ++trial) {
-            ContactProblem problem = column(1 + static_cast<int>(random.below(4)), random.uniform(0, 1));
+            const double friction = random.uniform(0, 1);
+            ContactProblem problem = column(1 + static_cast<int>(random.below(4)), friction);
             for (ContactRow& row : problem.rows) row.bound = random.uniform(0, apart);
             const NewtonReport report = NewtonSolver().solve(problem, tolerance);
             QVERIFY2(report.solved, qPrintable(QString::number(report.residual)));
