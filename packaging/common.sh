@@ -15,7 +15,8 @@ fail() {
 missing_packages() {
     local wanted installed
     wanted=$(sed 's/#.*//' "$top/packaging/packages" |
-        awk -v uses=" $* " 'NF == 1 || NF > 1 && index(uses, " " $2 " ") {print $1}' | sort -u)
+        awk -v uses=" $* " '{needed = NF == 1; for (i = 2; i <= NF; i++) needed += index(uses, " " $i " ")} needed {print $1}' |
+        sort -u)
     installed=$(dpkg-query -W -f '${binary:Package} ${db:Status-Status}\n' 2>/dev/null |
         sed -n 's/^\([^: ]*\)[^ ]* installed$/\1/p' | sort -u)
     comm -23 <(printf '%s\n' "$wanted") <(printf '%s\n' "$installed")

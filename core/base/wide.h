@@ -6,7 +6,7 @@
 // same bits, since we forbid contraction (-ffp-contract=off). Sanitizers cannot instrument the choice.
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    !defined(CAROM_SANITIZE_ADDRESS) && !defined(CAROM_SANITIZE_THREAD)
 #    define CAROM_WIDE [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #else
 #    define CAROM_WIDE

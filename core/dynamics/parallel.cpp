@@ -6,7 +6,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
-#ifdef __SANITIZE_THREAD__
+#ifdef CAROM_SANITIZE_THREAD
 #    include <sanitizer/tsan_interface.h>
 #endif
 
@@ -36,7 +36,7 @@ class LoopOrder {
     }
 
   private:
-#ifdef __SANITIZE_THREAD__
+#ifdef CAROM_SANITIZE_THREAD
     static void happened(char& what) { __tsan_release(&what); }
     static void after(char& what) { __tsan_acquire(&what); }
 #else

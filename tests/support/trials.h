@@ -6,7 +6,7 @@ namespace carom::test {
 /// How many random poses or scenes a test tries that would try so many: a tenth under the address sanitizer,
 /// where each takes ten times as long and memory and arithmetic are the same in all of them.
 constexpr int trials(int count) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CAROM_SANITIZE_ADDRESS
     return count / 10;
 #else
     return count;

@@ -145,7 +145,8 @@ class DocumentTest : public QObject {
         shortenPauses(1);
         const QScopeGuard after([] { shortenPauses(shorterPauses); });
         OpenDocument opened("one");
-        auto& [folder, path, buffer, document] = opened;
+        const QString& path = opened.path;
+        Document& document = opened.document;
         QByteArray found;
         connect(&document, &Document::changedOutside, &document, [&] { found = document.seeTextOnDisk(); });
         QSignalSpy told(&document, &Document::changedOutside);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <malloc.h>
-#ifdef __SANITIZE_ADDRESS__ // of its allocator, which GCC has no header for
+#ifdef CAROM_SANITIZE_ADDRESS // of its allocator, which GCC has no header for
 extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
@@ -90,7 +90,7 @@ BlockMatrix factored(Random& random, int blocks, const std::vector<BlockEdge>& e
 
 /// Allocated and not freed [bytes].
 std::size_t bytesInUse() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef CAROM_SANITIZE_ADDRESS
     return __sanitizer_get_current_allocated_bytes();
 #else
     const struct mallinfo2 info = mallinfo2();
