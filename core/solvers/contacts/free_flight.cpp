@@ -11,10 +11,10 @@
 namespace carom {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double noMeeting = std::numeric_limits<double>::infinity();
 /// A body is looked at again only if it may be faster by more than this part than it was. At twice, a strike
 /// may be taken to reach less far than it does; at half, bodies are looked at more often.
-constexpr double worthANewLook = 0.25;
+constexpr double worthMeetingAgain = 0.25;
 
 /// The distance of two centres within which their bodies may touch however slow they are [m].
 double touching(const Bodies& bodies, BodyIndex a, BodyIndex b) {
@@ -35,7 +35,7 @@ double fallInFrame(const SolverInput& input) {
 } // namespace
 
 FreeFlight::FreeFlight(const Bodies& bodies)
-    : m_kind(bodies.count(), Kind::Left), m_turn(bodies.count(), 0.0), m_due(bodies.count(), never),
+    : m_kind(bodies.count(), Kind::Left), m_turn(bodies.count(), 0.0), m_due(bodies.count(), noMeeting),
       m_part(bodies.count(), -1), m_time(bodies.count(), 0.0), m_speed(bodies.count(), 0.0),
       m_start(bodies.count()) {}
 
@@ -89,10 +89,10 @@ double FreeFlight::timeOfMeeting(const SolverInput& input, BodyIndex body, BodyI
     const double meeting = firstWithin(m_start[other].position - m_start[body].position,
                                        m_start[other].velocity - m_start[body].velocity, input.parts * h,
                                        touching(input.bodies, body, other));
-    if (!(meeting < never)) return never;
+    if (!(meeting < noMeeting)) return noMeeting;
     for (int part = static_cast<int>(meeting / h); part < input.parts; ++part)
         if (doBoxesMeet(input, body, other, part)) return std::max(meeting, part * h);
-    return never;
+    return noMeeting;
 }
 
 double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body, BodyIndex other) const {
@@ -104,8 +104,8 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
         return firstWithin(place - input.state.pose[other].position, velocity, duration,
                            within + fall * duration * duration);
     };
-    if (wall == nullptr && !(meetingOf(m_start[body].position, m_start[body].velocity, time) < never))
-        return never;
+    if (wall == nullptr && !(meetingOf(m_start[body].position, m_start[body].velocity, time) < noMeeting))
+        return noMeeting;
     for (int part = 0; part < input.parts; ++part) {
         const Vec3 place = placeIn(input, body, part), next = placeIn(input, body, part + 1);
         if (wall != nullptr) {
@@ -114,9 +114,9 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
             continue;
         }
         const double meeting = meetingOf(place, (next - place) / h, h);
-        if (meeting < never && doBoxesMeet(input, body, other, part)) return part * h + meeting;
+        if (meeting < noMeeting && doBoxesMeet(input, body, other, part)) return part * h + meeting;
     }
-    return never;
+    return noMeeting;
 }
 
 void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> isOnSpring,
@@ -138,7 +138,7 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
         m_kind[i] = Kind::Flying;
         m_start[i] = {input.state.pose[i].position, input.state.velocity[i]};
         m_turn[i] = turnInFrame(input, i);
-        m_due[i] = never;
+        m_due[i] = noMeeting;
         m_bodies.push_back(i);
         covered =
             neighbours.coversFlight(input.state, i, roomOf(input, i), time, fallInFrame(input)) && covered;
@@ -209,7 +209,8 @@ double FreeFlight::roomAfter(const SolverInput& input, const Strike& by) const {
 // Ends the flights of those that this body may strike after it has been struck.
 void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighbours& neighbours,
                         std::vector<BodyIndex>& met) {
-    const auto [i, time, speed] = by;
+    const BodyIndex i = by.body;
+    const double time = by.time, speed = by.speed;
     const double left = input.substep - time, fall = input.gravity.norm() * input.substep;
     const auto placeAt = [&](BodyIndex body) -> Vec3 {
         return input.state.pose[body].position +
@@ -224,7 +225,7 @@ void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighb
         const double contact = touching(input.bodies, i, k);
         const double meeting =
             firstWithin(between, input.state.velocity[k] + comesBy, left, contact + speed * left);
-        if (!(meeting < never)) continue;
+        if (!(meeting < noMeeting)) continue;
         if ((!isSphere(input.bodies, i) || !isSphere(input.bodies, k)) &&
             !meetOnTheWay(grown(input.bodies.boxAt(k, input.state.pose[k]), roomOf(input, k)),
                           grown(input.bodies.boxAt(i, input.state.pose[i]), roomAfter(input, by)),
@@ -234,7 +235,7 @@ void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighb
         const double gap = between.norm() - contact;
         const double at = time + std::max(meeting, gap > 0 ? gap / (speed + own) : 0);
         const double after = Neighbours::speedAfter(input.bodies, k, own, i, speed);
-        if (isStruck && m_time[k] <= at && (1 + worthANewLook) * m_speed[k] >= after) continue;
+        if (isStruck && m_time[k] <= at && (1 + worthMeetingAgain) * m_speed[k] >= after) continue;
         if (!isStruck) {
             m_kind[k] = Kind::Struck;
             m_part[k] = input.part;
