@@ -4,6 +4,7 @@
 #include "core/dynamics/energy.h"
 #include "core/solvers/contacts/neighbours.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carom {
@@ -19,6 +20,18 @@ constexpr double calmWay = 0.03;
 /// something dense could be taken for one at rest.
 constexpr double bornePart = 0.1;
 
+bool isLong(double time, const Bodies& bodies, BodyIndex body, const Vec3& gravity) {
+    return time * time * gravity.norm() >= calmTime * calmTime * bodies.boundingRadius[body];
+}
+
+/// Whether it is not faster than `part` of √(size g).
+bool isSlowerThan(double part, const Bodies& bodies, const State& state, BodyIndex body,
+                  const Vec3& gravity) {
+    const double size = bodies.boundingRadius[body];
+    const double speed = state.velocity[body].norm() + state.angularVelocity[body].norm() * size;
+    return speed * speed <= part * part * gravity.norm() * size;
+}
+
 } // namespace
 
 void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIndex> list, double time) {
@@ -28,15 +41,28 @@ void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIn
         if (way <= calmWay * bodies.boundingRadius[i])
             stay.time += time;
         else
-            stay = {state.pose[i], 0};
+            stay = {state.pose[i], 0, 0};
+        stay.slow = 0;
     }
 }
 
+void Calm::noteRefined(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
+                       const Vec3& gravity, double time) {
+    for (const BodyIndex i : list) {
+        const bool isSlow = isSlowerThan(restSpeed, bodies, state, i, gravity);
+        m_stays[i].slow = isSlow ? m_stays[i].slow + time : 0;
+    }
+}
+
+bool Calm::areAtRest(const Bodies& bodies, std::span<const BodyIndex> list, const Vec3& gravity) {
+    return gravity.norm() > 0 && std::all_of(list.begin(), list.end(), [&](BodyIndex i) {
+               return isLong(m_stays[i].slow, bodies, i, gravity) && !mayFloat(bodies, i, gravity);
+           });
+}
+
 bool Calm::isCalm(const Bodies& bodies, const State& state, BodyIndex body, const Vec3& gravity) const {
-    const double size = bodies.boundingRadius[body], time = m_stays[body].time;
-    const double speed = state.velocity[body].norm() + state.angularVelocity[body].norm() * size;
-    return time * time * gravity.norm() >= calmTime * calmTime * size &&
-           speed * speed <= calmSpeed * calmSpeed * gravity.norm() * size;
+    return isLong(m_stays[body].time, bodies, body, gravity) &&
+           isSlowerThan(calmSpeed, bodies, state, body, gravity);
 }
 
 bool Calm::mayFloat(const Bodies& bodies, BodyIndex body, const Vec3& gravity) {

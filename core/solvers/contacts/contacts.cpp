@@ -53,10 +53,6 @@ namespace {
 /// before their neighbours are found anew. At half, that happens more often; at twice, they hold more pairs.
 constexpr double lastingSkin = 0.05;
 
-/// Part of what is saved for islands of any kind that one frame may take. At twice, one frame may take all of
-/// it; at half, an island that needs much at once is left to the base path earlier.
-constexpr double mostOfReserve = 0.5;
-
 class Contacts final : public Solver {
   public:
     Contacts(const Bodies& bodies, const SolverSettings& settings)
@@ -112,6 +108,7 @@ class Contacts final : public Solver {
     template<class Is>
     void sleepMarked(const SolverInput& input, const Is& isCalm);
     void moveRefined(const SolverInput& input, SolverReport& report);
+    void sleepIfCreeping(const SolverInput& input, const Island& island);
     void moveStepped(const SolverInput& input, SolverReport& report);
     void stepIsland(const SolverInput& input, const Island& island, double duration, SolverReport& report);
     void putToSleep(const SolverInput& input, const Island& island);
@@ -126,15 +123,7 @@ class Contacts final : public Solver {
     static int passesOf(const SolverSettings& settings) {
         return std::max(1, settings.iterations / iterationsOfOnePass);
     }
-    RefinementBudget budget() const {
-        RefinementBudget budget;
-        budget.floor *= m_settings.effort;
-        budget.perItem *= m_settings.effort;
-        budget.saved *= m_settings.reserve;
-        budget.start = std::max(budget.start, budget.saved);
-        budget.burst += mostOfReserve * std::max(0.0, budget.saved - budget.forRest);
-        return budget;
-    }
+    RefinementBudget budget() const { return budgetOf(m_settings.effort, m_settings.reserve); }
     void take(const SteppedReport& stepped, SolverReport& report);
     double baseOperations() const;
     /// `time` [s] and what an impact in its last substep may add, because it can speed bodies up.
@@ -451,7 +440,17 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
     if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
     if (!m_settings.resting) return;
     for (const std::uint32_t island : m_scheduler.still()) m_sleeping.putToSleep(m_islands[island].bodies);
+    for (const std::uint32_t island : m_scheduler.finished()) sleepIfCreeping(input, m_islands[island]);
     m_sleeping.exchange(input.bodies, m_contacts);
+}
+
+// What creeps within what the tolerance leaves is at rest.
+void Contacts::sleepIfCreeping(const SolverInput& input, const Island& island) {
+    if (!island.links.empty() || m_sleeping.isAsleep(island.bodies.front())) return;
+    m_calm.noteRefined(input.bodies, input.state, island.bodies, input.gravity, input.substep);
+    if (!m_calm.areAtRest(input.bodies, island.bodies, input.gravity)) return;
+    stop(input.bodies, island.bodies, input.state, input.ledger);
+    m_sleeping.putToSleep(island.bodies);
 }
 
 // Moves the bodies on the base path; then, one by one, the islands that refinement has not finished.

@@ -20,8 +20,9 @@ constexpr double tie = 1e-9;
 /// A response counts as singular below this reciprocal condition: its impulses would keep fewer than six
 /// digits, and Newton's method finds them instead. Twice or half decides only about a third of a digit.
 constexpr double singular = 1e-10;
-/// Newton's tolerance relative to the largest closing speed. At a hundred times, two digits of the velocities
-/// after an impact are lost; at a hundredth, it is near rounding (speedRounding).
+/// Newton's tolerance relative to the fastest body: a slow impact of fast bodies is known as well as their
+/// velocities. At a hundred times, two digits of the velocities after an impact are lost; at a hundredth, it
+/// is near rounding (speedRounding), and a thousand factorisations do not find one contact's impulse.
 constexpr double groupTolerance = 1e-12;
 /// Friction up to this coefficient changes no digit of an impact: it is below a double's rounding, and so are
 /// twice and half of it.
@@ -270,10 +271,10 @@ bool ImpactSolver::solveDirectly(ContactProblem& problem, std::span<const Impact
 void ImpactSolver::solveByNewton(ContactProblem& problem, std::span<const ImpactRow> rows) {
     takeGroup(problem);
     double fastest = 0;
+    for (const ContactBody& body : m_groupProblem.bodies) fastest = std::max(fastest, fastestPart(body));
     for (std::size_t k = 0; k < m_group.size(); ++k) {
         const std::size_t i = m_group[k];
         m_groupProblem.rows[k].bound = -rows[i].restitution * std::max(0.0, m_closing[i]);
-        fastest = std::max(fastest, m_closing[i]);
     }
     const NewtonReport report =
         m_newton.solve(m_groupProblem, groupTolerance * fastest, std::max(0.0, m_mostWork - m_work));

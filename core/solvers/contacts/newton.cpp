@@ -27,6 +27,10 @@ constexpr double innerPart = 0.1;
 /// Inner steps and outer rounds at most; the hardest problems met took 40 and 30. At half of the first, these
 /// fail; at twice, a problem without a solution costs twice as much where its budget allows that.
 constexpr int mostSteps = 60, mostRounds = 80;
+/// After each inner problem that fails the later ones may take half as many steps, down to this: what
+/// succeeds takes few, and failing again in the same way shows nothing new. At half, problems that would be
+/// solved are given up; at twice, one without a solution costs up to twice as much.
+constexpr int leastSteps = 30;
 /// The inner error should fall at least to this part in a step; else the coupled step is tried, at the cost
 /// of another factorisation. At half, it is tried more often in vain; at twice, slow convergence lasts
 /// longer.
@@ -43,6 +47,10 @@ constexpr double steadyPart = 0.05;
 /// A contact slips whose friction force is within this part of the edge of its cone. At a thousandth,
 /// rounding lets it count as stuck; at a thousand times, drifts end before the edge.
 constexpr double coneEdge = 1e-9;
+/// Where no impulse is known, a contact counts as open that opens faster than this part of the fastest
+/// closing speed. At a millionth, rounding would open contacts at rest; at a million times, some that open
+/// would be taken for held ones in the first guess.
+constexpr double atRest = 1e-9;
 
 template<class Row>
 BlockEdge edgeOf(const Row& row) {
@@ -109,8 +117,10 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         return report;
     }
     m_kappa = kappaWarm;
+    report.factorisations += startFromNothing(problem);
     double whole = std::numeric_limits<double>::infinity();
     bool first = true;
+    int most = mostSteps;
     for (int round = 0; round < mostRounds; ++round) {
         if (m_work >= mostWork) {
             takeBest(problem, report);
@@ -119,16 +129,18 @@ NewtonReport NewtonSolver::solve(ContactProblem& problem, double tolerance, doub
         }
         int steps = 0;
         const double inner = std::max(innerPart * tolerance, 0.01 * residual);
-        const bool minimised = minimise(problem, inner, mostWork, first ? fewSteps + 1 : mostSteps, steps);
+        const bool minimised = minimise(problem, inner, mostWork, first ? fewSteps + 1 : most, steps);
         report.factorisations += steps;
         if (first && (!minimised || steps > fewSteps)) {
-            m_kappa = 1; // the multipliers are still those of the warm start
+            m_kappa = 1;
+            resetMultipliers(problem); // those of the warm start
             first = false;
             continue;
         }
         first = false;
         if (!minimised) { // multipliers from an unsolved inner problem would be amplified by ρ
             m_kappa = std::max(kappaLeast, m_kappa / kappaGrowth);
+            most = std::max(leastSteps, most / 2);
             continue;
         }
         const double change = updateMultipliers(problem);
@@ -179,8 +191,6 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
     m_rows.resize(problem.rows.size());
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].edge = numberOf(problem.rows[i]);
-        m_rows[i].l = problem.rows[i].impulse;
-        m_rows[i].rollL = problem.rows[i].rollingImpulse;
         m_rows[i].roll.setZero();
         m_rows[i].droll.setZero();
         m_rows[i].drift.setZero();
@@ -193,7 +203,55 @@ bool NewtonSolver::prepare(const ContactProblem& problem, double mostWork) {
     m_gradient.resize(problem.bodies.size());
     m_step.resize(problem.bodies.size());
     chooseUnits(problem, m_units);
+    resetMultipliers(problem);
     return true;
+}
+
+void NewtonSolver::resetMultipliers(const ContactProblem& problem) {
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i].l = problem.rows[i].impulse;
+        m_rows[i].rollL = problem.rows[i].rollingImpulse;
+    }
+}
+
+// Where no impulse is known, contacts that neither close nor open are at the edge between both: Newton's
+// method would let an impact reach them one after another, and each would slip until it is pressed together.
+// So the first guess is what they do if none of them opens or slips; those that open already do not act.
+// Returns the number of factorisations.
+int NewtonSolver::startFromNothing(ContactProblem& problem) {
+    const auto acts = [](const ContactRow& row) { return row.impulse != Vec3::Zero(); };
+    if (std::any_of(problem.rows.begin(), problem.rows.end(), acts)) return 0;
+    m_work += m_rowWork;
+    evaluateRows(problem);
+    double fastest = 0;
+    for (const RowState& state : m_rows) fastest = std::max(fastest, -state.u.x());
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const ContactRow& row = problem.rows[i];
+        RowState& state = m_rows[i];
+        const bool holds = state.u.x() <= atRest * fastest;
+        state.z = holds ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitX());
+        state.rollZ.setZero();
+        state.p = {};
+        if (!holds) continue;
+        state.p.impulse = -(m_kappa * row.effectiveMass) * state.u;
+        if (!(row.friction > 0)) state.p.impulse.tail<2>().setZero();
+        if (row.rolling > 0) state.p.rolling = -(m_kappa * row.effectiveInertia) * state.roll;
+    }
+    gradient(problem);
+    if (!findStep(problem, false)) return 1;
+    for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += m_step[i];
+    m_work += m_rowWork;
+    evaluateRows(problem);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        RowState& state = m_rows[i];
+        if (!(state.z.x() > 0)) continue;
+        const ContactRow& row = problem.rows[i];
+        const Projected guess = projectOnCone(row, -(m_kappa * row.effectiveMass) * state.u,
+                                              -(m_kappa * row.effectiveInertia) * state.roll);
+        state.l = guess.impulse;
+        state.rollL = guess.rolling;
+    }
+    return 1;
 }
 
 // Solves the inner problem for the velocities. Where contacts slip, steps with H alone may converge slowly or
@@ -249,10 +307,8 @@ bool NewtonSolver::stepCoupled(ContactProblem& problem, double error, int& steps
     ++steps;
     if (!findStep(problem, true)) return false;
     m_saved.resize(m_step.size());
-    for (std::size_t i = 0; i < m_step.size(); ++i) {
-        m_saved[i] = problem.bodies[i].velocity;
-        problem.bodies[i].velocity += m_step[i];
-    }
+    for (std::size_t i = 0; i < m_step.size(); ++i) m_saved[i] = problem.bodies[i].velocity;
+    for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity += m_step[i];
     if (errorAt(problem) <= 0.5 * error) return true;
     for (std::size_t i = 0; i < m_step.size(); ++i) problem.bodies[i].velocity = m_saved[i];
     return false;

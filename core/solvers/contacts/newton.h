@@ -36,7 +36,8 @@
 // drift that is steady is followed to there at once.
 //
 // The problem's impulses are the start. If they already solve it to the tolerance nothing is computed: that
-// is what makes rest exactly still and cheap.
+// is what makes rest exactly still and cheap. If there are none, all contacts are first taken to stick that
+// do not open: an impact on a tower reaches its foot in one step, not in one for each cube.
 
 namespace carom {
 
@@ -76,6 +77,8 @@ class NewtonSolver {
     };
 
     bool prepare(const ContactProblem& problem, double mostWork);
+    void resetMultipliers(const ContactProblem& problem);
+    int startFromNothing(ContactProblem& problem);
     bool minimise(ContactProblem& problem, double tolerance, double mostWork, int most, int& steps);
     void evaluateRows(const ContactProblem& problem);
     void project(const ContactProblem& problem, double along);

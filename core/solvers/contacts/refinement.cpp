@@ -21,18 +21,32 @@ constexpr double forSprings = 20;
 /// twice as much.
 constexpr std::uint8_t mostFailures = 6;
 /// What is saved when a run begins is for bodies that the scene puts down then: this part of it is left after
-/// a substep, 1/e after nine. At half, scenes of large piles may use little of it; where nearly all of it is
-/// left, a later collapse may draw on it.
-constexpr double startFades = 0.9;
-/// An island is nearly at rest that is no faster than so many times |g| h. At half, heaps are refined later;
-/// at twice, what is saved is spent on islands that still move.
-constexpr double nearlyResting = 10;
+/// a frame, 1/e after two or three. At half, scenes of large piles may use little of it; where nearly all of
+/// it is left, a later collapse may draw on it.
+constexpr double startFades = 0.66;
+/// An island is nearly at rest that is no faster than so many times the speed that gravity gives in a frame.
+/// At half, heaps are refined later; at twice, what is saved is spent on islands that still move.
+constexpr double nearlyResting = 2.5;
+/// Part of what is saved for islands of any kind that one frame may take. At twice, one frame may take most
+/// of it; at half, an island that needs much at once is left to the base path earlier.
+constexpr double mostOfReserve = 1.0 / 3;
 
 } // namespace
 
-// Whether no body of the island is faster than nearlyResting times the speed that gravity gives in a substep.
+RefinementBudget budgetOf(double effort, double reserve) {
+    RefinementBudget budget;
+    for (double* each : {&budget.floor, &budget.perItem}) *each *= effort;
+    for (double* each : {&budget.start, &budget.saved, &budget.forRest, &budget.burst})
+        *each *= std::min(1.0, effort);
+    budget.saved *= reserve;
+    budget.start = std::max(budget.start, budget.saved);
+    budget.burst += mostOfReserve * std::max(0.0, budget.saved - budget.forRest);
+    return budget;
+}
+
 bool Refinement::nearlyRests(const RefinementInput& input, const Island& island) const {
-    const double most = std::pow(nearlyResting * input.substep, 2) * input.gravity.squaredNorm();
+    const double frame = input.substep * input.parts;
+    const double most = std::pow(nearlyResting * frame, 2) * input.gravity.squaredNorm();
     return std::all_of(island.bodies.begin(), island.bodies.end(), [&](BodyIndex i) {
         const double radius = input.bodies.boundingRadius[i];
         return input.state.velocity[i].squaredNorm() <= most &&
@@ -52,7 +66,7 @@ double Refinement::openTo(const RefinementInput& input, const RefinementBudget& 
 
 void Refinement::pay(double refined, double base) {
     const double left = std::max(0.0, m_saved - refined - base);
-    m_saved = left < m_most ? std::min(m_most, left + m_income) : m_most + startFades * (left - m_most);
+    m_saved = left < m_most ? std::min(m_most, left + m_income) : m_most + m_fades * (left - m_most);
 }
 
 void Refinement::choose(const RefinementInput& input, const RefinementBudget& budget) {
@@ -99,6 +113,7 @@ void Refinement::choose(const RefinementInput& input, const RefinementBudget& bu
     });
     m_income = (budget.floor + budget.perItem * items) / input.parts;
     m_most = budget.saved;
+    m_fades = std::pow(startFades, 1.0 / input.parts);
     if (m_saved < 0) m_saved = budget.start;
     double left = m_income, squares = 0;
     if (input.part == 0) {

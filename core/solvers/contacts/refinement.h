@@ -21,9 +21,13 @@
 //     saved      what a frame does not use is saved for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may use it. Its forces cost much the first
 //                time and are valid for long. If more is saved than that needs, as in accurate runs, any
-//                other island may use it, too, by half as much after every failed attempt. Islands share it
-//                by the squares of their expected cost, because large ones need it. The base path's work is
-//                paid from the same budget, so bodies that move all the time save nothing.
+//                other island may use it, too, by half as much after every failed attempt: a third of it in
+//                a frame at most. Islands share it by the squares of their expected cost, because large ones
+//                need it. The base path's work is paid from the same budget, so bodies that move all the time
+//                save nothing.
+//     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
+//                floor, and saves what 200 of its frames may take. What is nearly at rest, how fast the sum
+//                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
 //                ... 63 substeps: for an island that moves all the time failed attempts become rare, one that
@@ -40,11 +44,13 @@ namespace carom {
 struct RefinementBudget {
     double floor = 1e6;    ///< in a frame: about half a millisecond
     double perItem = 200;  ///< and for every body and contact
-    double start = 400e6;  ///< saved when a run begins; it decreases within ten or twenty substeps
+    double start = 400e6;  ///< saved when a run begins; it decreases within some frames
     double saved = 40e6;   ///< saved later at most
     double forRest = 40e6; ///< up to this it is for islands nearly at rest, beyond it for any island
     double burst = 6e6;    ///< a frame takes at most so much of it, and of what is left of the start
 };
+/// The same for `effort` times the work, and with `reserve` times as much saved of it.
+RefinementBudget budgetOf(double effort, double reserve);
 
 /// What decides which islands of a substep are refined.
 struct RefinementInput {
@@ -140,6 +146,7 @@ class Refinement {
     double m_saved = -1;                  // operations; negative: the run begins
     double m_spent = 0;                   // operations in this frame
     double m_income = 0, m_most = 0;      // of the substep; saved up to
+    double m_fades = 1;                   // what a substep leaves of what is saved beyond that
     std::vector<double> m_used;           // by body: operations its island took in this frame
     std::vector<std::uint8_t> m_wait;     // by body: substeps for which its island is not tried
     std::vector<std::uint8_t> m_failures; // by body: failed attempts in a row

@@ -309,9 +309,10 @@ class RefinementTest : public QObject {
     }
 
     void savedWorkGoesToWhatIsNearlyAtRest() {
+        constexpr double limit = 2.5 * earth * test::substep; // a frame of one substep
         Crowd crowd(4);
         crowd.chain({2, 2});
-        crowd.state.velocity[0] = {2 * 10 * earth * test::substep, 0, 0}; // too fast
+        crowd.state.velocity[0] = {2 * limit, 0, 0}; // too fast
         crowd.find();
         const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6};
         Refinement refinement(4);
@@ -319,13 +320,64 @@ class RefinementTest : public QObject {
         QCOMPARE(refinement.refined().size(), 2U);
         QVERIFY(refinement.refined()[0].budget < budget.start);
         QVERIFY(refinement.refined()[1].budget >= budget.start);
-        crowd.state.velocity[0] = {0.5 * 10 * earth * test::substep, 0, 0};
+        crowd.state.velocity[0] = {0.5 * limit, 0, 0};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget >= 0.5 * budget.start); // they are alike, and share it
         QCOMPARE(refinement.refined()[1].budget, refinement.refined()[0].budget);
-        crowd.state.angularVelocity[1] = {0, 0, 2 * 10 * earth * test::substep / 0.1};
+        crowd.state.angularVelocity[1] = {0, 0, 2 * limit / 0.1};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget < budget.start);
+    }
+
+    // Presets divide the same frame into 1, 4 or 8 substeps.
+    void whatIsNearlyAtRestDoesNotDependOnTheSubsteps() {
+        constexpr double frame = 1.0 / 60;
+        for (const double part : {0.9, 1.1})
+            for (const int parts : {1, 4, 8}) {
+                Crowd crowd(2);
+                crowd.chain({2});
+                crowd.state.velocity[0] = {part * 2.5 * earth * frame, 0, 0};
+                crowd.find();
+                const RefinementBudget budget{.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6};
+                Refinement refinement(2);
+                RefinementInput input = crowd.input(0, parts);
+                input.substep = frame / parts;
+                refinement.choose(input, budget);
+                QCOMPARE(refinement.refined()[0].budget >= budget.start - budget.saved, part < 1);
+            }
+    }
+
+    // In frames of the same length, whatever the substeps: fast runs kept it for four times as long.
+    void whatARunBeginsWithFadesByTheFrame() {
+        const RefinementBudget budget{.floor = 0, .perItem = 0, .start = 1e7, .saved = 0};
+        std::vector<double> left;
+        for (const int parts : {1, 4, 8}) {
+            Crowd crowd(2);
+            crowd.chain({2});
+            crowd.find();
+            Refinement refinement(2);
+            for (int part = 0; part < 3 * parts; ++part) {
+                refinement.choose(crowd.input(part % parts, parts), budget);
+                refinement.pay(0, 0);
+            }
+            left.push_back(refinement.memory().saved);
+        }
+        QVERIFY(left[0] < 0.3 * budget.start && left[0] > 0.2 * budget.start);
+        for (const double other : left) QVERIFY(std::abs(other / left[0] - 1) < roundingOfSums);
+    }
+
+    // Accurate runs took up to a second in one frame, fast ones began with as much as others.
+    void presetsDifferByStatedMultiples() {
+        const RefinementBudget usual = budgetOf(1, 1), fast = budgetOf(0.25, 1), accurate = budgetOf(12, 60);
+        QCOMPARE(usual.floor, RefinementBudget().floor);
+        QCOMPARE(usual.burst, RefinementBudget().burst);
+        for (const auto part : {&RefinementBudget::floor, &RefinementBudget::perItem,
+                                &RefinementBudget::start, &RefinementBudget::saved, &RefinementBudget::burst})
+            QCOMPARE(fast.*part, 0.25 * usual.*part);
+        QCOMPARE(accurate.floor, 12 * usual.floor);
+        QCOMPARE(accurate.start, accurate.saved);
+        QCOMPARE(accurate.saved, 200 * accurate.floor);
+        QVERIFY(accurate.burst <= 70 * accurate.floor);
     }
 
     // What fast bodies may draw is what is saved beyond the part kept for those nearly at rest.
