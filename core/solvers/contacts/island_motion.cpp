@@ -214,7 +214,12 @@ void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
         fastest = std::max(fastest, fastestPart(body));
     }
     const double scale = m_scale > 0 ? m_scale : fastest;
-    m_tolerance = std::max(input.settings.tolerance * scale, speedRounding * fastest);
+    double narrowest = std::numeric_limits<double>::infinity(); // [m]
+    for (const ContactPair& pair : m_contacts.pairs) narrowest = std::min(narrowest, touchingWithin(pair));
+    // Contacts drift by what the tolerance leaves. Where that is more in a substep than the slop, each
+    // substep would correct positions, which costs more than solving once to what the slop hides.
+    m_tolerance = std::max(std::min(input.settings.tolerance * scale, narrowest / input.substep),
+                           speedRounding * fastest);
     m_pairOf.clear();
     for (std::uint32_t pair = 0; pair < m_contacts.pairs.size(); ++pair)
         m_pairOf.insert(m_pairOf.end(), m_contacts.pairs[pair].count, pair);

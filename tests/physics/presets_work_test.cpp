@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/frame_work.h"
+#include "tests/support/test_class.h"
+#include "tests/support/varied_scene.h"
+
+#include "core/study/cases/scene_text.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <string>
+
+// What a preset costs beside the others, in counted work: `fast` no more than `default`, `accurate` no more
+// than thirty times as much. carom-presets (tests/benchmark) times all shipped scenes.
+
+namespace carom {
+namespace {
+
+constexpr double mostTimes = 30; // what a default run costs
+
+struct PresetWork {
+    double sum = 0, worst = 0; // operations
+};
+
+PresetWork workWith(const std::string& text, const char* preset, int frames) {
+    SimulationSettings options;
+    options.method = "contacts";
+    options.preset = preset;
+    World world(build(text, options).pipeline);
+    PresetWork work;
+    for (int frame = 0; frame < frames && world.health().finite; ++frame) {
+        world.step();
+        const double operations = operationsOf(world.statistics().work);
+        work.sum += operations;
+        work.worst = std::max(work.worst, operations);
+    }
+    return work;
+}
+
+} // namespace
+
+class PresetsWorkTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    // What a coarse tolerance left made boxes sink by more than the slop in each substep, and each had its
+    // position corrected and its contacts found again: 1.5 times the work of a default run.
+    void fastRunsOfSlidingBoxesCostNoMore() {
+        std::string scene = falling() + "simulation { substeps 8 }\n" + levelFloor(1);
+        for (const double friction : {0.0, 0.05, 0.25})
+            scene += text("cuboid { size 0.4, 0.3, 0.4  mass 1  centre ", Vec3(-1, 0.15, 10 * friction),
+                          "  vel 3, 0, 0  elastic 0  friction ", friction, " }\n");
+        const double fast = workWith(scene, "fast", 120).sum, usual = workWith(scene, "default", 120).sum;
+        qInfo("%.3g and %.3g operations", fast, usual);
+        QVERIFY(usual > 0);
+        QVERIFY(fast <= 1.02 * usual);
+    }
+
+    // 39 bodies of a random scene took 58 times as much, 1.3e9 operations of it in one frame.
+    void accurateRunsCostAtMostThirtyTimesAsMuch() {
+        const std::string scene = test::VariedScene(22).text();
+        const PresetWork accurate = workWith(scene, "accurate", 60), usual = workWith(scene, "default", 60);
+        qInfo("%.3g and %.3g operations, %.3g in one frame", accurate.sum, usual.sum, accurate.worst);
+        QVERIFY(accurate.sum > usual.sum);
+        QVERIFY(accurate.sum <= mostTimes * usual.sum);
+        QVERIFY(accurate.worst < 1e9);
+    }
+};
+
+} // namespace carom
+
+CAROM_TEST(presets_work_test, carom::PresetsWorkTest)
+#include "presets_work_test.moc"
