@@ -217,8 +217,10 @@ void IslandMotion::loadBodies(const MotionInput& input, const Island& island) {
     double narrowest = std::numeric_limits<double>::infinity(); // [m]
     for (const ContactPair& pair : m_contacts.pairs) narrowest = std::min(narrowest, touchingWithin(pair));
     // Contacts drift by what the tolerance leaves. Where that is more in a substep than the slop, each
-    // substep would correct positions, which costs more than solving once to what the slop hides.
-    m_tolerance = std::max(std::min(input.settings.tolerance * scale, narrowest / input.substep),
+    // substep would correct positions, which costs more than solving once to what the slop hides. Where
+    // speeds overflow there is nothing to solve for: the loss is found at once.
+    const double asked = input.settings.tolerance * scale;
+    m_tolerance = std::max(std::isfinite(asked) ? std::min(asked, narrowest / input.substep) : asked,
                            speedRounding * fastest);
     m_pairOf.clear();
     for (std::uint32_t pair = 0; pair < m_contacts.pairs.size(); ++pair)

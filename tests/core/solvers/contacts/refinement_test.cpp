@@ -368,7 +368,7 @@ class RefinementTest : public QObject {
 
     // Accurate runs took up to a second in one frame, fast ones began with as much as others.
     void presetsDifferByStatedMultiples() {
-        const RefinementBudget usual = budgetOf(1, 1), fast = budgetOf(0.25, 1), accurate = budgetOf(12, 60);
+        const RefinementBudget usual = budgetOf(1, 1), fast = budgetOf(0.25, 1), accurate = budgetOf(12, 90);
         QCOMPARE(usual.floor, RefinementBudget().floor);
         QCOMPARE(usual.burst, RefinementBudget().burst);
         for (const auto part : {&RefinementBudget::floor, &RefinementBudget::perItem,
@@ -376,8 +376,8 @@ class RefinementTest : public QObject {
             QCOMPARE(fast.*part, 0.25 * usual.*part);
         QCOMPARE(accurate.floor, 12 * usual.floor);
         QCOMPARE(accurate.start, accurate.saved);
-        QCOMPARE(accurate.saved, 200 * accurate.floor);
-        QVERIFY(accurate.burst <= 70 * accurate.floor);
+        QCOMPARE(accurate.saved, 300 * accurate.floor);
+        QVERIFY(accurate.burst <= 110 * accurate.floor);
     }
 
     // What fast bodies may draw is what is saved beyond the part kept for those nearly at rest.
