@@ -41,7 +41,7 @@ void Calm::note(const Bodies& bodies, const State& state, std::span<const BodyIn
         if (way <= calmWay * bodies.boundingRadius[i])
             stay.time += time;
         else
-            stay = {state.pose[i], 0, 0};
+            stay = {.from = state.pose[i]};
         stay.slow = 0;
     }
 }

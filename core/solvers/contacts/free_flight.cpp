@@ -4,7 +4,6 @@
 #include "core/solvers/contacts/manifolds.h"
 
 #include <algorithm>
-
 #include <cmath>
 #include <limits>
 
@@ -12,9 +11,6 @@ namespace carom {
 namespace {
 
 constexpr double noMeeting = std::numeric_limits<double>::infinity();
-/// A body is looked at again only if it may be faster by more than this part than it was. At twice, a strike
-/// may be taken to reach less far than it does; at half, bodies are looked at more often.
-constexpr double worthMeetingAgain = 0.25;
 
 /// The distance of two centres within which their bodies may touch however slow they are [m].
 double touching(const Bodies& bodies, BodyIndex a, BodyIndex b) {
@@ -96,23 +92,23 @@ double FreeFlight::timeOfMeeting(const SolverInput& input, BodyIndex body, BodyI
 }
 
 double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body, BodyIndex other) const {
-    const double h = input.substep, time = input.parts * h, fall = 0.5 * input.gravity.norm();
-    const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other]);
-    const double within = wall != nullptr ? (1 + Neighbours::leastMargin) * input.bodies.boundingRadius[body]
-                                          : touching(input.bodies, body, other);
+    const double h = input.substep, time = input.parts * h;
+    const auto fallIn = [&](double duration) { return 0.5 * input.gravity.norm() * duration * duration; };
+    if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other])) {
+        const double within = input.bodies.boundingRadius[body] + leastRoom(input.bodies, body) + fallIn(h);
+        for (int part = 0; part < input.parts; ++part)
+            if (distanceTo(*wall, placeIn(input, body, part)) <= within ||
+                distanceTo(*wall, placeIn(input, body, part + 1)) <= within)
+                return part * h;
+        return noMeeting;
+    }
     const auto meetingOf = [&](const Vec3& place, const Vec3& velocity, double duration) {
         return firstWithin(place - input.state.pose[other].position, velocity, duration,
-                           within + fall * duration * duration);
+                           touching(input.bodies, body, other) + fallIn(duration));
     };
-    if (wall == nullptr && !(meetingOf(m_start[body].position, m_start[body].velocity, time) < noMeeting))
-        return noMeeting;
+    if (!(meetingOf(m_start[body].position, m_start[body].velocity, time) < noMeeting)) return noMeeting;
     for (int part = 0; part < input.parts; ++part) {
         const Vec3 place = placeIn(input, body, part), next = placeIn(input, body, part + 1);
-        if (wall != nullptr) {
-            if (std::min(distanceTo(*wall, place), distanceTo(*wall, next)) <= within + fall * h * h)
-                return part * h;
-            continue;
-        }
         const double meeting = meetingOf(place, (next - place) / h, h);
         if (meeting < noMeeting && doBoxesMeet(input, body, other, part)) return part * h + meeting;
     }
@@ -235,7 +231,7 @@ void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighb
         const double gap = between.norm() - contact;
         const double at = time + std::max(meeting, gap > 0 ? gap / (speed + own) : 0);
         const double after = Neighbours::speedAfter(input.bodies, k, own, i, speed);
-        if (isStruck && m_time[k] <= at && (1 + worthMeetingAgain) * m_speed[k] >= after) continue;
+        if (isStruck && m_time[k] <= at && (1 + Neighbours::worthANewLook) * m_speed[k] >= after) continue;
         if (!isStruck) {
             m_kind[k] = Kind::Struck;
             m_part[k] = input.part;

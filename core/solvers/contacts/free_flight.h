@@ -111,7 +111,6 @@ class FreeFlight {
 
     std::vector<BodyIndex> m_bodies;
     std::vector<Strike> m_strikes;
-    std::vector<Strike> m_before;    // times and speeds that a call of spread() has changed
     std::vector<BodyIndex> m_struck; // of this kind
     Coasting m_coasting;
 };

@@ -10,9 +10,6 @@
 namespace carom {
 namespace {
 
-/// A body is visited again only if it may be faster by more than this part than at the visit before. At
-/// twice, an impulse may be taken to reach less far than it does; at half, bodies are visited more often.
-constexpr double worthANewLook = 0.25;
 /// Visits of a body, in the mean, for which there is room from the start. Twice or half changes memory only,
 /// and how often the list grows.
 constexpr std::size_t lookedAt = 4;
@@ -42,7 +39,7 @@ double freeSpeed(const ImpulseReach::Input& input, BodyIndex body) {
 } // namespace
 
 void ImpulseReach::reach(BodyIndex body, double time, double speed) {
-    if (m_time[body] <= time && (1 + worthANewLook) * m_speed[body] >= speed) return;
+    if (m_time[body] <= time && (1 + Neighbours::worthANewLook) * m_speed[body] >= speed) return;
     m_time[body] = std::min(m_time[body], time);
     m_speed[body] = std::max(m_speed[body], speed);
     m_queue.push_back(body);

@@ -126,6 +126,10 @@ class Neighbours {
             bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
         return std::max(own, std::min(other, momentumLimit(part, own, other)));
     }
+    /// Where strikes spread, a body is looked at again only if it may be faster by more than this part than
+    /// it was. At twice, a strike may be taken to reach less far than it does; at half, bodies are looked at
+    /// more often.
+    static constexpr double worthANewLook = 0.25;
     /// The largest speed of a mobile body that is `own` fast [m/s] after `striker`, `speed` fast, has struck
     /// it: limited by momentum, by energy, and by the reach that all searches assume.
     static double speedAfter(const Bodies& bodies, BodyIndex body, double own, BodyIndex striker,

@@ -26,7 +26,7 @@
 //                need it. The base path's work is paid from the same budget, so bodies that move all the time
 //                save nothing.
 //     presets    differ by the sums alone: `fast` has a quarter of all of them, `accurate` twelve times the
-//                floor, and saves what 200 of its frames may take. What is nearly at rest, how fast the sum
+//                floor, and saves what 300 of its frames may take. What is nearly at rest, how fast the sum
 //                of the start fades, and when creeping bodies sleep (calm.h) is the same in all
 //     springs    an island in which nothing touches is left to its integrator
 //     unfinished what was not solved within its share is left to the base path and tried again after 1, 3, 7,
