@@ -19,6 +19,15 @@ double largerEigenvalue(double xx, double xy, double yy) {
     return mean + std::sqrt(half * half + xy * xy);
 }
 
+/// 1 over the larger eigenvalue of the response of two bodies to torques across the normal [kg m²].
+double rollingInertia(const SolverBody& a, const SolverBody& b, const Vec3& normal) {
+    const Mat3 response = inverseInertiaOf(a) + inverseInertiaOf(b);
+    const Tangents tangents = tangentsOf(normal);
+    const Vec3 first = response * tangents.first, second = response * tangents.second;
+    return 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
+                                tangents.second.dot(second));
+}
+
 void setLane(std::array<Wide, 3>& to, std::size_t lane, const Vec3& value) {
     for (std::size_t k = 0; k < 3; ++k) to[k][lane] = value[static_cast<Eigen::Index>(k)];
 }
@@ -53,11 +62,9 @@ struct PairOfBodies {
     }
 };
 
-// Computes the effective masses of a row that has its arms, in the lanes that are used, and gives it an
-// impulse, which is in world coordinates.
+// Computes the effective masses of a row that has its arms, in the lanes that are used.
 template<class Used>
-CAROM_INLINE void prepareRow(const PairOfBodies& pair, const Wide3& impulse, const Used& used,
-                             RowPoint& row) {
+CAROM_INLINE void setMasses(const PairOfBodies& pair, const Used& used, RowPoint& row) {
     const Wide zero{}, one = wideOf(1);
     Response response{};
     response.add(pair.a, load(row.armA), pair.n, pair.t1, pair.t2);
@@ -70,6 +77,14 @@ CAROM_INLINE void prepareRow(const PairOfBodies& pair, const Wide3& impulse, con
     row.perTangent = used ? larger : zero;
     row.coupling1 = response.n1;
     row.coupling2 = response.n2;
+}
+
+// The same, and gives the row an impulse, which is in world coordinates.
+template<class Used>
+CAROM_INLINE void prepareRow(const PairOfBodies& pair, const Wide3& impulse, const Used& used,
+                             RowPoint& row) {
+    setMasses(pair, used, row);
+    const Wide zero{};
     const Wide normal = dot(pair.n, impulse);
     const auto presses = used & (normal > zero); // else the bodies have passed each other
     row.normal = presses ? normal : zero;
@@ -85,6 +100,28 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
         for (std::uint32_t k = 0; k < group.points; ++k) {
             RowPoint& row = points[group.firstPoint + k];
             prepareRow(pair, {row.normal, row.along1, row.along2}, row.massNormal > Wide{}, row);
+        }
+    }
+}
+
+// Renews the effective masses of rows with a body that has `turned`.
+CAROM_WIDE void renew(std::span<const RowGroup> groups, RowPoint* points, const SolverBody* bodies,
+                      const std::uint8_t* turned) {
+    const Wide zero{};
+    for (const RowGroup& group : groups) {
+        Wide isTurned{};
+        for (std::size_t lane = 0; lane < wideLanes; ++lane)
+            isTurned[lane] = turned[group.a[lane]] | turned[group.b[lane]];
+        if (!anyLane(isTurned)) continue;
+        const PairOfBodies pair(bodies, group);
+        const auto changes = isTurned > zero;
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            RowPoint& row = points[group.firstPoint + k];
+            RowPoint now = row;
+            setMasses(pair, row.massNormal > zero, now);
+            for (Wide RowPoint::*value : {&RowPoint::massNormal, &RowPoint::massTangent, &RowPoint::perNormal,
+                                          &RowPoint::perTangent, &RowPoint::coupling1, &RowPoint::coupling2})
+                row.*value = changes ? now.*value : row.*value;
         }
     }
 }
@@ -257,19 +294,14 @@ void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::u
 
 void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& place,
                              std::span<const SolverBody> bodies) {
-    const Mat3 response = inverseInertiaOf(bodies[pair.a]) + inverseInertiaOf(bodies[pair.b]);
-    const Tangents tangents = tangentsOf(pair.normal);
-    const Vec3 first = response * tangents.first, second = response * tangents.second;
-    m_rolling.push_back(
-        {.a = pair.a,
-         .b = pair.b,
-         .group = place.group,
-         .lane = place.lane,
-         .normal = pair.normal,
-         .rolling = pair.rolling,
-         .inertia = 1 / largerEigenvalue(tangents.first.dot(first), tangents.first.dot(second),
-                                         tangents.second.dot(second)),
-         .torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal});
+    m_rolling.push_back({.a = pair.a,
+                         .b = pair.b,
+                         .group = place.group,
+                         .lane = place.lane,
+                         .normal = pair.normal,
+                         .rolling = pair.rolling,
+                         .inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal),
+                         .torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal});
 }
 
 double ContactRows::end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames,
@@ -285,6 +317,13 @@ double ContactRows::end(std::span<const SolverBody> bodies, std::span<const Body
         if (row.group >= m_prepared) row.torque *= duration;
     m_prepared = m_groups.size();
     return deepest;
+}
+
+void ContactRows::renewMasses(std::span<const SolverBody> bodies, std::span<const std::uint8_t> turned) {
+    renew(m_groups, m_points.data(), bodies.data(), turned.data());
+    for (RollingRow& row : m_rolling)
+        if ((turned[row.a] | turned[row.b]) != 0)
+            row.inertia = rollingInertia(bodies[row.a], bodies[row.b], row.normal);
 }
 
 void ContactRows::storeForces(double duration) const {

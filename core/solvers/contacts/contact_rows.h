@@ -139,6 +139,8 @@ class ContactRows {
     /// The same with the frames of carried points, whose forces become impulses over `duration` [s]. Returns
     /// the deepest overlap of these points [m].
     double end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames, double duration);
+    /// Effective masses of rows with a body that has `turned`, from its present inertia.
+    void renewMasses(std::span<const SolverBody> bodies, std::span<const std::uint8_t> turned);
     /// Carried points get the forces that their impulses are over `duration` [s].
     void storeForces(double duration) const;
     /// The groups from here on have no carried points.

@@ -24,9 +24,9 @@ static_assert(sizeof(SolverBody) == 128);
 /// How far a body has come since the rows were made.
 struct alignas(32) Displacement {
     std::array<double, 3> shift{}; ///< [m]
-    double unused0 = 0;
-    std::array<double, 3> turn{}; ///< rotation vector [rad]
-    double angle = 0;             ///< of all that it has turned through [rad]
+    double renewed = 0;            ///< `angle` when the rows had their effective masses [rad]
+    std::array<double, 3> turn{};  ///< rotation vector [rad]
+    double angle = 0;              ///< of all that it has turned through [rad]
 };
 
 inline Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }

@@ -31,6 +31,11 @@ constexpr double nearPart = 2 * slackPart;
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
 constexpr bool fromTop = true;
 
+/// Effective masses are computed anew where turning may have changed a body's response to an impulse by this
+/// part. A pass diverges where they are too large by 2 (it is then a relaxation by more than 2); at half,
+/// they are computed anew twice as often.
+constexpr double mostChange = 0.25;
+
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
@@ -486,6 +491,22 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         input.state.pose[body].orientation = m_turning.orientationOf(i);
         input.state.angularMomentum[body] = m_turning.momentumOf(i);
     }
+    renewMasses();
+}
+
+// A body that turns by φ changes its response to an impulse, along any direction, by at most φ (I₁/I₃ − 1) of
+// it, with I₁ and I₃ its largest and least moment of inertia.
+void SteppedMotion::renewMasses() {
+    bool any = false;
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_turns)) {
+        Displacement& moved = m_moved[i];
+        if (!((moved.angle - moved.renewed) * m_turning.unevennessOf(i) > mostChange)) continue;
+        if (!any) m_hasTurned.assign(m_bodies.size(), 0);
+        any = true;
+        m_hasTurned[i] = 1;
+        moved.renewed = moved.angle;
+    }
+    if (any) m_rows.renewMasses(m_bodies, m_hasTurned);
 }
 
 // Turns balls at once by their whole rotation since the look: their contacts need no orientation.

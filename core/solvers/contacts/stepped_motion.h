@@ -290,6 +290,7 @@ class SteppedMotion {
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
+    void renewMasses();
     /// A ball without springs: its orientation is not used before the next look.
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
     void turnBalls(const SteppedInput& input);
@@ -375,9 +376,10 @@ class SteppedMotion {
     Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
     Scratch<PairSort<Numbered>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
-    Scratch<std::vector<Travel>> m_travel;       // by number
-    Scratch<std::vector<Coming>> m_coming;       // by number
-    Scratch<std::vector<std::uint32_t>> m_turns; // numbers of those that turn in the step
+    Scratch<std::vector<Travel>> m_travel;          // by number
+    Scratch<std::vector<Coming>> m_coming;          // by number
+    Scratch<std::vector<std::uint32_t>> m_turns;    // numbers of those that turn in the step
+    Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
     Scratch<EnergyLimit> m_energy;
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>

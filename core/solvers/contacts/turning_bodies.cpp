@@ -31,6 +31,7 @@ void TurningBodies::add(const Bodies& bodies, BodyIndex body, const State& state
     record.first[first] = record.second[second] = 1;
     record.aboutFirst = 1 / record.inertia[first] - record.aboutMomentum;
     record.aboutSecond = 1 / record.inertia[second] - record.aboutMomentum;
+    record.unevenness = inertia[largest] / inertia[least] - 1;
     const bool isExact = record.aboutFirst == 0 || record.aboutSecond == 0;
     const double most = (isExact ? mostAngle : onePart) * inertia[least];
     record.most = most * most;

@@ -47,6 +47,9 @@ class TurningBodies {
     /// [kg m²/s], world, as of its last turn.
     Vec3 momentumOf(std::size_t number) const { return vectorOf(m_records[number].momentum); }
 
+    /// How different a body's moments of inertia are: the largest over the least, less 1.
+    double unevennessOf(std::size_t number) const { return m_records[number].unevenness; }
+
     /// Turns the bodies of `list` through `duration` seconds: their records here, and in `solved` their
     /// angular velocity and inverse inertia.
     void turn(std::span<const std::uint32_t> list, double duration, std::span<SolverBody> solved);
@@ -64,7 +67,7 @@ class TurningBodies {
         std::array<double, 3> inertia{}; ///< [kg m²]
         double aboutMomentum = 0;        ///< 1/Iₘ [1/(kg m²)]
         std::array<double, 3> inverse{}; ///< of the moments, 0 about what it cannot turn [1/(kg m²)]
-        double unused = 0;
+        double unevenness = 0;
         std::array<double, 3> first{}; ///< axis
         double aboutFirst = 0;         ///< c₁ [1/(kg m²)]
         std::array<double, 3> second{};

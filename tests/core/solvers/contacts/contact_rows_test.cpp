@@ -306,6 +306,46 @@ class ContactRowsTest : public QObject {
         }
     }
 
+    // Bodies turn between two steps: rows of those that did have the masses of rows that are made anew, and
+    // the others are left as they are, in the same group too.
+    void massesAreThoseOfTheBodiesAsTheyHaveTurned() {
+        Random random(test::seed, 5);
+        for (RowScene scene : manyScenes()) {
+            ContactRows rows = scene.rows();
+            const ContactRows before = rows;
+            std::vector<std::uint8_t> turned(scene.bodies.size(), 0);
+            for (std::size_t i = 0; i < scene.mobileCount(); ++i) {
+                if (random.below(3) != 0) continue;
+                turned[i] = 1;
+                const Mat3 turn = fromRotationVector(test::uniformIn(random, 3)).toRotationMatrix();
+                SolverBody& body = scene.bodies[i];
+                setInverseInertia(turn * carom::inverseInertiaOf(body) * turn.transpose(), body);
+            }
+            rows.renewMasses(scene.bodies, turned);
+            const ContactRows anew = scene.rows();
+            const auto isNear = [](double one, double other) {
+                return std::abs(one - other) <= roundingOfRows * std::max(1.0, std::abs(other));
+            };
+            for (const RowGroup& group : rows.groups())
+                for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                    for (std::uint32_t k = 0; k < group.points; ++k) {
+                        const std::size_t number = group.firstPoint + k;
+                        const bool hasTurned = (turned[group.a[lane]] | turned[group.b[lane]]) != 0;
+                        const RowPoint &is = rows.points()[number], &was = before.points()[number],
+                                       &expected = hasTurned ? anew.points()[number] : was;
+                        for (const Wide RowPoint::*mass :
+                             {&RowPoint::massNormal, &RowPoint::massTangent, &RowPoint::perNormal,
+                              &RowPoint::perTangent, &RowPoint::coupling1, &RowPoint::coupling2})
+                            QVERIFY(isNear((is.*mass)[lane], (expected.*mass)[lane]));
+                        for (const Wide RowPoint::*kept :
+                             {&RowPoint::normal, &RowPoint::along1, &RowPoint::along2, &RowPoint::gap})
+                            QVERIFY((is.*kept)[lane] == (was.*kept)[lane]);
+                    }
+            for (std::size_t i = 0; i < rows.rolling().size(); ++i)
+                QVERIFY(isNear(rows.rolling()[i].inertia, anew.rolling()[i].inertia));
+        }
+    }
+
   private:
     static void comparePoints(const RowScene& scene, const ContactRows& rows, const RowGroup& group,
                               std::size_t lane) {
