@@ -39,6 +39,7 @@ Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals) {
 
 bool restsAfter(double speed, double acceleration, double restitution, double radius) {
     if (!(acceleration < 0)) return false;
+    if (restitution == 1) return speed <= leastHop(acceleration, restitution, radius);
     // Of the time of a fall through the radius: all bounces to come, and a single one. Twice as much stops a
     // ball at twice the speed, 1e-9 of that after such a fall.
     constexpr double unseen = 1e-9, roundings = 1e-10;

@@ -35,7 +35,7 @@ Vec3 supportedAcceleration(const Vec3& gravity, std::span<const Vec3> normals);
 /// speed / (|acceleration| (1 − restitution)) more seconds in all, the sum of the geometric series, and is at
 /// rest then. Where that is shorter than a billionth of the time of a fall through its radius [m], it is at
 /// rest now; likewise where a single bounce is a tenth of that, which ends bounces that rounding alone
-/// sustains.
+/// sustains. A ball that loses no energy rests where its bounce is lower than leastHop().
 bool restsAfter(double speed, double acceleration, double restitution, double radius);
 
 /// The speed [m/s] of the lowest bounce of two balls of which one lies on the other, with relative
