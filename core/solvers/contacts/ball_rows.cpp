@@ -561,6 +561,15 @@ void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement>
     sweep(Pass::Feedback, {m_groups, bodies.data(), moved.data(), settings, back});
 }
 
+void BallRows::addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
+                             std::span<double> to) const {
+    const Softnesses softness = softnessesOf(settings);
+    for (const BallGroup& group : m_groups)
+        if (!group.idle)
+            carom::addCorrection(group, group.row, gapNow(group, load(group.normal), moved.data()), softness,
+                                 to);
+}
+
 double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back) {
     return sweep(Pass::Relax, {m_groups, bodies.data(), moved.data(), settings, back});

@@ -111,6 +111,8 @@ class BallRows {
     void warmStart(std::span<SolverBody> bodies) const;
     void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                const StepSettings& settings, bool back);
+    void addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
+                       std::span<double> to) const;
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                  const StepSettings& settings, bool back);
     int activate(const ActiveBodies& active) const;

@@ -82,6 +82,17 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
     return {dn, d1, d2};
 }
 
+/// Adds what feedback may have added to the energy of the pairs of a group by a point, pₙ |b| where it
+/// overlaps, to one of the two bodies that can move [J], by number.
+template<class Group, class Row>
+CAROM_INLINE void addCorrection(const Group& group, const Row& row, const Wide& gap,
+                                const Softnesses& softness, std::span<double> to) {
+    const Wide zero{}, wanted = -select(group.hard, softness).rate * gap;
+    const Wide added = row.normal * (gap < zero ? smaller(wanted, group.push) : zero);
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        to[std::max(group.a[lane], group.b[lane])] += added[lane];
+}
+
 /// The closing speed of a point of `row` that an impact would begin with [m/s]; 0 where there is none.
 template<class Group, class Row>
 CAROM_INLINE Wide approachOf(const Group& group, const Row& row, const Wide& closing, double resting) {

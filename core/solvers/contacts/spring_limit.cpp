@@ -19,7 +19,7 @@ constexpr double rounding = 1e-12;
 
 } // namespace
 
-void SpringLimit::remember(const SpringIslands& input, std::span<const SolverBody> bodies, double parting) {
+void SpringLimit::remember(const SpringIslands& input, std::span<const SolverBody> bodies) {
     m_sums.assign(input.islands, {});
     for (const std::uint32_t index : input.springs) {
         const SpringForce& spring = input.bodies.springs[index];
@@ -31,15 +31,14 @@ void SpringLimit::remember(const SpringIslands& input, std::span<const SolverBod
             else
                 hold(input.islandOf[input.local[other]]);
         }
-        const BodyIndex member =
-            spring.from != noBody && input.local[spring.from] != 0 ? spring.from : spring.to;
-        const double tension = std::sqrt(2 * spring.stiffness * springEnergy(spring, input.state));
-        m_sums[input.islandOf[input.local[member]]].limit +=
-            parting * (tension + 0.5 * spring.stiffness * parting);
     }
     for (Sums& sums : m_sums) sums.part = 1;
     findEnergies(input, 0, bodies);
-    for (Sums& sums : m_sums) sums.limit += sums.energy;
+    for (Sums& sums : m_sums) sums.limit = sums.energy;
+}
+
+void SpringLimit::allow(const SpringIslands& input, std::span<const double> added) {
+    for (std::size_t i = 1; i < added.size(); ++i) m_sums[input.islandOf[i]].limit += added[i];
 }
 
 SolverBody SpringLimit::slowed(const SpringIslands& input, std::span<const SolverBody> bodies,

@@ -17,7 +17,7 @@
 //
 //     legend   v, T, V  velocities, kinetic energy, energy of the springs; T₀ with what gravity has added
 //              v̄  the motion of the island as a whole, 0 if anything fixed holds it;  h  the step [s]
-//              W  what position correction may add to the springs
+//              W  what position correction may add: Σ pₙ |b| of overlaps (velocity_solve.h)
 //
 // There is such an s, since V(0) = V₀. Contacts that are open at v stay so: at s = 0 nothing closes. At the
 // end of the step the same is done with the velocities alone, to which V has been added as it then is.
@@ -35,9 +35,10 @@ struct SpringIslands {
 
 class SpringLimit {
   public:
-    /// The energy that islands have now is their limit. `parting` is how far overlaps are moved apart at
-    /// most [m].
-    void remember(const SpringIslands& input, std::span<const SolverBody> bodies, double parting);
+    /// The energy that islands have now is their limit.
+    void remember(const SpringIslands& input, std::span<const SolverBody> bodies);
+    /// Raises the limit of the island of each body by what position correction may add there [J], by number.
+    void allow(const SpringIslands& input, std::span<const double> added);
     /// Something fixed touches a body of the island.
     void hold(std::uint32_t island) { m_sums[island].isHeld = true; }
     /// Slows bodies down until no island exceeds its limit when it has moved for `duration` [s].

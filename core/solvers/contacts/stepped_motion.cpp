@@ -366,7 +366,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
-    if (!m_links.empty()) rememberSprings(input, duration);
+    if (!m_links.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
         m_energy.remember(m_bodies, partOf(), parts());
@@ -376,7 +376,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     sweep(settings, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, report);
-    if (!m_links.empty()) m_springLimit.keep(springIslands(input), duration, m_bodies);
+    if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
@@ -451,14 +451,21 @@ SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
 }
 
 // Stores the energy that islands with springs may have when the step ends.
-void SteppedMotion::rememberSprings(const SteppedInput& input, double duration) {
-    double largest = 0; // [m]
-    for (const BodyIndex body : m_list) largest = std::max(largest, input.bodies.boundingRadius[body]);
-    const double parting = std::min(m_deepest, mostCorrection * largest * duration / m_substep);
-    m_springLimit.remember(springIslands(input), m_bodies, parting);
+void SteppedMotion::rememberSprings(const SteppedInput& input) {
+    m_springLimit.remember(springIslands(input), m_bodies);
     for (const Entry& entry : m_entries)
         if (m_local[entry.pair.a] == immobile || m_local[entry.pair.b] == immobile)
             m_springLimit.hold(m_island[numberOf(entry.pair)]);
+}
+
+// Slows islands with springs down to what the energy allows, with what position correction may add to it.
+void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& settings) {
+    const SpringIslands islands = springIslands(input);
+    m_corrected.assign(m_bodies.size(), 0);
+    addCorrection(m_rows, settings, m_corrected);
+    m_balls.addCorrection(m_moved, forBalls(settings), m_corrected);
+    m_springLimit.allow(islands, m_corrected);
+    m_springLimit.keep(islands, settings.duration, m_bodies);
 }
 
 // Moves bodies: those without any impulse by the mean of the velocities at both ends, the others by the

@@ -286,7 +286,8 @@ class SteppedMotion {
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void rebound(const StepSettings& settings, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
-    void rememberSprings(const SteppedInput& input, double duration);
+    void rememberSprings(const SteppedInput& input);
+    void limitSprings(const SteppedInput& input, const StepSettings& settings);
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
@@ -359,7 +360,8 @@ class SteppedMotion {
     std::vector<std::uint32_t> m_links;            // springs
     Scratch<std::vector<SpringRow>> m_springs;
     Scratch<SpringLimit> m_springLimit;
-    double m_deepest = 0; // overlap at the last look [m]
+    Scratch<std::vector<double>> m_corrected; // by number: energy that position correction may add [J]
+    double m_deepest = 0;                     // overlap at the last look [m]
     std::vector<Entry> m_entries;
     std::vector<std::uint8_t> m_isFlipped; // by entry of balls: B is the pair's first
     std::vector<std::uint32_t> m_general;  // entries that are not of balls

@@ -160,6 +160,15 @@ CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoi
 
 } // namespace
 
+void addCorrection(const ContactRows& rows, const StepSettings& settings, std::span<double> to) {
+    const Softnesses softness = softnessesOf(settings);
+    for (const RowGroup& group : rows.groups())
+        for (std::uint32_t k = 0; k < group.points; ++k) {
+            const RowPoint& row = rows.points()[group.firstPoint + k];
+            addCorrection(group, row, row.gap, softness, to);
+        }
+}
+
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies) {
     for (RollingRow& row : rows.rolling()) {
         const RowGroup& group = rows.groups()[row.group];
