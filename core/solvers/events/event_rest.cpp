@@ -49,7 +49,7 @@ bool restsAfter(double speed, double acceleration, double restitution, double ra
 }
 
 double leastHop(double pull, double restitution, double radius) {
-    const double height = restitution < 1 ? 1e-9 : 1e-12; // of the radius
+    const double height = restitution < 1 ? 1e-9 : 1e-10; // of the radius
     return std::sqrt(-2 * pull * height * radius);
 }
 

@@ -126,9 +126,9 @@ class EventsTest : public QObject {
         }
     }
 
-    // What rounding leaves of a velocity is no bounce: lower than 1e-12 of its radius the ball rests, at any
+    // What rounding leaves of a velocity is no bounce: lower than 1e-10 of its radius the ball rests, at any
     // restitution. A break of elastic balls had 45 million bounces in a frame, of 1e-16 m; of the lowest that
-    // are left a ball makes g h / 2v = 1.1e5.
+    // are left a ball makes g h / 2v = 1.1e4.
     void bouncesThatAreRoundingEnd() {
         Scene scene = sceneOf(
             {wall(Vec3::UnitY(), 0), sphere(0.027, 0.17, Vec3(0.3, 0.027, 0.7), Vec3(-3, 0, -7))}, down);
