@@ -43,8 +43,9 @@ std::string generateLogPile(const GeneratorRequest& request) {
 
     SceneWriter scene =
         sceneFor(row, request, "Log pile: " + std::to_string(n) + " logs in each other's grooves.",
-                 "nothing moves: no log turns, creeps or sinks. With `--friction 0.1` the lowest\n"
-                 "part and the pile comes down.");
+                 "six logs lie still: none turns, creeps or sinks. With `--friction 0.1` the\n"
+                 "lowest part and the pile comes down. Piles of ten or more come down at the\n"
+                 "friction of wood, because their outer logs roll away.");
     scene.camera(toMillionths(Vec3(0.5 * width + 1, 0.7 * width + 0.5, 1.5 * width + 3)),
                  toMillionths(Vec3(0, 0.35 * width, 0)), 40);
     scene.blankLine();
