@@ -48,6 +48,11 @@ Vec3 middleOfEdge(const Solid& solid, Eigen::Index edge, const Vec3& direction) 
 /// rounding error of more than 1e-7, and a face has nearly the same direction. At half, that error is twice
 /// as large; at twice, more edges have no direction of their own.
 constexpr double smallestSine = 1e-9;
+/// A direction across two edges, or from a side to a rim, is followed where the axes are at this sine at
+/// least: while bodies turn by φ the direction turns by up to φ/sine, a quarter of a radian for the .005 rad
+/// through which points are kept (manifold_following.cpp). At half, points are kept along a direction that
+/// has turned away from the nearest one; at twice, more pairs are found anew.
+constexpr double leastFollowed = 0.02;
 
 /// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
 /// axes are parallel.
@@ -92,18 +97,21 @@ class SolidPair {
             m_b.forEachAxis([&](Eigen::Index other) {
                 const Vec3 across = m_a.turn.col(one).cross(m_b.turn.col(other));
                 const double sine = across.norm();
-                if (sine > smallestSine)
+                if (sine > leastFollowed)
                     consider(across / sine,
                              {Kind::Edges, static_cast<std::uint8_t>(one), static_cast<std::uint8_t>(other)});
+                else if (sine > smallestSine)
+                    consider(across / sine);
             });
         });
     }
     /// Of two cylinders: the side of each and a rim of the other.
     void considerRims() {
         if (!m_a.isCylinder || !m_b.isCylinder) return;
+        const bool isFollowed = m_a.turn.col(1).cross(m_b.turn.col(1)).norm() > leastFollowed;
         for (const Kind side : {Kind::SideA, Kind::SideB}) {
             const Vec3 direction = fromSideToRim(m_a, m_b, side);
-            if (direction != Vec3::Zero()) consider(direction, {side});
+            if (direction != Vec3::Zero()) consider(direction, {isFollowed ? side : Kind::Other});
         }
     }
     /// From the axis of each cylinder straight to the centre of the other.

@@ -88,6 +88,25 @@ class ManifoldFollowingTest : public QObject {
         QVERIFY((now.points[0].armA - Vec3(0.1, 0.3995, 0.0)).norm() < roundingOfPlaces + 0.05);
         QVERIFY(std::abs(now.points[0].armA.z() - 0.0) < 0.05);
     }
+
+    // Two that lie side by side: what is across both axes turns by many degrees when these turn by next to
+    // nothing, and is no normal then.
+    void normalOfNearlyParallelCylindersStays() {
+        for (const double angle : {1e-8, 1e-6, 1e-4, 1e-3, 5e-3}) {
+            Two two(cylinder(0.2, 2, 1, {0, 0, 0}),
+                    turnedBy(cylinder(0.2, 2, 1, {0.4 - 1e-6, 0, 0}), {angle, 0, 0}));
+            QVERIFY(two.update());
+            QVERIFY((two.here().normal - Vec3::UnitX()).norm() < roundingOfPlaces);
+            for (const double turn : {0.2, -0.4}) {
+                two.moveBy(1, Vec3::Zero(), {0, 0, turn * angle});
+                two.update();
+                const PlacedManifold now = two.here();
+                QVERIFY2((now.normal - Vec3::UnitX()).norm() < 4 * angle, qPrintable(QString::number(angle)));
+                for (int k = 0; k < now.count; ++k) // no deeper than what tilts into the other
+                    QVERIFY(now.points[static_cast<std::size_t>(k)].separation > -2e-6 - angle);
+            }
+        }
+    }
 };
 
 } // namespace carom
