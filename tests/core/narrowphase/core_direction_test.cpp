@@ -355,6 +355,28 @@ class CoreDirectionTest : public QObject {
         QVERIFY(*std::max_element(off.begin(), off.end()) < mostSpread);
     }
 
+    // The edge of a turned cuboid overlaps the side of a cylinder by little, and its top the cap by more:
+    // both are the best of the directions near them.
+    void atACornerTheShallowerOfTwoDirectionsIsFound() {
+        const double half = 0.3, radius = 0.2, height = 0.1,
+                     tilt = 1e-6; // its highest point is in the cuboid
+        for (const double shallow : {1e-5, 1e-4, 1e-3})
+            for (const double deep : {0.005, 0.01, 0.015}) {
+                const Placed cylinder{Cylinder{radius, height}, {Vec3::Zero(), about(Vec3::UnitZ(), tilt)}};
+                const Placed cuboid{
+                    Cuboid{Vec3(half, half, half)},
+                    {Vec3(radius + half * std::numbers::sqrt2 - shallow, height + half - deep, 0),
+                     about(Vec3::UnitY(), std::numbers::pi / 4)}};
+                for (const bool isFirst : {false, true}) {
+                    const Found found = quickOf((isFirst ? cuboid : cylinder).placed(),
+                                                (isFirst ? cylinder : cuboid).placed(), Vec3::UnitY(), 0.01);
+                    QVERIFY(found.touches);
+                    QVERIFY2(std::abs(found.separation() + shallow) < exactTolerance + tilt,
+                             qPrintable(QString::number(found.separation())));
+                }
+            }
+    }
+
     void coresThatOverlapAreLeftToTheExactMethod() {
         Random random(seed, 105);
         int same = 0;
