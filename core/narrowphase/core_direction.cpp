@@ -28,8 +28,8 @@ constexpr double tie = 1e-6;
 
 /// A direction that is the best of those near it is taken without a look at others where the overlap along it
 /// is less than this part of the rims: at a corner two directions may be best, each among its neighbours. At
-/// a third of the rims and at a thirtieth of them it costs as much; at all of them an overlap may be too deep
-/// by a seventh of the size.
+/// three times and at a third, errors and cost are the same; at ten times, an overlap may be too deep by a
+/// seventh of the size.
 constexpr double aloneWithin = 0.1;
 
 double rimOf(const Solid& solid) { return rimPart * solid.half.minCoeff(); }
@@ -83,7 +83,14 @@ class SolidPair {
           m_tolerance(tie * (a.half.maxCoeff() + b.half.maxCoeff())) {}
 
     const Vec3& normal() const { return m_normal; }
-    DirectionSource source() const { return m_source; }
+    /// What the best direction is across, if that can be followed.
+    DirectionSource source() const {
+        if (m_source.kind == Kind::FaceA || m_source.kind == Kind::FaceB) return m_source;
+        const bool areEdges = m_source.kind == Kind::Edges; // else axes of cylinders
+        const Vec3 one = m_a.turn.col(areEdges ? m_source.edgeA : 1),
+                   other = m_b.turn.col(areEdges ? m_source.edgeB : 1);
+        return one.cross(other).norm() > leastFollowed ? m_source : DirectionSource();
+    }
     double gap() const { return m_gap; }
 
     void considerFaces() {
@@ -103,21 +110,18 @@ class SolidPair {
             m_b.forEachAxis([&](Eigen::Index other) {
                 const Vec3 across = m_a.turn.col(one).cross(m_b.turn.col(other));
                 const double sine = across.norm();
-                if (sine > leastFollowed)
+                if (sine > smallestSine)
                     consider(across / sine,
                              {Kind::Edges, static_cast<std::uint8_t>(one), static_cast<std::uint8_t>(other)});
-                else if (sine > smallestSine)
-                    consider(across / sine);
             });
         });
     }
     /// Of two cylinders: the side of each and a rim of the other.
     void considerRims() {
         if (!m_a.isCylinder || !m_b.isCylinder) return;
-        const bool isFollowed = m_a.turn.col(1).cross(m_b.turn.col(1)).norm() > leastFollowed;
         for (const Kind side : {Kind::SideA, Kind::SideB}) {
             const Vec3 direction = fromSideToRim(m_a, m_b, side);
-            if (direction != Vec3::Zero()) consider(direction, {isFollowed ? side : Kind::Other});
+            if (direction != Vec3::Zero()) consider(direction, {side});
         }
     }
     /// From the axis of each cylinder straight to the centre of the other.

@@ -83,7 +83,7 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
 }
 
 /// Adds what feedback may have added to the energy of the pairs of a group by a point, pₙ |b| where it
-/// overlaps, to one of the two bodies that can move [J], by number.
+/// overlaps, to that of the two bodies whose number is larger [J]: 0 cannot move.
 template<class Group, class Row>
 CAROM_INLINE void addCorrection(const Group& group, const Row& row, const Wide& gap,
                                 const Softnesses& softness, std::span<double> to) {

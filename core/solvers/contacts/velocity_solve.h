@@ -72,8 +72,8 @@ void updateGaps(ContactRows& rows, std::span<const Displacement> moved);
 /// One pass through the groups, forwards or `back`.
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
                      bool back);
-/// Adds what feedback may have added to the energy of bodies, pₙ |b| of every overlap, to one of the two that
-/// can move [J], by number. After the last pass with feedback.
+/// Adds what feedback may have added to the energy of bodies, pₙ |b| of every overlap, to that of the two
+/// whose number is larger [J]: 0 cannot move. After the last pass with feedback.
 void addCorrection(const ContactRows& rows, const StepSettings& settings, std::span<double> to);
 /// Rolling resistance after a pass: torques that oppose rolling, within what the normal impulses allow.
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);

@@ -358,7 +358,7 @@ void EventGas::settle(std::uint32_t i, const Rest& before) {
         const double after = speed < 0 ? -e * speed : speed;
         const double pull = wall.normal.dot(m_gravity);
         const bool rests = restsAfter(after, pull, e, origin.radius) ||
-                           (e < 1 && pull < 0 && after <= leastHop(pull, e, origin.radius));
+                           (pull < 0 && after <= leastHop(pull, e, origin.radius));
         const double change = (rests ? 0 : after) - speed;
         origin.velocity += change * wall.normal;
         note(wall, origin, change / material.inverseMass);
