@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
         if (varied) {
             const int most = static_cast<int>(arguments.wholeNumber("bodies", 1, 100'000).value_or(500));
             for (auto [seed, last] = seedsOf(*varied); seed <= last; ++seed)
-                compare("varied " + std::to_string(seed), test::VariedScene(seed, most).text(), frames,
+                compare("varied " + std::to_string(seed), test::variedScene(seed, most), frames,
                         arguments.has("contacts"));
         }
     } catch (const UsageError& error) {

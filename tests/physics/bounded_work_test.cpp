@@ -110,7 +110,7 @@ class BoundedWorkTest : public QObject {
         int tried = 0;
         double mostOfBudget = 0, rowsSeen = 0, pairsSeen = 0;
         for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-            World world = test::contactsWorld(test::VariedScene(seed).text());
+            World world = test::contactsWorld(test::variedScene(seed));
             if (!world.pipeline().bodies().springs.empty()) continue;
             ++tried;
             double start = budget.start, sum = 0, allowed = 0;
@@ -154,9 +154,9 @@ class BoundedWorkTest : public QObject {
         for (const std::uint64_t seed : {4U, 16U, 27U, 44U}) {
             SimulationSettings options;
             options.method = "contacts";
-            World one = test::contactsWorld(test::VariedScene(seed).text());
+            World one = test::contactsWorld(test::variedScene(seed));
             options.threads = 3;
-            World other(build(test::VariedScene(seed).text(), options).pipeline);
+            World other(build(test::variedScene(seed), options).pipeline);
             for (int frame = 0; frame < 20; ++frame) {
                 one.step();
                 other.step();

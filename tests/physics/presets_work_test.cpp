@@ -56,7 +56,7 @@ class PresetsWorkTest : public QObject {
 
     // 39 bodies of a random scene took 1.3e9 operations in one frame.
     void accurateRunsTakeLessThanASecondInAFrame() {
-        const std::string scene = test::VariedScene(22).text();
+        const std::string scene = test::variedScene(22);
         const PresetWork accurate = workWith(scene, "accurate", 60), usual = workWith(scene, "default", 60);
         qInfo("%.3g and %.3g operations, %.3g in one frame", accurate.sum, usual.sum, accurate.worst);
         QVERIFY(accurate.sum > usual.sum);
