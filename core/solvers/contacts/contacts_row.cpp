@@ -9,10 +9,10 @@ namespace carom {
 namespace {
 
 /// Some milliseconds a frame where nothing else bounds the work, and less than a second in one that draws on
-/// what was saved: what 300 frames may take, a third of it at once. A tower of 100 cubes built by hand lands
-/// in five frames that need 1.1e9 operations: at a third of the reserve it leans by 4 mm. At five sixths of
-/// the effort, or of the reserve, steps of the pyramid may overlap by more than a millionth of their radius
-/// under falling spheres; at twice the reserve, a frame may take more than a second.
+/// what was saved: what 300 frames may take, a quarter of it at once. A tower of 100 cubes built by hand
+/// lands in five frames that need 1.1e9 operations: at a third of the reserve it leans by 4 mm. At five
+/// sixths of the effort, or of the reserve, steps of the pyramid may overlap by more than a millionth of
+/// their radius under falling spheres; at twice the reserve, a frame may take more than a second.
 constexpr double accurateEffort = 12, accurateReserve = 90;
 /// Ratio of masses in contact up to which sweeps support a body in an island that is too large to be solved
 /// exactly. At twice that a heavy body sinks in twice as far.

@@ -21,7 +21,7 @@
 //     saved      what a frame does not use is saved for later, up to a limit, beside a larger sum that a run
 //                begins with: an island that is nearly at rest may use it. Its forces cost much the first
 //                time and are valid for long. If more is saved than that needs, as in accurate runs, any
-//                other island may use it, too, by half as much after every failed attempt: a third of it in
+//                other island may use it, too, by half as much after every failed attempt: a quarter of it in
 //                a frame at most. Islands share it by the squares of their expected cost, because large ones
 //                need it. The base path's work is paid from the same budget, so bodies that move all the time
 //                save nothing.

@@ -377,7 +377,7 @@ class RefinementTest : public QObject {
         QCOMPARE(accurate.floor, 12 * usual.floor);
         QCOMPARE(accurate.start, accurate.saved);
         QCOMPARE(accurate.saved, 300 * accurate.floor);
-        QVERIFY(accurate.burst <= 110 * accurate.floor);
+        QVERIFY(accurate.burst <= 80 * accurate.floor);
     }
 
     // What fast bodies may draw is what is saved beyond the part kept for those nearly at rest.
