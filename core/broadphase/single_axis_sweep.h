@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/broadphase/broadphase.h"
-#include "core/broadphase/sweep.h"
+#include "core/broadphase/axis_sweep.h"
 
 namespace carom {
 
@@ -14,7 +14,7 @@ class SingleAxisSweep final : public Broadphase {
     void update(const BroadphaseInput& input) override;
 
   private:
-    Sweep m_sweep;
+    AxisSweep m_sweep;
     PairOrder m_order;
     std::vector<PairKey> m_found;
 };

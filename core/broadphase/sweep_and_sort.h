@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/broadphase/broadphase.h"
-#include "core/broadphase/sweep.h"
+#include "core/broadphase/axis_sweep.h"
 
 #include <array>
 
@@ -54,7 +54,7 @@ class SweepAndSort final : public Broadphase {
     std::vector<EndPoint> m_fresh;            ///< scratch of a restart
     std::vector<PairKey> m_found;             ///< scratch of a restart
     std::vector<std::uint32_t> m_ends;        ///< scratch: places by code
-    Sweep m_sweep;                            ///< finds the first pairs
+    AxisSweep m_sweep;                        ///< finds the first pairs
     PairOrder m_order;
     int m_untried = 0, m_untriedNext = 0; ///< updates to start anew at once: now, and after the next failure
 };

@@ -13,7 +13,8 @@
 #include <vector>
 
 // The rules of the sources that a compiler does not hold: which layer may include which, no Qt in core, no
-// file without its licence line, no file that has outgrown one reading. Works on the sources as they are.
+// two types of one name, no file without its licence line, no file that has outgrown one reading. Works on
+// the sources as they are.
 
 namespace {
 
@@ -103,6 +104,24 @@ QString complaintAbout(const QString& file, const Include& include) {
     if (to.layer > from.layer) return "includes upward: " + include.path;
     if (to.layer == from.layer) return "includes a sibling: " + include.path;
     return {};
+}
+
+// The types that a header defines outside of others, with their namespaces.
+QStringList typesIn(const QString& header) {
+    static const QRegularExpression line(
+        R"(^(?:namespace ([\w:]+) \{|(?:class|struct|enum class) (?:alignas\(\w+\) )?(\w+)[^;\n]*\{))",
+        QRegularExpression::MultilineOption);
+    QStringList types;
+    QString within;
+    QRegularExpressionMatchIterator found = line.globalMatch(header);
+    while (found.hasNext()) {
+        const QRegularExpressionMatch match = found.next();
+        if (match.captured(2).isEmpty())
+            within = match.captured(1);
+        else
+            types << within + "::" + match.captured(2);
+    }
+    return types;
 }
 
 QString withoutComments(QString source) {
@@ -216,6 +235,26 @@ class LayersTest : public QObject {
         QVERIFY(!namesTheEffect("open(\"gravity\");", "gravity", "core/generators/x.cpp"));
         QVERIFY(!namesTheEffect("if (word == \"gravity\") read();", "gravity", "core/language/x.cpp"));
         QCOMPARE(withoutComments("a // \"resting\"\nb"), QStringLiteral("a \nb"));
+    }
+
+    // The linker takes one of two constructors of the same name for both, without a word.
+    void noTwoTypesHaveOneName() {
+        std::map<QString, QStringList> headers; // by type
+        for (const QString& file : filesBelow({"core", "ui", "app"}, {"*.h"}))
+            for (const QString& type : typesIn(read(file))) headers[type] << file;
+        QVERIFY(headers.size() > 300);
+        QStringList twice;
+        for (const auto& [type, files] : headers)
+            if (files.size() > 1) twice << type + ": " + files.join(", ");
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join('\n')));
+    }
+
+    void theCheckSeesTypesAndTheirNamespaces() {
+        const QString header =
+            "namespace a {\nclass One;\nclass One final : public Zero {\n    struct Part {\n"
+            "};\nstruct alignas(32) Two { int x; };\n} // namespace a\nnamespace a::b {\nenum class One : "
+            "int { X };\n}\n";
+        QCOMPARE(typesIn(header), QStringList({"a::One", "a::Two", "a::b::One"}));
     }
 
     void everySourceOpensWithItsLicence() {

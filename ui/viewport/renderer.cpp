@@ -208,7 +208,7 @@ void Renderer::drawPicture(const PictureOptions& options) {
         drawWallShadows();
         drawContactShadows();
     }
-    drawBodies(Pass::SphereLit, Pass::MeshLit, {.features = features});
+    drawBodies(RenderPass::SphereLit, RenderPass::MeshLit, {.features = features});
     drawWalls(true, features);
     drawLines();
     drawRibbons(options.lineWidth);
@@ -298,13 +298,13 @@ void Renderer::drawShadowMap(const PictureOptions& options) {
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     if (options.shadows)
-        drawBodies(Pass::SphereShadow, Pass::MeshFlat, {}); // else everything is in the light
+        drawBodies(RenderPass::SphereShadow, RenderPass::MeshFlat, {}); // else everything is in the light
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(outer));
 }
 
 void Renderer::drawSky(const Mat4& clipFromWorld) {
     const Eigen::Matrix4f inverse = clipFromWorld.inverse().cast<float>();
-    QOpenGLShaderProgram& program = m_shaders.use(Pass::Sky);
+    QOpenGLShaderProgram& program = m_shaders.use(RenderPass::Sky);
     glUniformMatrix4fv(program.uniformLocation("worldFromClip"), 1, GL_FALSE, inverse.data());
     const QOpenGLVertexArrayObject::Binder bound(&m_noVertices);
     glDisable(GL_DEPTH_TEST);
@@ -314,7 +314,8 @@ void Renderer::drawSky(const Mat4& clipFromWorld) {
 
 void Renderer::drawWalls(bool fromBehind, Feature features) {
     if (m_walls.isEmpty()) return;
-    m_shaders.use(Pass::WallFace, features).setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
+    m_shaders.use(RenderPass::WallFace, features)
+        .setUniformValue("opacity", fromBehind ? wallFromBehind : 1.0F);
     glDepthMask(fromBehind ? GL_FALSE : GL_TRUE);
     glEnable(GL_CULL_FACE);
     glCullFace(fromBehind ? GL_FRONT : GL_BACK);
@@ -328,7 +329,7 @@ void Renderer::drawWalls(bool fromBehind, Feature features) {
 }
 
 void Renderer::drawWallShadows() {
-    QOpenGLShaderProgram& program = m_shaders.use(Pass::WallShadow);
+    QOpenGLShaderProgram& program = m_shaders.use(RenderPass::WallShadow);
     glDepthMask(GL_FALSE);
     glBlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
     glEnable(GL_POLYGON_OFFSET_FILL);
@@ -355,7 +356,7 @@ void Renderer::drawWallShadows() {
 
 void Renderer::drawContactShadows() {
     if (m_table.spheres().count == 0) return;
-    QOpenGLShaderProgram& program = m_shaders.use(Pass::Contact);
+    QOpenGLShaderProgram& program = m_shaders.use(RenderPass::Contact);
     glDepthMask(GL_FALSE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1, -4);
@@ -374,7 +375,7 @@ void Renderer::drawContactShadows() {
     glDepthMask(GL_TRUE);
 }
 
-void Renderer::drawBodies(Pass spheres, Pass meshes, const BodyStyle& style) {
+void Renderer::drawBodies(RenderPass spheres, RenderPass meshes, const BodyStyle& style) {
     const auto part = [&style](InstanceRange range) {
         if (style.instance == everyInstance) return range;
         const bool inside = style.instance >= range.first && style.instance < range.first + range.count;
@@ -416,7 +417,7 @@ void Renderer::takeLines(std::span<const LineVertex> lines) {
 
 void Renderer::drawRibbons(double width) {
     if (m_wideLines.isEmpty() && m_marks.isEmpty()) return;
-    QOpenGLShaderProgram& program = m_shaders.use(Pass::Ribbon);
+    QOpenGLShaderProgram& program = m_shaders.use(RenderPass::Ribbon);
     program.setUniformValue("halfWidth", static_cast<float>(width / 2));
     program.setUniformValue("opacity", 1.0F);
     glDepthMask(GL_FALSE);
@@ -429,7 +430,7 @@ void Renderer::drawRibbons(double width) {
 
 void Renderer::drawLines() {
     if (m_lines.isEmpty()) return;
-    QOpenGLShaderProgram& program = m_shaders.use(Pass::Line);
+    QOpenGLShaderProgram& program = m_shaders.use(RenderPass::Line);
     glDepthMask(GL_FALSE);
     program.setUniformValue("opacity", 1.0F);
     m_lines.draw(*this, GL_LINES);
@@ -444,18 +445,18 @@ void Renderer::drawOutline(const PictureOptions& options) {
     const int index = m_table.indexOf(options.selected);
     if (index < 0) return;
     const Eigen::Vector3f& accent = options.theme.accent;
-    for (const Pass pass : {Pass::SphereFlat, Pass::MeshFlat})
+    for (const RenderPass pass : {RenderPass::SphereFlat, RenderPass::MeshFlat})
         m_shaders.use(pass).setUniformValue("flatColour", accent.x(), accent.y(), accent.z(), 1.0F);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glStencilFunc(GL_ALWAYS, 2, 2);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    drawBodies(Pass::SphereFlat, Pass::MeshFlat, {.instance = index});
+    drawBodies(RenderPass::SphereFlat, RenderPass::MeshFlat, {.instance = index});
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glStencilFunc(GL_NOTEQUAL, 2, 2);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    drawBodies(Pass::SphereFlat, Pass::MeshFlat, {.growth = outlineWidth, .instance = index});
+    drawBodies(RenderPass::SphereFlat, RenderPass::MeshFlat, {.growth = outlineWidth, .instance = index});
     glDisable(GL_STENCIL_TEST);
 }
 

@@ -87,7 +87,7 @@ class Renderer : protected QOpenGLFunctions_3_3_Core {
     void drawLines();
     void drawRibbons(double width);
     void drawOutline(const PictureOptions& options);
-    void drawBodies(Pass spheres, Pass meshes, const BodyStyle& style);
+    void drawBodies(RenderPass spheres, RenderPass meshes, const BodyStyle& style);
     Feature featuresOf(const PictureOptions& options) const;
 
     Shaders m_shaders;

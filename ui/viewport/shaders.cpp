@@ -14,37 +14,41 @@ namespace {
 
 /// The files a program is put together from, in this order: GLSL knows no includes.
 struct PassRow {
-    Pass pass;
+    RenderPass pass;
     std::vector<const char*> vertex, fragment;
     Feature features = Feature::None; ///< those it can be had with and without
 };
 
 const std::array<PassRow, passCount>& passRows() {
     static const std::array<PassRow, passCount> passes = {{
-        {Pass::Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}},
-        {Pass::WallFace,
+        {RenderPass::Sky, {"frame.glsl", "sky.vert"}, {"frame.glsl", "sky.frag"}},
+        {RenderPass::WallFace,
          {"frame.glsl", "light.glsl", "wall.vert"},
          {"frame.glsl", "wall.frag"},
          Feature::Dimmed},
-        {Pass::WallShadow,
+        {RenderPass::WallShadow,
          {"frame.glsl", "light.glsl", "wall_shadow.vert"},
          {"frame.glsl", "light.glsl", "wall_shadow.frag"}},
-        {Pass::Contact, {"frame.glsl", "instance.glsl", "contact.vert"}, {"frame.glsl", "contact.frag"}},
-        {Pass::SphereShadow, {"frame.glsl", "instance.glsl", "sphere_shadow.vert"}, {"sphere_shadow.frag"}},
-        {Pass::SphereLit,
+        {RenderPass::Contact,
+         {"frame.glsl", "instance.glsl", "contact.vert"},
+         {"frame.glsl", "contact.frag"}},
+        {RenderPass::SphereShadow,
+         {"frame.glsl", "instance.glsl", "sphere_shadow.vert"},
+         {"sphere_shadow.frag"}},
+        {RenderPass::SphereLit,
          {"frame.glsl", "instance.glsl", "sphere.vert"},
          {"frame.glsl", "light.glsl", "sphere_surface.glsl", "sphere.frag"},
          Feature::Shadows | Feature::Pattern | Feature::Dimmed},
-        {Pass::SphereFlat,
+        {RenderPass::SphereFlat,
          {"frame.glsl", "instance.glsl", "sphere.vert"},
          {"frame.glsl", "sphere_surface.glsl", "sphere_flat.frag"}},
-        {Pass::MeshLit,
+        {RenderPass::MeshLit,
          {"frame.glsl", "instance.glsl", "mesh.vert"},
          {"frame.glsl", "light.glsl", "mesh.frag"},
          Feature::Shadows | Feature::Dimmed},
-        {Pass::MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}},
-        {Pass::Line, {"frame.glsl", "line.vert"}, {"line.frag"}},
-        {Pass::Ribbon, {"frame.glsl", "ribbon.vert"}, {"line.frag"}},
+        {RenderPass::MeshFlat, {"frame.glsl", "instance.glsl", "mesh.vert"}, {"flat.frag"}},
+        {RenderPass::Line, {"frame.glsl", "line.vert"}, {"line.frag"}},
+        {RenderPass::Ribbon, {"frame.glsl", "ribbon.vert"}, {"line.frag"}},
     }};
     return passes;
 }
@@ -69,7 +73,7 @@ QString Shaders::compile(QOpenGLFunctions_3_3_Core& gl) {
     return {};
 }
 
-QString Shaders::compile(Pass pass, Feature features) {
+QString Shaders::compile(RenderPass pass, Feature features) {
     const PassRow& row = passRows()[static_cast<std::size_t>(pass)];
     QOpenGLShaderProgram& made = program(pass, features);
     if (!made.addShaderFromSourceCode(QOpenGLShader::Vertex, sourceOf(row.vertex, features)) ||
@@ -85,7 +89,7 @@ QString Shaders::compile(Pass pass, Feature features) {
     return {};
 }
 
-QOpenGLShaderProgram& Shaders::use(Pass pass, Feature features) {
+QOpenGLShaderProgram& Shaders::use(RenderPass pass, Feature features) {
     const Feature known = passRows()[static_cast<std::size_t>(pass)].features;
     features = features & known;
     if (!program(pass, features).isLinked() && !compile(pass, features).isEmpty()) features = known;

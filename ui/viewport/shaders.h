@@ -10,7 +10,7 @@
 namespace carom {
 
 /// One program each; resources/shaders has their sources.
-enum class Pass : std::size_t {
+enum class RenderPass : std::size_t {
     Sky,
     WallFace,
     WallShadow,
@@ -51,11 +51,11 @@ class Shaders {
     /// Nothing, or which shader does not compile and why.
     QString compile(QOpenGLFunctions_3_3_Core& gl);
     /// The program of a pass with these of its features; those that it does not know change nothing.
-    QOpenGLShaderProgram& use(Pass pass, Feature features = Feature::None);
+    QOpenGLShaderProgram& use(RenderPass pass, Feature features = Feature::None);
 
   private:
-    QString compile(Pass pass, Feature features);
-    QOpenGLShaderProgram& program(Pass pass, Feature features) {
+    QString compile(RenderPass pass, Feature features);
+    QOpenGLShaderProgram& program(RenderPass pass, Feature features) {
         return m_programs[static_cast<std::size_t>(pass)][static_cast<std::size_t>(features)];
     }
 

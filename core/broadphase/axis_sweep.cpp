@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/broadphase/sweep.h"
+#include "core/broadphase/axis_sweep.h"
 
 #include <algorithm>
 
@@ -25,7 +25,7 @@ std::size_t axisOfLargestVariance(std::span<const Aabb> boxes) {
     return static_cast<std::size_t>(axis);
 }
 
-void Sweep::sortStarts(std::span<const Aabb> boxes, std::size_t axis) {
+void AxisSweep::sortStarts(std::span<const Aabb> boxes, std::size_t axis) {
     const bool fresh = m_starts.size() != boxes.size();
     if (fresh) {
         m_starts.resize(boxes.size());
@@ -49,7 +49,7 @@ void Sweep::sortStarts(std::span<const Aabb> boxes, std::size_t axis) {
     }
 }
 
-std::uint64_t Sweep::collect(std::span<const Aabb> boxes, std::size_t axis, std::vector<PairKey>& pairs) {
+std::uint64_t AxisSweep::collect(std::span<const Aabb> boxes, std::size_t axis, std::vector<PairKey>& pairs) {
     const std::size_t count = boxes.size();
     sortStarts(boxes, axis);
     m_columns.resize(count);
@@ -72,7 +72,7 @@ std::uint64_t Sweep::collect(std::span<const Aabb> boxes, std::size_t axis, std:
     return tested;
 }
 
-std::size_t Sweep::bytes() const {
+std::size_t AxisSweep::bytes() const {
     return m_starts.capacity() * sizeof(Start) + m_columns.bytes() +
            m_hits.capacity() * sizeof(std::uint32_t);
 }

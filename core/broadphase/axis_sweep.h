@@ -15,7 +15,7 @@ std::size_t axisOfLargestVariance(std::span<const Aabb> boxes);
 
 /// Sorts boxes by their lower ends along one axis and traverses them once: a box is compared with those that
 /// begin before it ends. The order is kept between sweeps, so a scene that moves little sorts quickly.
-class Sweep {
+class AxisSweep {
   public:
     /// Appends the keys of all overlapping pairs, mobile or not, to `pairs` in no particular order and
     /// returns how many boxes were compared.
