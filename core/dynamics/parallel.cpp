@@ -63,10 +63,15 @@ Workers::~Workers() = default;
 Workers::Workers(Workers&&) noexcept = default;
 Workers& Workers::operator=(Workers&&) noexcept = default;
 
-void Workers::shareRanges(std::size_t count, Call work) {
+Workers& Workers::alone() {
+    static Workers workers(1);
+    return workers;
+}
+
+void Workers::shareRanges(std::size_t count, std::size_t least, Call work) {
     LoopOrder order;
     m_arena->arena.execute([&] {
-        oneapi::tbb::parallel_for(Range(0, count, grain), [&](const Range& part) {
+        oneapi::tbb::parallel_for(Range(0, count, least), [&](const Range& part) {
             order.run([&] { work.call(work.context, part.begin(), part.end()); });
         });
     });

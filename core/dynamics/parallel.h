@@ -16,17 +16,26 @@ class Workers {
     Workers(Workers&&) noexcept;
     Workers& operator=(Workers&&) noexcept;
 
+    /// The calling thread alone.
+    static Workers& alone();
+
     int threads() const { return m_threads; }
 
-    /// Calls work(begin, end) for parts that together cover [0, count), each element once.
+    /// Calls work(begin, end) for parts that together cover [0, count), each element once. A part has at
+    /// least `least` elements, but where there are fewer in all.
     template<class Work>
-    void forRanges(std::size_t count, const Work& work) {
-        if (m_threads == 1 || count < 2 * grain)
+    void forRanges(std::size_t count, std::size_t least, const Work& work) {
+        if (m_threads == 1 || count < 2 * least)
             work(std::size_t{0}, count);
         else
-            shareRanges(count, {&work, [](const void* context, std::size_t begin, std::size_t end) {
-                                    (*static_cast<const Work*>(context))(begin, end);
-                                }});
+            shareRanges(count, least, {&work, [](const void* context, std::size_t begin, std::size_t end) {
+                                           (*static_cast<const Work*>(context))(begin, end);
+                                       }});
+    }
+    /// The same for elements that take as long as the motion of a free body.
+    template<class Work>
+    void forRanges(std::size_t count, const Work& work) {
+        forRanges(count, grain, work);
     }
 
     /// Calls work(thread, i) for every i in [0, count) once; calls at the same time have different threads,
@@ -48,7 +57,7 @@ class Workers {
         const void* context = nullptr;
         void (*call)(const void* context, std::size_t, std::size_t) = nullptr;
     };
-    void shareRanges(std::size_t count, Call work);
+    void shareRanges(std::size_t count, std::size_t least, Call work);
     void shareElements(std::size_t count, Call work);
 
     /// Bodies of a part at least. Advancing one takes about 5 ns and waking a thread some microseconds: at

@@ -5,7 +5,7 @@
 #include "core/solvers/contacts/manifolds.h"
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
 
 namespace carom {
 namespace {
@@ -16,194 +16,6 @@ CAROM_INLINE Wide3 gatherPlace(const BodyPlace* places, const std::array<std::ui
 
 CAROM_INLINE Wide3 choose(const auto& where, const Wide3& one, const Wide3& other) {
     return {where ? one.x : other.x, where ? one.y : other.y, where ? one.z : other.z};
-}
-
-/// Applies impulses along n, t1 and t2 to both bodies.
-CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1, const Wide3& t2,
-                        const Wide3& impulse, Motion& a, Motion& b) {
-    const Wide3 p = impulse.x * n + impulse.y * t1 + impulse.z * t2;
-    const Wide3 turning = impulse.y * t2 - impulse.z * t1; // n × p
-    a.velocity = a.velocity - a.inverseMass * p;
-    b.velocity = b.velocity + b.inverseMass * p;
-    a.spin = a.spin - (a.roundInverse * group.radiusA) * turning;
-    b.spin = b.spin - (b.roundInverse * group.radiusB) * turning;
-}
-
-/// Velocity of B's contact point relative to A's.
-CAROM_INLINE Wide3 relativeVelocity(const BallGroup& group, const Wide3& n, const Motion& a,
-                                    const Motion& b) {
-    const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
-    return b.velocity - a.velocity - cross(spin, n);
-}
-
-CAROM_INLINE Wide gapNow(const BallGroup& group, const Wide3& n, const Displacement* moved) {
-    return group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
-}
-
-template<Pass pass>
-CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                             const StepSettings& settings, const Softnesses& softness, Wide& worst) {
-    if (group.idle) return;
-    Motion a, b;
-    gatherVelocity(bodies, group.a, a);
-    gatherVelocity(bodies, group.b, b);
-    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
-    const Wide3 u = relativeVelocity(group, n, a, b);
-    const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gapNow(group, n, moved), group,
-                                          select(group.hard, softness), settings.duration, group.row, worst);
-    apply(group, n, t1, t2, change, a, b);
-    scatter(bodies, group.a, a);
-    scatter(bodies, group.b, b);
-}
-
-/// Removes from the velocities of a group the effect of contacts whose impulses have grown by more than a
-/// closing speed at rest explains: impacts, which are then treated by Newton's law.
-CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const ActiveBodies& active) {
-    if (group.idle || !group.bounces) return;
-    BallRow& row = group.row;
-    const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
-    const auto isStruck = (added > resting * row.massNormal) & (group.restitution > zero);
-    const Wide lanes = isStruck ? one : zero;
-    if (!anyLane(lanes)) return;
-    const Wide part = isStruck ? added / row.normal : zero;
-    const Wide3 back{-part * row.normal, -part * row.along1, -part * row.along2};
-    Motion a, b;
-    gatherVelocity(bodies, group.a, a);
-    gatherVelocity(bodies, group.b, b);
-    const Wide3 n = load(group.normal), t1 = load(group.tangent);
-    apply(group, n, t1, cross(n, t1), back, a, b);
-    scatter(bodies, group.a, a);
-    scatter(bodies, group.b, b);
-    activateLanes(group, lanes, active);
-}
-
-/// Solves impacts of pairs that touch and close, with Newton's law, if an impact has changed the velocity of
-/// one of their bodies in the pass before or in this one. Returns the closing speeds of those that bounce
-/// [m/s].
-CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
-                         const Wide& resting, int pass, const ActiveBodies& active) {
-    const Wide zero{}, one = wideOf(1);
-    if (group.idle) return zero;
-    Wide activeIn{};
-    for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        activeIn[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
-    const auto isActive = activeIn >= wideOf(pass);
-    if (!anyLane(isActive ? one : zero)) return zero;
-    Motion a, b;
-    gatherVelocity(bodies, group.a, a);
-    gatherVelocity(bodies, group.b, b);
-    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
-    const Wide3 u = relativeVelocity(group, n, a, b);
-    const Wide closing = -dot(n, u);
-    const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
-    const auto meets = isActive & touches & (closing > zero) & (group.row.massNormal > zero);
-    const auto bounces = meets & (closing > resting) & (group.restitution > zero);
-    if (!anyLane(meets ? one : zero)) return zero;
-    const Wide normal =
-        meets ? group.row.massNormal * closing * (bounces ? one + group.restitution : one) : zero;
-    const Wide q1 = -group.row.massTangent * dot(t1, u), q2 = -group.row.massTangent * dot(t2, u);
-    const Wide most = group.friction * normal, size = rootOf(q1 * q1 + q2 * q2);
-    const Wide part = size > most ? most / (size > zero ? size : one) : one;
-    apply(group, n, t1, t2, {normal, meets ? part * q1 : zero, meets ? part * q2 : zero}, a, b);
-    scatter(bodies, group.a, a);
-    scatter(bodies, group.b, b);
-    const Wide fastest = meets & (closing > resting) ? closing : zero;
-    activateLanes(group, fastest, active, static_cast<std::uint8_t>(pass + 1));
-    return bounces ? closing : zero;
-}
-
-/// Reduces the force of pairs that separate faster than a contact at rest to what it was when the step began.
-CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, double resting) {
-    if (group.idle || !group.bounces) return;
-    Motion a, b;
-    gatherVelocity(bodies, group.a, a);
-    gatherVelocity(bodies, group.b, b);
-    const Wide zero{}, one = wideOf(1);
-    const Wide separation = dot(load(group.normal), b.velocity - a.velocity);
-    BallRow& row = group.row;
-    const auto leaves = (separation > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
-    if (!anyLane(leaves ? one : zero)) return;
-    const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
-    row.normal = part * row.normal;
-    row.along1 = part * row.along1;
-    row.along2 = part * row.along2;
-}
-
-struct Sweep {
-    std::span<BallGroup> groups;
-    SolverBody* bodies;
-    const Displacement* moved;
-    const StepSettings& settings;
-    bool back;
-};
-
-template<Pass pass>
-CAROM_INLINE double sweepGroups(const Sweep& with) {
-    Wide worst{};
-    const Softnesses softness = softnessesOf(with.settings);
-    const std::size_t count = with.groups.size();
-    for (std::size_t i = 0; i < count; ++i)
-        solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
-                         softness, worst);
-    return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
-}
-
-CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
-    switch (pass) {
-    case Pass::Relax:
-        return sweepGroups<Pass::Relax>(with);
-    case Pass::Rebound: // strikes
-    case Pass::Feedback:
-        break;
-    }
-    return sweepGroups<Pass::Feedback>(with);
-}
-
-CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double resting,
-                         const ActiveBodies& active) {
-    for (BallGroup& group : groups) takeBack(group, bodies, resting, active);
-}
-
-// True if any bounced.
-CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
-                            double resting, int pass, const ActiveBodies& active) {
-    const bool back = pass % 2 == 0;
-    Wide fastest{};
-    const std::size_t count = groups.size();
-    for (std::size_t i = 0; i < count; ++i)
-        fastest = larger(
-            fastest, strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), pass, active));
-    return anyLane(fastest);
-}
-
-CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverBody* bodies, double resting) {
-    Wide any{};
-    for (std::size_t i = 0; i < count; ++i) {
-        BallGroup& group = groups[i];
-        if (group.idle || !group.bounces) continue;
-        Motion a, b;
-        gatherVelocity(bodies, group.a, a);
-        gatherVelocity(bodies, group.b, b);
-        group.row.carried = group.row.normal;
-        const Wide closing = dot(load(group.normal), a.velocity - b.velocity);
-        group.row.approach = approachOf(group, group.row, closing, resting);
-        any = larger(any, group.row.approach);
-    }
-    return anyLane(any);
-}
-
-CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody* bodies) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const BallGroup& group = groups[i];
-        if (group.idle) continue;
-        Motion a, b;
-        gatherVelocity(bodies, group.a, a);
-        gatherVelocity(bodies, group.b, b);
-        const Wide3 n = load(group.normal), t1 = load(group.tangent);
-        apply(group, n, t1, cross(n, t1), {group.row.normal, group.row.along1, group.row.along2}, a, b);
-        scatter(bodies, group.a, a);
-        scatter(bodies, group.b, b);
-    }
 }
 
 /// One pair of a group, with its rows.
@@ -303,8 +115,18 @@ struct BallRows::Refresh {
     group.watched = anyLane(used & (row.massNormal == zero) ? one : zero);
 }
 
-CAROM_WIDE void BallRows::refreshAll(const Refresh& with) {
-    for (std::size_t i = 0; i < with.count; ++i) refreshGroup(with, i, nullptr);
+CAROM_WIDE BallRows::Count BallRows::refreshAll(const Refresh& with) {
+    Count count;
+    Wide deepest{};
+    for (std::size_t i = 0; i < with.count; ++i) {
+        refreshGroup(with, i, nullptr);
+        const BallGroup& group = with.groups[i];
+        count.active += group.idle ? 0 : 1;
+        count.watched += group.watched ? 1 : 0;
+        deepest = group.row.massNormal > Wide{} ? larger(deepest, -group.gap) : deepest;
+    }
+    count.deepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+    return count;
 }
 
 CAROM_WIDE bool BallRows::findStruckIn(const Refresh& with) {
@@ -331,6 +153,7 @@ void BallRows::clear() {
     m_groups.clear();
     m_fixed.clear();
     m_packer.clear();
+    m_sections.clear();
     m_active = m_watched = 0;
     m_heldDeepest = 0;
 }
@@ -395,14 +218,27 @@ void BallRows::copyFixed(const Fixed& from, std::size_t lane, Fixed& to, std::si
     to.source[toLane] = from.source[lane];
 }
 
-void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile) {
+// Makes a group of the lanes of old ones that are to be in it.
+void BallRows::fillGroup(std::size_t i, const BallGroup& empty) {
+    BallGroup& to = m_groups[i];
+    to.bounces = to.idle = to.watched = to.held = false;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+        const std::uint32_t from = m_from[i][lane];
+        const bool isUsed = from != noPair;
+        copyLane(isUsed ? m_before[from / wideLanes] : empty, isUsed ? from % wideLanes : lane, to, lane);
+        copyFixed(isUsed ? m_fixedBefore[from / wideLanes] : Fixed{}, isUsed ? from % wideLanes : lane,
+                  m_fixed[i], lane);
+        to.bounces = to.bounces || to.restitution[lane] > 0;
+    }
+}
+
+void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile,
+                       std::span<const SectionEnd> sections, Workers& workers) {
     std::swap<std::vector<BallGroup>>(m_groups, m_before);
     std::swap<std::vector<Fixed>>(m_fixed, m_fixedBefore);
-    m_groups.clear();
-    m_fixed.clear();
-    m_groups.reserve(m_before.size());
-    m_fixed.reserve(m_before.size());
     m_packer.restart();
+    m_sections.clear();
+    m_from.clear();
     for (std::uint32_t i = 0; i < m_fixedBefore.size(); ++i)
         for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
             const std::uint32_t source = m_fixedBefore[i].source[lane];
@@ -410,19 +246,29 @@ void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t imm
             if (m_laneOf.size() <= source) m_laneOf.resize(source + 1);
             m_laneOf[source] = wideLanes * i + lane;
         }
-    for (const std::uint32_t source : sources) {
-        const std::uint32_t from = m_laneOf[source] / wideLanes, lane = m_laneOf[source] % wideLanes;
-        const BallGroup& group = m_before[from];
-        const LanePacker::Place place = m_packer.place(group.a[lane], group.b[lane], immobile);
-        if (place.isNew) {
-            m_groups.push_back(emptyGroup(immobile));
-            m_fixed.emplace_back();
+    auto section = sections.begin();
+    const auto endSections = [&](std::size_t pairs) {
+        for (; section != sections.end() && section->end == pairs; ++section) {
+            m_packer.closeAll();
+            m_sections.close(section->phase, m_from.size());
         }
-        BallGroup& to = m_groups[place.group];
-        copyLane(group, lane, to, place.lane);
-        copyFixed(m_fixedBefore[from], lane, m_fixed[place.group], place.lane);
-        to.bounces = to.bounces || to.restitution[place.lane] > 0;
+    };
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        endSections(i);
+        const std::uint32_t from = m_laneOf[sources[i]];
+        const BallGroup& group = m_before[from / wideLanes];
+        const LanePacker::Place place =
+            m_packer.place(group.a[from % wideLanes], group.b[from % wideLanes], immobile);
+        if (place.isNew) m_from.push_back({noPair, noPair, noPair, noPair});
+        m_from[place.group][place.lane] = from;
     }
+    endSections(sources.size());
+    m_groups.resize(m_from.size());
+    m_fixed.resize(m_from.size());
+    const BallGroup empty = emptyGroup(immobile);
+    workers.forRanges(m_from.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) fillGroup(i, empty);
+    });
     markHeld();
     countGroups();
 }
@@ -432,7 +278,10 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
     m_packer.restart();
     const BallGroup empty = emptyGroup(immobile);
     std::uint32_t kept = 0;
+    std::vector<std::uint32_t>& newPlace = m_laneOf; // of groups
+    newPlace.assign(m_groups.size() + 1, 0);
     for (std::size_t i = 0; i < m_groups.size(); ++i) {
+        newPlace[i] = kept;
         BallGroup& group = m_groups[i];
         Fixed& fixed = m_fixed[i];
         unsigned used = 0;
@@ -458,8 +307,11 @@ void BallRows::keep(std::span<const std::uint32_t> sources, std::span<const std:
         }
         ++kept;
     }
+    newPlace[m_groups.size()] = kept;
     m_groups.resize(kept);
     m_fixed.resize(kept);
+    m_sections.renumber([&](std::uint32_t end) { return newPlace[end]; });
+    if (!m_sections.isEmpty()) m_packer.closeAll(); // or pairs of other sections would come into them
     markHeld();
     countGroups();
 }
@@ -529,72 +381,33 @@ void BallRows::countGroups() {
 }
 
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
-                       const Vec3& gravity) {
-    refreshAll({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(), places.data(), nullptr,
-                duration, gravity});
-    countGroups();
-    Wide deepest{};
-    for (const BallGroup& group : m_groups)
-        deepest = group.row.massNormal > Wide{} ? larger(deepest, -group.gap) : deepest;
-    m_deepest = std::max(std::max(deepest[0], deepest[1]), std::max(deepest[2], deepest[3]));
+                       const Vec3& gravity, Workers& workers) {
+    std::atomic<std::size_t> active = 0, watched = 0;
+    std::atomic<double> deepest = 0;
+    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        const Count count = refreshAll({m_groups.data() + begin, m_fixed.data() + begin, end - begin,
+                                        bodies.data(), places.data(), nullptr, duration, gravity});
+        active += count.active;
+        watched += count.watched;
+        raise(deepest, count.deepest);
+    });
+    m_active = active;
+    m_watched = watched;
+    m_deepest = deepest;
 }
 
 bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
-                          std::span<const Displacement> moved, double duration, const Vec3& gravity) {
+                          std::span<const Displacement> moved, double duration, const Vec3& gravity,
+                          Workers& workers) {
     if (m_watched == 0) return false;
-    const bool any = findStruckIn({m_groups.data(), m_fixed.data(), m_groups.size(), bodies.data(),
-                                   places.data(), moved.data(), duration, gravity});
+    std::atomic<bool> any = false;
+    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        if (findStruckIn({m_groups.data() + begin, m_fixed.data() + begin, end - begin, bodies.data(),
+                          places.data(), moved.data(), duration, gravity}))
+            any = true;
+    });
     if (any) countGroups();
     return any;
-}
-
-bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings) {
-    return passApproach(m_groups.data(), m_groups.size(), bodies.data(), settings.resting);
-}
-
-void BallRows::warmStart(std::span<SolverBody> bodies) const {
-    passWarm(m_groups.data(), m_groups.size(), bodies.data());
-}
-
-void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                     const StepSettings& settings, bool back) {
-    sweep(Pass::Feedback, {m_groups, bodies.data(), moved.data(), settings, back});
-}
-
-void BallRows::addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
-                             std::span<double> to) const {
-    const Softnesses softness = softnessesOf(settings);
-    for (const BallGroup& group : m_groups)
-        if (!group.idle)
-            carom::addCorrection(group, group.row, gapNow(group, load(group.normal), moved.data()), softness,
-                                 to);
-}
-
-double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                       const StepSettings& settings, bool back) {
-    return sweep(Pass::Relax, {m_groups, bodies.data(), moved.data(), settings, back});
-}
-
-int BallRows::activate(const ActiveBodies& active) const {
-    int struck = 0;
-    for (const BallGroup& group : m_groups) {
-        if (group.idle || !group.bounces) continue;
-        const Wide lanes = isImpact(group.row) ? wideOf(1) : Wide{};
-        struck += lanesOf(lanes);
-        activateLanes(group, lanes, active);
-    }
-    return struck;
-}
-
-int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                      const StepSettings& settings, int passes, const ActiveBodies& active) {
-    passBack(m_groups, bodies.data(), settings.resting, active);
-    int pass = 1;
-    while (pass <= passes &&
-           passStrikes(m_groups, bodies.data(), moved.data(), settings.resting, pass, active))
-        ++pass;
-    for (BallGroup& group : m_groups) forgetImpact(group, bodies.data(), settings.resting);
-    return std::min(pass, passes);
 }
 
 } // namespace carom

@@ -5,6 +5,7 @@
 #include "core/base/scratch.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/lane_packer.h"
+#include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/velocity_solve.h"
 
 #include <array>
@@ -83,8 +84,10 @@ class BallRows {
     /// numbers of sources and bodies. Lanes of removed pairs may be used again.
     void keep(std::span<const std::uint32_t> sources, std::span<const std::uint32_t> bodies,
               std::uint32_t immobile);
-    /// Sorts the pairs into the order of `sources`, as if they had been added in it.
-    void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile);
+    /// Sorts the pairs into the order of `sources`, as if they had been added in it; `sections` end within
+    /// it. Pairs that are added later are in none of these.
+    void reorder(std::span<const std::uint32_t> sources, std::uint32_t immobile,
+                 std::span<const SectionEnd> sections = {}, Workers& workers = Workers::alone());
     /// Pairs of two bodies that stand still, by `still`, are held: they are not solved for, and keep their
     /// impulses until one of the bodies moves. Effective masses of others are computed from the present
     /// masses. Only pairs with a body that has `changed` are looked at.
@@ -98,23 +101,25 @@ class BallRows {
 
     /// Updates all rows to the present poses.
     void refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
-                 const Vec3& gravity);
+                 const Vec3& gravity, Workers& workers = Workers::alone());
     /// Includes pairs that could not meet, and that would now close their gap within `duration`. True if
     /// there are any.
     bool findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,
-                    std::span<const Displacement> moved, double duration, const Vec3& gravity);
-    std::size_t bytes() const { return heldBytes(m_groups, m_fixed, m_packer); }
+                    std::span<const Displacement> moved, double duration, const Vec3& gravity,
+                    Workers& workers = Workers::alone());
+    std::size_t bytes() const { return heldBytes(m_groups, m_fixed, m_packer, m_sections); }
     double deepest() const { return m_deepest; } ///< overlap at the last refresh [m]
 
     // As in velocity_solve.h, for active groups.
-    bool recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings);
-    void warmStart(std::span<SolverBody> bodies) const;
+    bool recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
+                        Workers& workers = Workers::alone());
+    void warmStart(std::span<SolverBody> bodies, Workers& workers = Workers::alone());
     void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-               const StepSettings& settings, bool back);
+               const StepSettings& settings, bool back, Workers& workers = Workers::alone());
     void addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
                        std::span<double> to) const;
     double relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                 const StepSettings& settings, bool back);
+                 const StepSettings& settings, bool back, Workers& workers = Workers::alone());
     int activate(const ActiveBodies& active) const;
     /// Removes the effect of impacts and solves these again, one after the other, each with its restitution,
     /// until none is left, in at most `passes` passes over all active groups. In this way balls pass an
@@ -122,7 +127,8 @@ class BallRows {
     /// then separate faster than a contact at rest keep no more force than before. Returns the number of
     /// passes.
     int rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
-                const StepSettings& settings, int passes, const ActiveBodies& active);
+                const StepSettings& settings, int passes, const ActiveBodies& active,
+                Workers& workers = Workers::alone());
 
     /// visit(source) for every pair.
     template<class Visit>
@@ -197,6 +203,8 @@ class BallRows {
                (row.along2[lane] + held[2][lane]) * n.cross(t);
     }
     static BallGroup emptyGroup(std::uint32_t immobile);
+    template<class Work>
+    double forEachSection(bool back, Workers& workers, const Work& work);
     struct Refresh;
     template<class Visit>
     void visitContacts(std::span<const std::uint8_t> bodies, std::size_t i, bool alsoHeld,
@@ -213,9 +221,15 @@ class BallRows {
                           group.row.massNormal[lane] > 0});
         }
     }
-    static void refreshAll(const Refresh& with);
+    /// What a refresh finds of groups.
+    struct Count {
+        std::size_t active = 0, watched = 0;
+        double deepest = 0; ///< overlap of pairs that can meet [m]
+    };
+    static Count refreshAll(const Refresh& with);
     static bool findStruckIn(const Refresh& with);
     static void refreshGroup(const Refresh& with, std::size_t group, const Wide* struck);
+    void fillGroup(std::size_t i, const BallGroup& empty);
     void countGroups();
     void markHeld();
     static void setMasses(const BallGroup& group, std::size_t lane, std::span<const SolverBody> bodies,
@@ -227,8 +241,11 @@ class BallRows {
     std::vector<Fixed> m_fixed;               // by group
     Scratch<std::vector<BallGroup>> m_before; // of a new order
     Scratch<std::vector<Fixed>> m_fixedBefore;
-    Scratch<std::vector<std::uint32_t>> m_laneOf; // by source
+    Scratch<std::vector<std::array<std::uint32_t, wideLanes>>>
+        m_from;                                   // by group: 4 its group before + its lane
+    Scratch<std::vector<std::uint32_t>> m_laneOf; // by source, or by group
     LanePacker m_packer;
+    Sections m_sections;
     std::size_t m_active = 0, m_watched = 0; // groups
     double m_deepest = 0, m_heldDeepest = 0;
     std::size_t m_heldContacts = 0;

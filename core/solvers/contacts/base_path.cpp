@@ -26,6 +26,10 @@ constexpr int tooFew = 4;
 /// whole island leaves the base path. At half, more searches are made for single bodies; at twice, islands
 /// leave, and enter again, more often.
 constexpr std::size_t fewRenewed = 4;
+/// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
+/// it saves; at twice, a thousand bodies are looked at by one.
+constexpr std::size_t fewBodies = 512;
+
 /// And only where at least one mobile body in so many takes the base path, because the neighbours of all
 /// bodies may have to be found. At twice, a search for all is made for fewer bodies; at half, islands leave
 /// more often.
@@ -164,14 +168,23 @@ void BasePath::markWhereMany() {
 // Finds the bodies that may move beyond their reach, and gives them a new one.
 void BasePath::findOutrun(const SteppedInput& input, double substep, double time, double skin,
                           const Neighbours& neighbours) {
-    for (const SteppedMotion& block : m_blocks)
-        for (const BodyIndex i : block.bodies()) {
-            if (block.isMarked(i) ||
-                Neighbours::reachFactor * pathOf(input, i, substep, neighbours) <= roomOf(input, i))
-                continue;
+    for (const SteppedMotion& block : m_blocks) {
+        const std::span<const BodyIndex> bodies = block.bodies();
+        m_isOutrun.resize(bodies.size());
+        input.workers.forRanges(bodies.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t n = begin; n < end; ++n)
+                m_isOutrun[n] = Neighbours::reachFactor * pathOf(input, bodies[n], substep, neighbours) >
+                                        roomOf(input, bodies[n])
+                                    ? 1
+                                    : 0;
+        });
+        for (std::size_t n = 0; n < bodies.size(); ++n) {
+            const BodyIndex i = bodies[n];
+            if (m_isOutrun[n] == 0 || block.isMarked(i)) continue;
             m_renewed.push_back({i, ownReach(input, i, time, skin, neighbours)});
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
+    }
 }
 
 // How much further a body may come in the substep in which `striker` strikes it than it would by itself [m].

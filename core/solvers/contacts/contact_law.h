@@ -133,9 +133,11 @@ template<class Group>
 CAROM_INLINE void activateLanes(const Group& group, const Wide& lanes, const ActiveBodies& active,
                                 std::uint8_t pass = 1) {
     if (!anyLane(larger(lanes, Wide{}))) return;
-    for (std::size_t lane = 0; lane < wideLanes; ++lane)
-        if (lanes[lane] > 0) active.bodies[group.a[lane]] = active.bodies[group.b[lane]] = pass;
-    active.bodies[active.immobile] = 0;
+    for (std::size_t lane = 0; lane < wideLanes; ++lane) {
+        if (!(lanes[lane] > 0)) continue;
+        for (const std::uint32_t body : {group.a[lane], group.b[lane]})
+            if (body != active.immobile) active.bodies[body] = pass;
+    }
 }
 
 /// How many lanes are 1, of 0 and 1.

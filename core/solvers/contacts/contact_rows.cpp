@@ -97,6 +97,7 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
     for (RowGroup& group : groups) {
         const PairOfBodies pair(bodies, group);
         store(group.tangent, pair.t1);
+        group.bounces = anyLane(group.restitution);
         for (std::uint32_t k = 0; k < group.points; ++k) {
             RowPoint& row = points[group.firstPoint + k];
             prepareRow(pair, {row.normal, row.along1, row.along2}, row.massNormal > Wide{}, row);
@@ -162,6 +163,7 @@ CAROM_WIDE double fillRows(std::span<RowGroup> groups, std::span<const CarriedGr
         const CarriedGroup& from = carried[i];
         const PairOfBodies pair(bodies, group);
         store(group.tangent, pair.t1);
+        group.bounces = anyLane(group.restitution);
         const Frames a(frames, from.frameA), b(frames, from.frameB);
         const Wide3 between = b.centre - a.centre;
         for (std::uint32_t k = 0; k < group.points; ++k) {
@@ -211,6 +213,7 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
     m_carried.clear();
     m_rolling.clear();
     m_prepared = 0;
+    m_sections.clear();
     if (m_points.empty()) { // for islands of the usual size
         m_groups.reserve(fewGroups);
         m_points.resize(2 * fewGroups);
@@ -234,27 +237,53 @@ RowGroup& ContactRows::addGroup(std::uint32_t points) {
     return group;
 }
 
-// Gives a pair a lane of a group.
-LanePacker::Place ContactRows::place(const PairInput& pair, std::size_t points, std::uint32_t source) {
+LanePacker::Place ContactRows::place(std::uint32_t a, std::uint32_t b, std::size_t points,
+                                     std::uint32_t source) {
     const std::size_t size = points == 1 ? 0 : points == 2 ? 1 : 2; // 1, 2 and 4 points
-    const LanePacker::Place place = m_packer.place(pair.a, pair.b, m_immobile, size);
+    const LanePacker::Place place = m_packer.place(a, b, m_immobile, size);
     RowGroup& group = place.isNew ? addGroup(std::uint32_t{1} << size) : m_groups[place.group];
+    group.a[place.lane] = a;
+    group.b[place.lane] = b;
+    group.source[place.lane] = source;
+    return place;
+}
+
+LanePacker::Place ContactRows::placeCarried(std::uint32_t a, std::uint32_t b, std::size_t points,
+                                            std::uint32_t source) {
+    const LanePacker::Place place = this->place(a, b, points, source);
+    if (!place.isNew) return place;
+    CarriedGroup& carried = m_carried.emplace_back();
+    carried.first.fill(m_none.data());
+    carried.count = carried.middle = Wide{};
+    return place;
+}
+
+void ContactRows::set(const LanePacker::Place& place, const PairInput& pair) {
+    RowGroup& group = m_groups[place.group];
     const std::size_t lane = place.lane;
-    group.a[lane] = pair.a;
-    group.b[lane] = pair.b;
-    group.source[lane] = source;
     setLane(group.normal, lane, pair.normal);
     group.friction[lane] = pair.friction;
     group.restitution[lane] = pair.restitution;
     group.push[lane] = pair.push;
     group.hard[lane] = pair.a == m_immobile || pair.b == m_immobile ? 1 : 0;
-    group.bounces = group.bounces || pair.restitution > 0;
-    return place;
+}
+
+void ContactRows::setCarried(const LanePacker::Place& place, const PairInput& pair,
+                             const CarriedPoints& points) {
+    set(place, pair);
+    CarriedGroup& carried = m_carried[place.group];
+    const std::size_t lane = place.lane;
+    carried.first[lane] = points.first;
+    carried.frameA[lane] = points.frameA;
+    carried.frameB[lane] = points.frameB;
+    carried.count[lane] = static_cast<double>(points.count);
+    carried.middle[lane] = points.middle;
 }
 
 void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
     if (pair.points.empty()) return;
-    const LanePacker::Place place = this->place(pair, pair.points.size(), source);
+    const LanePacker::Place place = this->place(pair.a, pair.b, pair.points.size(), source);
+    set(place, pair);
     const RowGroup& group = m_groups[place.group];
     const std::size_t lane = place.lane;
     if (place.isNew) // without masses: empty lanes have no effect
@@ -276,19 +305,8 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
 void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
                       std::span<const SolverBody> bodies) {
     if (points.count == 0) return;
-    const LanePacker::Place place = this->place(pair, points.count, source);
-    if (place.isNew) {
-        CarriedGroup& carried = m_carried.emplace_back();
-        carried.first.fill(m_none.data());
-        carried.count = carried.middle = Wide{};
-    }
-    CarriedGroup& carried = m_carried[place.group];
-    const std::size_t lane = place.lane;
-    carried.first[lane] = points.first;
-    carried.frameA[lane] = points.frameA;
-    carried.frameB[lane] = points.frameB;
-    carried.count[lane] = static_cast<double>(points.count);
-    carried.middle[lane] = points.middle;
+    const LanePacker::Place place = placeCarried(pair.a, pair.b, points.count, source);
+    setCarried(place, pair, points);
     if (pair.rolling > 0) addRolling(pair, place, bodies);
 }
 
@@ -305,12 +323,15 @@ void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& pla
 }
 
 double ContactRows::end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames,
-                        double duration) {
+                        double duration, Workers& workers) {
     m_packer.closeAll();
-    double deepest = 0;
+    std::atomic<double> deepest = 0;
     if (m_prepared < m_carried.size())
-        deepest = fillRows(groups().subspan(m_prepared), m_carried, m_points.data(), bodies.data(),
-                           frames.data(), duration);
+        workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+            raise(deepest, fillRows(groups().subspan(begin, end - begin),
+                                    std::span(m_carried).subspan(begin, end - begin), m_points.data(),
+                                    bodies.data(), frames.data(), duration));
+        });
     else
         prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());
     for (RollingRow& row : m_rolling)
@@ -326,8 +347,11 @@ void ContactRows::renewMasses(std::span<const SolverBody> bodies, std::span<cons
             row.inertia = rollingInertia(bodies[row.a], bodies[row.b], row.normal);
 }
 
-void ContactRows::storeForces(double duration) const {
-    storeRows(m_groups, m_carried, m_points.data(), duration);
+void ContactRows::storeForces(double duration, Workers& workers) const {
+    workers.forRanges(m_carried.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        storeRows(groups().subspan(begin, end - begin), std::span(m_carried).subspan(begin, end - begin),
+                  m_points.data(), duration);
+    });
 }
 
 Vec3 ContactRows::impulseOf(const RowGroup& group, int lane, std::size_t point) const {

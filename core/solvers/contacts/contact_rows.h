@@ -4,6 +4,7 @@
 #include "core/base/wide.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/lane_packer.h"
+#include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/solver_body.h"
 
 #include <array>
@@ -134,17 +135,31 @@ class ContactRows {
     /// The same of a pair without points, which has these instead. They must stay where they are.
     void add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
              std::span<const SolverBody> bodies);
+    /// The same in parts: first a place for every pair, in the order in which they are solved; then what the
+    /// pairs are, in any order and by several threads; then torques of those that have rolling resistance.
+    LanePacker::Place placeCarried(std::uint32_t a, std::uint32_t b, std::size_t points,
+                                   std::uint32_t source);
+    void setCarried(const LanePacker::Place& place, const PairInput& pair, const CarriedPoints& points);
+    void addRolling(const PairInput& pair, const LanePacker::Place& place,
+                    std::span<const SolverBody> bodies);
+    /// The pairs since the last call are a section of this phase.
+    void endSection(std::size_t phase) {
+        m_packer.closeAll();
+        m_sections.close(phase, m_groups.size());
+    }
     /// To be called after the last pair, of all or of those that are added later.
     void end(std::span<const SolverBody> bodies) { end(bodies, {}, 1); }
     /// The same with the frames of carried points, whose forces become impulses over `duration` [s]. Returns
     /// the deepest overlap of these points [m].
-    double end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames, double duration);
+    double end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames, double duration,
+               Workers& workers = Workers::alone());
     /// Effective masses of rows with a body that has `turned`, from its present inertia.
     void renewMasses(std::span<const SolverBody> bodies, std::span<const std::uint8_t> turned);
     /// Carried points get the forces that their impulses are over `duration` [s].
-    void storeForces(double duration) const;
+    void storeForces(double duration, Workers& workers = Workers::alone()) const;
     /// The groups from here on have no carried points.
     std::size_t carriedGroups() const { return m_carried.size(); }
+    const Sections& sections() const { return m_sections; }
 
     std::span<RowGroup> groups() { return m_groups; }
     std::span<RowPoint> points() { return std::span(m_points).first(m_pointCount); }
@@ -156,14 +171,14 @@ class ContactRows {
     Vec3 impulseOf(const RowGroup& group, int lane, std::size_t point) const;
 
   private:
-    LanePacker::Place place(const PairInput& pair, std::size_t points, std::uint32_t source);
+    LanePacker::Place place(std::uint32_t a, std::uint32_t b, std::size_t points, std::uint32_t source);
+    void set(const LanePacker::Place& place, const PairInput& pair);
     RowGroup& addGroup(std::uint32_t points);
-    void addRolling(const PairInput& pair, const LanePacker::Place& place,
-                    std::span<const SolverBody> bodies);
 
     std::uint32_t m_immobile = 0;
     std::size_t m_prepared = 0; // groups whose pairs are all there
     LanePacker m_packer;        // its kinds are the sizes
+    Sections m_sections;
     std::vector<RowGroup> m_groups;
     std::vector<RowPoint> m_points;
     std::size_t m_pointCount = 0;        // of m_points; others are of earlier rows

@@ -118,7 +118,8 @@ class Contacts final : public Solver {
                 .state = input.state,
                 .ledger = input.ledger,
                 .tolerance = m_settings.tolerance * input.gravity.norm() * input.substep,
-                .isFirst = input.part == 0};
+                .isFirst = input.part == 0,
+                .workers = input.workers};
     }
     static int passesOf(const SolverSettings& settings) {
         return std::max(1, settings.iterations / iterationsOfOnePass);
@@ -343,7 +344,7 @@ void Contacts::wakeTouched(const SolverInput& input, std::span<const BodyIndex> 
 
 void Contacts::findContacts(const SolverInput& input) {
     m_found.find(here(input), m_candidates.find(input.bodies, input.state, m_neighbours), m_candidates,
-                 m_refinement, m_contacts, m_work);
+                 m_refinement, m_contacts, m_work, input.workers);
 }
 
 // Finds the islands of bodies that are not on the base path, and which of them touch bodies that are. False

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/dynamics/parallel.h"
 #include "core/solvers/contacts/solver_body.h"
 
 #include <cstdint>
@@ -26,13 +27,13 @@ class EnergyLimit {
   public:
     /// The limit of an island is the kinetic energy its bodies have now. `islandOf` is by body.
     void remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
-                  std::size_t islands);
+                  std::size_t islands, Workers& workers = Workers::alone());
     /// Raises the limit of an island by what springs do to it [J].
     void allow(std::uint32_t island, double work) { m_sums[island].limit += work; }
     /// Takes bodies back towards `before`, by as little as keeps every island within its limit. True if any
     /// had to go back.
     bool keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
-              std::span<SolverBody> bodies);
+              std::span<SolverBody> bodies, Workers& workers = Workers::alone());
     /// How much of its change of velocity the last call left an island: s.
     double partOf(std::uint32_t island) const { return m_sums[island].part; }
 
@@ -43,7 +44,7 @@ class EnergyLimit {
     };
     /// Adds ½ v · M v' of every body that can move, with the velocities it has in each, to its island's sum.
     void addUp(std::span<const SolverBody> one, std::span<const SolverBody> other,
-               std::span<const std::uint32_t> islandOf, double Sums::*to);
+               std::span<const std::uint32_t> islandOf, Workers& workers, double Sums::*to);
 
     std::vector<Sums> m_sums;       // by island
     std::vector<double> m_products; // by body

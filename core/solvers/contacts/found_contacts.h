@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dynamics/contact_constraint.h"
+#include "core/dynamics/parallel.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/candidates.h"
 #include "core/solvers/contacts/manifolds.h"
@@ -33,7 +34,8 @@ class FoundContacts {
     }
     /// `remembered` are the contacts with forces of those that have no manifolds.
     void find(const ManifoldInput& here, std::span<const BodyPair> candidates, const Candidates& margins,
-              const Refinement& refinement, const ContactSet& remembered, WorkCounters& work);
+              const Refinement& refinement, const ContactSet& remembered, WorkCounters& work,
+              Workers& workers = Workers::alone());
 
     const ContactSet& set() const { return m_found; }
     /// By pair of the set, 1: its bodies may touch within the substep.
@@ -83,6 +85,9 @@ class FoundContacts {
     void carryWith(std::span<const Manifolds::Entry> others);
 
   private:
+    void updateCarried(const ManifoldInput& here, std::span<const BodyPair> candidates,
+                       const Candidates& margins, const Refinement& refinement, Workers& workers,
+                       WorkCounters& work);
     void findPoints(const ManifoldInput& here, std::uint32_t pair, WorkCounters& work);
     void list();
     void drop(std::span<const Manifolds::Entry> entries);
@@ -94,7 +99,7 @@ class FoundContacts {
     std::vector<std::span<const ContactConstraint>> m_memory; // by pair of m_found: what is remembered of it
     std::vector<std::uint8_t> m_isPending; // by pair of m_found: its points are to be found
     std::vector<std::uint32_t> m_place;    // by pair of m_found: its manifold, or none
-    std::vector<Manifolds::Entry> m_apart, m_distant, m_listed, m_known;
+    std::vector<Manifolds::Entry> m_apart, m_distant, m_listed, m_known, m_updated;
 };
 
 } // namespace carom

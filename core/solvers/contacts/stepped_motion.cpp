@@ -23,10 +23,6 @@ constexpr int mostRounds = 4;
 /// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
 constexpr int mostStrikes = 4;
 
-/// A pair is near that is nearer than this part of the smaller one's size: twice the gap at which it may
-/// touch however slow it is. Half would be that gap, which a pair can close at once; twice keeps more pairs.
-constexpr double nearPart = 2 * slackPart;
-
 /// Passes go through the contacts backwards: bodies are numbered from the ground up
 /// (core/dynamics/numbering.h). Why from the top: the head comment of velocity_solve.h.
 constexpr bool fromTop = true;
@@ -35,6 +31,10 @@ constexpr bool fromTop = true;
 /// part. A pass diverges where they are too large by 2 (it is then a relaxation by more than 2); at half,
 /// they are computed anew twice as often.
 constexpr double mostChange = 0.25;
+
+/// Bodies that one thread moves at least; one takes some 10 ns. At half, waking a thread costs nearly what it
+/// saves; at twice, islands of a thousand bodies are moved by one.
+constexpr std::size_t fewAwake = 512;
 
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
@@ -60,6 +60,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_heldContacts = 0;
     m_heldDeepest = 0;
     m_island.assign(1, 0);
+    m_slab.assign(1, 0);
     m_free.assign(1, {});
     m_struck.assign(1, 0);
     m_groups.clear();
@@ -94,10 +95,12 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
         m_places.push_back({arrayOf(input.state.pose[body].position)});
         m_turning.add(input.bodies, body, input.state);
         m_island.push_back(island);
+        m_slab.push_back(0);
         m_free.emplace_back();
         m_struck.push_back(0);
     }
     m_links.insert(m_links.end(), springs.begin(), springs.end());
+    if (list.size() >= 2 * Slabs::fewBodies) reorder(island); // it is to be divided
 }
 
 void SteppedMotion::joinIslands(std::uint32_t one, std::uint32_t other) {
@@ -176,82 +179,6 @@ void SteppedMotion::noteChanged(BodyPair pair) {
     m_areStillNoted = false;
 }
 
-// Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
-// which they were added: a heap whose lowest contacts are solved first does not come to rest.
-void SteppedMotion::order(const SteppedInput& input) {
-    if (m_ascending < m_general.size()) orderGeneral();
-    if (std::exchange(m_isUnordered, false)) orderBalls(input);
-}
-
-// Inserts the pairs that were added among those that are in order.
-void SteppedMotion::orderGeneral() {
-    const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
-        return m_entries[one] < m_entries[other];
-    };
-    m_added.assign(m_general.begin() + static_cast<std::ptrdiff_t>(m_ascending), m_general.end());
-    std::sort(m_added.begin(), m_added.end(), isBefore);
-    std::size_t end = m_ascending, to = m_general.size(); // from the end on, so that each moves once
-    while (!m_added.empty()) {
-        const std::uint32_t entry = m_added.back();
-        const std::size_t place = static_cast<std::size_t>(
-            std::upper_bound(m_general.begin(), m_general.begin() + static_cast<std::ptrdiff_t>(end), entry,
-                             isBefore) -
-            m_general.begin());
-        while (end > place) renumberGeneral(--end, --to);
-        m_general[--to] = entry;
-        m_open[to] = {};
-        m_added.pop_back();
-    }
-    m_ascending = m_general.size();
-}
-
-void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
-    m_general[to] = m_general[from];
-    m_open[to] = m_open[from];
-    m_open[to].watched.open = static_cast<std::uint32_t>(to);
-}
-
-// Removes the pairs of general shapes that are gone.
-void SteppedMotion::dropGone() {
-    const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
-    std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
-                                                m_general.begin());
-    std::size_t ascending = std::min(kept, m_ascending);
-    for (std::size_t number = kept; number < m_general.size(); ++number) {
-        if (isGone(m_general[number])) continue;
-        ascending += number < m_ascending ? 1 : 0;
-        renumberGeneral(number, kept++);
-    }
-    m_general.resize(kept);
-    m_open.resize(kept);
-    m_ascending = ascending;
-}
-
-// Sorts the pairs of balls of islands that are not in order.
-void SteppedMotion::orderBalls(const SteppedInput& input) {
-    m_near.clear();
-    m_far.clear();
-    m_balls.forEachSource([&](std::uint32_t index) {
-        Entry& entry = m_entries[index];
-        if (entry.isGone) return;
-        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered) entry.isNear = isNear(input, entry.pair);
-        (entry.isNear ? m_near : m_far).push_back({entry.pair, index});
-    });
-    for (Group& group : m_groups) group.isUnordered = false;
-    m_order.clear();
-    for (std::vector<Numbered>* list : {&m_near, &m_far}) {
-        m_sort.sort(*list, input.bodies.count());
-        for (const Numbered& numbered : *list) m_order.push_back(numbered.index);
-    }
-    m_balls.reorder(m_order, immobile);
-}
-
-bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
-    const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
-    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has no radius
-    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
-}
-
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
     if (input.isFirst) order(input);
@@ -267,7 +194,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
             if (report.loss) return report;
         }
         turnBalls(input);
-        storeForces(manifolds);
+        storeForces(manifolds, input.workers);
         sampleLoads();
     }
     if (m_still.any()) m_still.takeSamples();
@@ -305,7 +232,7 @@ bool SteppedMotion::isStruck(const Watched& pair) const {
 // Makes rows for contacts of bodies that were struck. True if there were any.
 bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifolds& manifolds,
                               SteppedReport& report) {
-    bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity);
+    bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity, input.workers);
     bool anyRow = false;
     if (!m_watched.empty()) foreseeStruck(duration);
     for (Watched& pair : m_watched) {
@@ -333,17 +260,17 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
     }
     if (anyRow) {
         m_rows.end(m_bodies);
-        updateGaps(m_rows, m_moved);
+        updateGaps(m_rows, m_moved, input.workers);
     }
     return any || anyRow;
 }
 
 // Passes with position feedback.
-void SteppedMotion::sweep(const StepSettings& settings, SteppedReport& report) {
+void SteppedMotion::sweep(const StepSettings& settings, Workers& workers, SteppedReport& report) {
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies);
-        m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop);
-        solveVelocities(m_rows, m_bodies, settings, fromTop);
+        m_balls.solve(m_bodies, m_moved, forBalls(settings), fromTop, workers);
+        solveVelocities(m_rows, m_bodies, settings, fromTop, workers);
         resistRolling(m_rows, m_bodies);
     }
     report.work.rowsSwept += static_cast<std::size_t>(m_division.passes) * points();
@@ -358,24 +285,24 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     const StepSettings settings{.duration = duration,
                                 .hardness = StepSettings{}.hardness * duration / whole,
                                 .resting = 2 * fall.norm()};
-    const bool ballsBounce = m_balls.recordApproach(m_bodies, settings);
-    const bool bounces = recordApproach(m_rows, m_bodies, settings) || ballsBounce;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+    const bool ballsBounce = m_balls.recordApproach(m_bodies, settings, input.workers);
+    const bool bounces = recordApproach(m_rows, m_bodies, settings, input.workers) || ballsBounce;
+    forAwake(input.workers, [&](std::uint32_t i) {
         add(m_bodies[i].velocity, fall);
         m_free[i] = m_bodies[i].velocity;
-    }
+    });
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
     if (!m_links.empty()) rememberSprings(input);
     if (bounces) {
         findParts();
-        m_energy.remember(m_bodies, partOf(), parts());
+        m_energy.remember(m_bodies, partOf(), parts(), input.workers);
     }
-    m_balls.warmStart(m_bodies);
-    warmStart(m_rows, m_bodies);
-    sweep(settings, report);
+    m_balls.warmStart(m_bodies, input.workers);
+    warmStart(m_rows, m_bodies, input.workers);
+    sweep(settings, input.workers, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
-        sweep(settings, report);
+        sweep(settings, input.workers, report);
     if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
@@ -384,22 +311,23 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         return;
     }
     move(input, duration);
-    updateGaps(m_rows, m_moved);
+    updateGaps(m_rows, m_moved, input.workers);
     report.work.rowsSwept += points(); // the warm start
     for (int pass = 0; pass < m_division.passes; ++pass) {
         solveSprings(m_springs, m_bodies);
-        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop);
-        report.residual = std::max(ofBalls, relaxVelocities(m_rows, m_bodies, settings, fromTop));
+        const double ofBalls = m_balls.relax(m_bodies, m_moved, settings, fromTop, input.workers);
+        report.residual =
+            std::max(ofBalls, relaxVelocities(m_rows, m_bodies, settings, fromTop, input.workers));
         resistRolling(m_rows, m_bodies);
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
-    if (bounces) rebound(settings, report);
+    if (bounces) rebound(settings, input.workers, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+    forAwake(input.workers, [&](std::uint32_t i) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
-    }
+    });
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
 }
 
@@ -429,7 +357,7 @@ void SteppedMotion::recordTerms(const SteppedInput& input) {
     contact.momentum -= given.momentum;
 }
 
-void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report) {
+void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, SteppedReport& report) {
     m_active.assign(m_bodies.size(), 0);
     const ActiveBodies active{m_active, immobile};
     const int impacts = m_balls.activate(active) + activate(m_rows, active);
@@ -438,12 +366,12 @@ void SteppedMotion::rebound(const StepSettings& settings, SteppedReport& report)
     for (const SpringRow& spring : m_springs)
         m_energy.allow(partOf()[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
     m_before = m_bodies;
-    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active);
+    const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
                      static_cast<std::size_t>(m_division.passes) * m_rows.points().size());
-    carom::rebound(m_rows, m_bodies, settings, m_division.passes, active);
-    m_energy.keep(m_before, partOf(), m_bodies);
+    carom::rebound(m_rows, m_bodies, settings, m_division.passes, active, workers);
+    m_energy.keep(m_before, partOf(), m_bodies, workers);
 }
 
 SpringIslands SteppedMotion::springIslands(const SteppedInput& input) const {
@@ -468,13 +396,19 @@ void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& 
     m_springLimit.keep(islands, settings.duration, m_bodies);
 }
 
+// Calls work(number) for all bodies that do not stand still.
+template<class Work>
+void SteppedMotion::forAwake(Workers& workers, const Work& work) const {
+    workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) work(m_awake[i]);
+    });
+}
+
 // Moves bodies: those without any impulse by the mean of the velocities at both ends, the others by the
 // velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
     const Vec3 half = 0.5 * duration * duration * input.gravity;
-    m_turns.clear();
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        const BodyIndex body = m_list[i - 1];
+    forAwake(input.workers, [&](std::uint32_t i) {
         const SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
@@ -482,22 +416,25 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
             shift -= m_forced.isEmpty() ? half : m_halfWays[i];
         else
             m_struck[i] = 1;
-        Vec3& position = input.state.pose[body].position;
+        Vec3& position = input.state.pose[m_list[i - 1]].position;
         position += shift;
         m_places[i].position = arrayOf(position);
         add(moved.shift, shift);
         const Vec3 spin = vectorOf(from.spin);
-        if (spin == Vec3::Zero()) continue;
         add(moved.turn, duration * spin);
         moved.angle += duration * spin.norm();
-        if (!turnsLater(from)) m_turns.push_back(i);
-    }
-    m_turning.turn(m_turns, duration, m_bodies);
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_turns)) {
-        const BodyIndex body = m_list[i - 1];
-        input.state.pose[body].orientation = m_turning.orientationOf(i);
-        input.state.angularMomentum[body] = m_turning.momentumOf(i);
-    }
+    });
+    m_turns.clear();
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
+        if (vectorOf(m_bodies[i].spin) != Vec3::Zero() && !turnsLater(m_bodies[i])) m_turns.push_back(i);
+    m_turning.turn(m_turns, duration, m_bodies, input.workers);
+    input.workers.forRanges(m_turns.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::uint32_t i = m_turns[k];
+            input.state.pose[m_list[i - 1]].orientation = m_turning.orientationOf(i);
+            input.state.angularMomentum[m_list[i - 1]] = m_turning.momentumOf(i);
+        }
+    });
     renewMasses();
 }
 
@@ -527,9 +464,9 @@ void SteppedMotion::turnBalls(const SteppedInput& input) {
     }
 }
 
-void SteppedMotion::storeForces(Manifolds& manifolds) const {
+void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {
     const double perStep = 1 / m_step;
-    m_rows.storeForces(m_step);
+    m_rows.storeForces(m_step, workers);
     for (const RowGroup& group : m_rows.groups().subspan(m_rows.carriedGroups()))
         for (std::size_t lane = 0; lane < wideLanes; ++lane) {
             if (group.source[lane] == ContactRows::noPair) continue;
@@ -556,8 +493,8 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 }
 
 std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_free, m_struck, m_links,
-                     m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups, m_still) +
+    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_slab, m_free, m_struck,
+                     m_links, m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups, m_still) +
            m_turning.bytes();
 }
 

@@ -4,12 +4,14 @@
 #include "core/base/scratch.h"
 #include "core/dynamics/forced_steps.h"
 #include "core/dynamics/ledger.h"
+#include "core/dynamics/parallel.h"
 #include "core/dynamics/work_counters.h"
 #include "core/solvers/contacts/ball_rows.h"
 #include "core/solvers/contacts/contact_rows.h"
 #include "core/solvers/contacts/energy_limit.h"
 #include "core/solvers/contacts/manifolds.h"
 #include "core/solvers/contacts/pair_sort.h"
+#include "core/solvers/contacts/sections.h"
 #include "core/solvers/contacts/spring_limit.h"
 #include "core/solvers/contacts/spring_rows.h"
 #include "core/solvers/contacts/still_bodies.h"
@@ -44,6 +46,8 @@
 // found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
 // passed on.
 //
+// Threads share the loops over pairs and over bodies, and the passes through large islands (sections.h).
+//
 // Bodies that are at rest while others of their island move stand still (still_bodies.h): they are treated as
 // immobile until the forces on them change.
 
@@ -63,6 +67,7 @@ struct SteppedInput {
     Ledger* ledger = nullptr;
     double tolerance = 0; ///< no further pass where rows are solved to this [m/s]
     bool isFirst = true;  ///< of a frame: what has come or gone since the last one is put in order
+    Workers& workers = Workers::alone();
 };
 
 struct SteppedReport {
@@ -223,6 +228,27 @@ class SteppedMotion {
     struct PairLaws {
         double friction = 0, restitution = 0, rolling = 0, push = 0; ///< as in PairInput; push is above 0
     };
+    /// What a look finds of a pair.
+    struct Seen {
+        std::uint32_t number = 0;   ///< in m_general
+        std::uint32_t a = 0, b = 0; ///< of the solve, of one in contact
+        std::uint8_t count = 0;     ///< points of such a one
+        bool isRound = false;
+        bool hasPoints = false;
+        bool isTouching = false;
+        bool isWatched = false; ///< not in contact, and near enough to be struck
+    };
+    /// A pair in contact, with the place of its rows.
+    struct Placed {
+        LanePacker::Place place;
+        std::uint32_t entry = 0;
+        std::uint32_t frameA = 0, frameB = 0; ///< into m_frames
+    };
+    /// A body whose frame rows need.
+    struct Framed {
+        BodyIndex body = 0;
+        bool turns = false; ///< otherwise along the axes of the world
+    };
     /// How far a body has moved since the last look, and how far it may move until the next.
     struct Travel {
         Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
@@ -254,8 +280,12 @@ class SteppedMotion {
     std::uint32_t numberOf(BodyPair pair) const {
         return m_local[pair.a] != 0 ? m_local[pair.a] : m_local[pair.b];
     }
+    std::pair<std::uint32_t, std::uint32_t> numbersOf(BodyPair pair) const {
+        return {m_local[pair.a], m_local[pair.b]};
+    }
     void settle();
     void order(const SteppedInput& input);
+    void divide(const SteppedInput& input);
     void orderGeneral();
     void renumberGeneral(std::size_t from, std::size_t to);
     void dropGone();
@@ -269,11 +299,17 @@ class SteppedMotion {
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
-    void addRow(const ManifoldInput& here, std::uint32_t entry, PersistentManifold& manifold);
+    void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
+    PairInput rowOf(const ManifoldInput& here, std::uint32_t entry, const PersistentManifold& manifold);
+    void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);
     PairInput inputOf(const Bodies& bodies, std::uint32_t entry);
-    std::uint32_t frameOf(const ManifoldInput& here, BodyIndex body, bool turns);
+    std::uint32_t frameOf(BodyIndex body, std::uint32_t number, bool turns);
     void findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
                       SteppedReport& report);
+    void updatePairs(const ManifoldInput& here, Manifolds& manifolds, Workers& workers,
+                     SteppedReport& report);
+    Seen see(const ManifoldInput& here, std::uint32_t number, double fall, Manifolds& manifolds,
+             std::size_t& collided);
     void findMoving();
     void noteTravel(const SteppedInput& input, double duration);
     bool staysOpen(OpenPair& pair, double fall) const;
@@ -282,20 +318,22 @@ class SteppedMotion {
     bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
-    void sweep(const StepSettings& settings, SteppedReport& report);
+    void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void rebound(const StepSettings& settings, SteppedReport& report);
+    void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
     void limitSprings(const SteppedInput& input, const StepSettings& settings);
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
+    template<class Work>
+    void forAwake(Workers& workers, const Work& work) const;
     void renewMasses();
     /// A ball without springs: its orientation is not used before the next look.
     bool turnsLater(const SolverBody& body) const { return body.roundInverse > 0 && m_links.empty(); }
     void turnBalls(const SteppedInput& input);
-    void storeForces(Manifolds& manifolds) const;
+    void storeForces(Manifolds& manifolds, Workers& workers) const;
     void findParts();
     std::uint32_t partWith(std::uint32_t number);
     void joinParts(std::uint32_t a, std::uint32_t b);
@@ -347,6 +385,7 @@ class SteppedMotion {
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
     Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
     std::vector<std::uint32_t> m_island;
+    std::vector<std::uint8_t> m_slab;            // of the island, when it was put in order last
     std::vector<std::array<double, 3>> m_free;   // velocities that only gravity and force terms have changed
     std::vector<std::uint8_t> m_struck;          // by anything since the last look
     Scratch<std::vector<SolverBody>> m_before;   // the rebound of an impact
@@ -372,15 +411,24 @@ class SteppedMotion {
     BallRows m_balls;
     // Of a look or a step.
     Scratch<ContactRows> m_rows;
+    Scratch<std::vector<Placed>> m_placed;
+    Scratch<std::vector<Framed>> m_framed;
     Scratch<std::vector<BodyFrame>> m_frames;
     Scratch<std::vector<std::uint32_t>> m_frameOf; // by number: its place in m_frames, if it has one
     Scratch<std::vector<Watched>> m_watched;
     Scratch<std::vector<Numbered>> m_near, m_far; // entries of balls, to be put in order
     Scratch<PairSort<Numbered>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
-    Scratch<std::vector<Travel>> m_travel;          // by number
-    Scratch<std::vector<Coming>> m_coming;          // by number
-    Scratch<std::vector<std::uint32_t>> m_turns;    // numbers of those that turn in the step
+    Scratch<SectionPlan> m_plan;
+    Scratch<Slabs> m_divider; // of an island, as the next four
+    Scratch<std::vector<std::uint32_t>> m_inIsland;
+    Scratch<std::vector<Vec3>> m_placesIn;
+    Scratch<std::vector<double>> m_radiiIn; // [m]
+    Scratch<std::vector<std::uint8_t>> m_slabsIn;
+    Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
+    Scratch<std::vector<Travel>> m_travel;                   // by number
+    Scratch<std::vector<Coming>> m_coming;                   // by number
+    Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
     Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
     Scratch<EnergyLimit> m_energy;
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers

@@ -123,6 +123,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
         m_turning.renumber(i, kept);
         m_still.renumber(i, kept);
         m_island[kept] = island;
+        m_slab[kept] = m_slab[i];
         numbers.bodies[i] = kept++;
     }
     m_list.resize(kept - 1);
@@ -134,6 +135,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_still.noteAll();
     m_areStillNoted = !m_still.any();
     m_island.resize(kept);
+    m_slab.resize(kept);
     m_free.resize(kept);
     m_struck.resize(kept);
     m_balls.keep(numbers.entries, numbers.bodies, immobile);

@@ -5,12 +5,22 @@
 #include "core/solvers/contacts/stepped_motion.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
 // Where the contacts of the base path are, and which of its pairs need not be looked at.
 
 namespace carom {
+namespace {
+
+/// Pairs that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly what
+/// it saves; at twice, islands of some hundred pairs are updated by one.
+constexpr std::size_t fewPairs = 128;
+/// Frames that one thread makes at least; one takes some 20 ns. The same holds of half and twice.
+constexpr std::size_t fewFrames = 512;
+
+} // namespace
 
 // Finds the contacts at the present poses.
 void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& manifolds,
@@ -45,40 +55,106 @@ void SteppedMotion::findMoving() {
 
 void SteppedMotion::findContacts(const SteppedInput& input, double duration, Manifolds& manifolds,
                                  SteppedReport& report) {
-    m_balls.refresh(m_bodies, m_places, duration, input.gravity);
+    m_balls.refresh(m_bodies, m_places, duration, input.gravity, input.workers);
     m_deepest = m_balls.deepest();
     report.contacts = wideLanes * m_balls.activeGroups();
     m_rows.begin(m_bodies.size(), immobile);
     m_watched.clear();
+    m_touching.clear();
     reserveFor(m_general.size(), m_watched);
-    m_frames.clear();
     m_frameOf.assign(m_bodies.size(), BallRows::noPair);
     m_laws.resize(m_entries.size());
     const ManifoldInput here{input.bodies, input.state, input.gravity, duration};
-    const double fall = input.gravity.norm() * duration * duration;
-    for (const std::uint32_t number : std::span<const std::uint32_t>(m_moving)) {
-        const std::uint32_t entry = m_general[number];
-        const double margin = m_entries[entry].margin;
-        OpenPair& open = m_open[number];
-        const bool isFresh = std::exchange(m_entries[entry].isFresh, false);
-        if (!isFresh && staysOpen(open, fall)) {
-            if (open.watched.gap <= margin) m_watched.push_back(open.watched);
-            report.contacts += open.hasPoints ? 1 : 0;
-            continue;
-        }
-        PersistentManifold& manifold = manifolds[m_entries[entry].place];
-        if (!isFresh) report.work.pairsCollided += updateManifold(here, margin, manifold) ? 1 : 0;
-        open.watched.gap = 0;
-        if (manifold.open) {
-            open = openPairOf(here, number, manifolds);
-            if (manifold.gap <= margin) m_watched.push_back(open.watched);
-        }
-        if (manifold.count == 0) continue;
-        ++report.contacts;
-        if (manifold.open) continue;
-        addRow(here, entry, manifold);
+    updatePairs(here, manifolds, input.workers, report);
+    for (const Seen& seen : m_seen) {
+        if (seen.isTouching)
+            m_touching.push_back(seen);
+        else if (seen.isWatched)
+            m_watched.push_back(m_open[seen.number].watched);
+        report.contacts += seen.hasPoints ? 1 : 0;
     }
-    m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step));
+    addRows(here, manifolds, input.workers);
+    m_deepest = std::max(m_deepest, m_rows.end(m_bodies, m_frames, m_step, input.workers));
+}
+
+// Updates the manifolds of pairs that may meet before the next look. Each is written by one thread.
+void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds, Workers& workers,
+                                SteppedReport& report) {
+    const double fall = here.gravity.norm() * here.duration * here.duration;
+    std::atomic<std::size_t> collided = 0;
+    m_seen.resize(m_moving.size());
+    workers.forRanges(m_moving.size(), fewPairs, [&](std::size_t begin, std::size_t end) {
+        std::size_t count = 0;
+        for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, m_moving[i], fall, manifolds, count);
+        collided += count;
+    });
+    report.work.pairsCollided += collided;
+}
+
+SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t number, double fall,
+                                       Manifolds& manifolds, std::size_t& collided) {
+    Entry& entry = m_entries[m_general[number]];
+    OpenPair& open = m_open[number];
+    Seen seen{.number = number};
+    const bool isFresh = std::exchange(entry.isFresh, false);
+    if (isFresh || !staysOpen(open, fall)) {
+        PersistentManifold& manifold = manifolds[entry.place];
+        if (!isFresh) collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
+        open.watched.gap = 0;
+        if (!manifold.open) {
+            const auto [a, b] = numbersOf(manifold.pair);
+            return {.number = number,
+                    .a = a,
+                    .b = b,
+                    .count = static_cast<std::uint8_t>(manifold.count),
+                    .isRound = manifold.round,
+                    .hasPoints = manifold.count > 0,
+                    .isTouching = manifold.count > 0};
+        }
+        open = openPairOf(here, number, manifolds);
+    }
+    seen.hasPoints = open.hasPoints;
+    seen.isWatched = open.watched.gap <= entry.margin;
+    return seen;
+}
+
+// Makes rows of the pairs in contact, section by section. Their places depend on the pairs before; what they
+// are does not.
+void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers) {
+    m_plan.make(m_island, m_slab, m_groups.size());
+    const std::span<const SectionEnd> sections =
+        m_plan.sort(m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
+    auto section = sections.begin();
+    const auto endSections = [&](std::size_t pairs) {
+        for (; section != sections.end() && section->end == pairs; ++section)
+            m_rows.endSection(section->phase);
+    };
+    m_placed.clear();
+    m_framed.clear();
+    for (std::size_t i = 0; i < m_touching.size(); ++i) {
+        endSections(i);
+        const Seen& seen = m_touching[i];
+        const std::uint32_t entry = m_general[seen.number];
+        const auto [a, b] = m_entries[entry].pair;
+        m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, seen.count, entry), entry,
+                            frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound)});
+    }
+    endSections(m_touching.size());
+    m_frames.resize(m_framed.size());
+    workers.forRanges(m_framed.size(), fewFrames, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Pose& pose = here.state.pose[m_framed[i].body];
+            m_frames[i] = {m_framed[i].turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()),
+                           pose.position};
+        }
+    });
+    workers.forRanges(m_placed.size(), fewPairs, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
+    });
+    for (const Placed& placed : m_placed)
+        if (m_laws[placed.entry].rolling > 0)
+            m_rows.addRolling(rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]),
+                              placed.place, m_bodies);
 }
 
 // What is the same for a pair at every look.
@@ -106,31 +182,34 @@ void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const
     m_rows.add(pair, entry, m_bodies);
 }
 
-void SteppedMotion::addRow(const ManifoldInput& here, std::uint32_t entry, PersistentManifold& manifold) {
-    const auto [a, b] = manifold.pair;
+PairInput SteppedMotion::rowOf(const ManifoldInput& here, std::uint32_t entry,
+                               const PersistentManifold& manifold) {
     PairInput pair = inputOf(here.bodies, entry);
     pair.normal = normalOf(here, manifold);
     pair.torque = manifold.torque;
-    const bool isBetween = here.bodies.mobile[a] != 0 && here.bodies.mobile[b] != 0 &&
-                           !(isSphere(here.bodies, a) && isSphere(here.bodies, b));
-    m_rows.add(pair,
-               {.first = manifold.points.data(),
-                .count = static_cast<std::size_t>(manifold.count),
-                .frameA = frameOf(here, a, !manifold.round),
-                .frameB = frameOf(here, b, !manifold.round),
-                .middle = isBetween ? 0.5 : 0},
-               entry, m_bodies);
+    return pair;
 }
 
-// The place in m_frames of a body's frame, or of one along the axes of the world.
-std::uint32_t SteppedMotion::frameOf(const ManifoldInput& here, BodyIndex body, bool turns) {
-    const std::uint32_t number = m_local[body], next = static_cast<std::uint32_t>(m_frames.size());
+void SteppedMotion::setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds) {
+    PersistentManifold& manifold = manifolds[m_entries[placed.entry].place];
+    const auto [a, b] = manifold.pair;
+    const bool isBetween = here.bodies.mobile[a] != 0 && here.bodies.mobile[b] != 0 &&
+                           !(isSphere(here.bodies, a) && isSphere(here.bodies, b));
+    m_rows.setCarried(placed.place, rowOf(here, placed.entry, manifold),
+                      {.first = manifold.points.data(),
+                       .count = static_cast<std::size_t>(manifold.count),
+                       .frameA = placed.frameA,
+                       .frameB = placed.frameB,
+                       .middle = isBetween ? 0.5 : 0});
+}
+
+// The place that the frame of a body will have, or that of one along the axes of the world.
+std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number, bool turns) {
+    const std::uint32_t next = static_cast<std::uint32_t>(m_framed.size());
     const bool isKept = number != immobile && turns;
     if (isKept && m_frameOf[number] != BallRows::noPair) return m_frameOf[number];
     if (isKept) m_frameOf[number] = next;
-    const Pose& pose = here.state.pose[body];
-    m_frames.emplace_back(turns ? pose.orientation.toRotationMatrix() : Mat3(Mat3::Identity()),
-                          pose.position);
+    m_framed.push_back({body, turns});
     return next;
 }
 

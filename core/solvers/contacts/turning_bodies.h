@@ -3,6 +3,7 @@
 
 #include "core/base/scratch.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/parallel.h"
 #include "core/dynamics/state.h"
 #include "core/math/types.h"
 #include "core/solvers/contacts/solver_body.h"
@@ -52,7 +53,8 @@ class TurningBodies {
 
     /// Turns the bodies of `list` through `duration` seconds: their records here, and in `solved` their
     /// angular velocity and inverse inertia.
-    void turn(std::span<const std::uint32_t> list, double duration, std::span<SolverBody> solved);
+    void turn(std::span<const std::uint32_t> list, double duration, std::span<SolverBody> solved,
+              Workers& workers = Workers::alone());
     std::size_t bytes() const { return m_records.size() * sizeof(Record); }
 
   private:

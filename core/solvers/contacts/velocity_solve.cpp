@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 
@@ -158,6 +159,14 @@ CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoi
     for (std::size_t i = 0; i < count; ++i) warmGroup(groups[i], points, bodies);
 }
 
+/// Calls work(groups) for the groups of each section; several at once where they are independent.
+template<class Work>
+double forEachSection(const ContactRows& rows, bool back, Workers& workers, const Work& work) {
+    return rows.sections().forEach(
+        rows.groups().size(), back, workers,
+        [&](std::size_t first, std::size_t end) { return work(rows.groups().subspan(first, end - first)); });
+}
+
 } // namespace
 
 void addCorrection(const ContactRows& rows, const StepSettings& settings, std::span<double> to) {
@@ -187,31 +196,46 @@ void resistRolling(ContactRows& rows, std::span<SolverBody> bodies) {
     }
 }
 
-bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings) {
-    return passApproach(rows.groups().data(), rows.groups().size(), rows.points().data(), bodies.data(),
-                        settings);
+bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings,
+                    Workers& workers) {
+    std::atomic<bool> any = false;
+    workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        if (passApproach(rows.groups().data() + begin, end - begin, rows.points().data(), bodies.data(),
+                         settings))
+            any = true;
+    });
+    return any;
 }
 
-void warmStart(const ContactRows& rows, std::span<SolverBody> bodies) {
-    passWarm(rows.groups().data(), rows.groups().size(), rows.points().data(), bodies.data());
+void warmStart(const ContactRows& rows, std::span<SolverBody> bodies, Workers& workers) {
+    forEachSection(rows, false, workers, [&](std::span<const RowGroup> groups) {
+        passWarm(groups.data(), groups.size(), rows.points().data(), bodies.data());
+        return 0.0;
+    });
     for (const RollingRow& row : rows.rolling()) {
         add(bodies[row.a].spin, -turnedBy(bodies[row.a], row.torque));
         add(bodies[row.b].spin, turnedBy(bodies[row.b], row.torque));
     }
 }
 
-void updateGaps(ContactRows& rows, std::span<const Displacement> moved) {
-    passGaps(rows.groups(), rows.points().data(), moved.data());
+void updateGaps(ContactRows& rows, std::span<const Displacement> moved, Workers& workers) {
+    workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        passGaps(rows.groups().subspan(begin, end - begin), rows.points().data(), moved.data());
+    });
 }
 
-void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
-                     bool back) {
-    sweep(Pass::Feedback, {rows.groups(), rows.points().data(), bodies.data(), settings, back});
+void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
+                     Workers& workers) {
+    forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
+        return sweep(Pass::Feedback, {groups, rows.points().data(), bodies.data(), settings, back});
+    });
 }
 
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
-                       bool back) {
-    return sweep(Pass::Relax, {rows.groups(), rows.points().data(), bodies.data(), settings, back});
+                       bool back, Workers& workers) {
+    return forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
+        return sweep(Pass::Relax, {groups, rows.points().data(), bodies.data(), settings, back});
+    });
 }
 
 int activate(const ContactRows& rows, const ActiveBodies& active) {
@@ -219,11 +243,17 @@ int activate(const ContactRows& rows, const ActiveBodies& active) {
 }
 
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
-             const ActiveBodies& active) {
-    for (int pass = 0; pass < passes; ++pass)
-        sweep(Pass::Rebound,
-              {rows.groups(), rows.points().data(), bodies.data(), settings, pass % 2 != 0, active});
-    passForget(rows.groups(), rows.points().data(), settings.resting);
+             const ActiveBodies& active, Workers& workers) {
+    for (int pass = 0; pass < passes; ++pass) {
+        const bool back = pass % 2 != 0;
+        forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
+            return sweep(Pass::Rebound,
+                         {groups, rows.points().data(), bodies.data(), settings, back, active});
+        });
+    }
+    workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        passForget(rows.groups().subspan(begin, end - begin), rows.points().data(), settings.resting);
+    });
 }
 
 } // namespace carom

@@ -65,13 +65,14 @@ struct StepSettings {
 };
 
 /// Stores the closing speeds of rows without an impulse. True if there are any.
-bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings);
-void warmStart(const ContactRows& rows, std::span<SolverBody> bodies);
+bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const StepSettings& settings,
+                    Workers& workers = Workers::alone());
+void warmStart(const ContactRows& rows, std::span<SolverBody> bodies, Workers& workers = Workers::alone());
 /// Updates the gaps by `moved`, the displacements of all bodies since the rows were made.
-void updateGaps(ContactRows& rows, std::span<const Displacement> moved);
+void updateGaps(ContactRows& rows, std::span<const Displacement> moved, Workers& workers = Workers::alone());
 /// One pass through the groups, forwards or `back`.
-void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
-                     bool back);
+void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
+                     Workers& workers = Workers::alone());
 /// Adds what feedback may have added to the energy of bodies, pₙ |b| of every overlap, to that of the two
 /// whose number is larger [J]: 0 cannot move. After the last pass with feedback.
 void addCorrection(const ContactRows& rows, const StepSettings& settings, std::span<double> to);
@@ -79,7 +80,7 @@ void addCorrection(const ContactRows& rows, const StepSettings& settings, std::s
 void resistRolling(ContactRows& rows, std::span<SolverBody> bodies);
 /// Returns the largest change it made, as a speed [m/s]: the residual of the worst row when it was solved.
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
-                       bool back);
+                       bool back, Workers& workers = Workers::alone());
 /// The bodies that a rebound reaches, by body: 1, or 1 more than the pass in which an impact of balls changed
 /// it last. 0 for immobile bodies.
 struct ActiveBodies {
@@ -94,6 +95,6 @@ int activate(const ContactRows& rows, const ActiveBodies& active);
 /// `resting` activate their bodies. The impulses of rows that separate faster than `resting` are set to 0,
 /// because they are no lasting forces.
 void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, int passes,
-             const ActiveBodies& active);
+             const ActiveBodies& active, Workers& workers = Workers::alone());
 
 } // namespace carom

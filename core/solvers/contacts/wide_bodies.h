@@ -78,21 +78,25 @@ CAROM_INLINE void gather(const SolverBody* bodies, const std::array<std::uint32_
     gatherFour(recordOf(*bodies) + 12, stride, index, motion.yz, motion.zz, unused, other);
 }
 
-// What cannot move stands in several lanes; it is written what was read.
+// What cannot move stands in several lanes, and other threads read it: it is not written.
 CAROM_INLINE void scatter(SolverBody* bodies, const std::array<std::uint32_t, 4>& index,
                           const Motion& motion) {
+    SolverBody unused;
+    std::array<double*, 4> to;
+    for (std::size_t lane = 0; lane < 4; ++lane)
+        to[lane] = recordOf(bodies[index[lane]].inverseMass != 0 ? bodies[index[lane]] : unused);
     Wide a = motion.velocity.x, b = motion.velocity.y, c = motion.velocity.z, d = motion.inverseMass;
     transpose(a, b, c, d);
-    storeWide(recordOf(bodies[index[0]]), a);
-    storeWide(recordOf(bodies[index[1]]), b);
-    storeWide(recordOf(bodies[index[2]]), c);
-    storeWide(recordOf(bodies[index[3]]), d);
+    storeWide(to[0], a);
+    storeWide(to[1], b);
+    storeWide(to[2], c);
+    storeWide(to[3], d);
     a = motion.spin.x, b = motion.spin.y, c = motion.spin.z, d = motion.roundInverse;
     transpose(a, b, c, d);
-    storeWide(recordOf(bodies[index[0]]) + 4, a);
-    storeWide(recordOf(bodies[index[1]]) + 4, b);
-    storeWide(recordOf(bodies[index[2]]) + 4, c);
-    storeWide(recordOf(bodies[index[3]]) + 4, d);
+    storeWide(to[0] + 4, a);
+    storeWide(to[1] + 4, b);
+    storeWide(to[2] + 4, c);
+    storeWide(to[3] + 4, d);
 }
 
 /// Three doubles of each of four records.

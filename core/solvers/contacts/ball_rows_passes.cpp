@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/ball_rows.h"
+#include "core/solvers/contacts/contact_law.h"
+#include "core/solvers/contacts/manifolds.h"
+
+#include <algorithm>
+#include <atomic>
+
+// The passes through contacts of balls.
+
+namespace carom {
+namespace {
+
+/// Applies impulses along n, t1 and t2 to both bodies.
+CAROM_INLINE void apply(const BallGroup& group, const Wide3& n, const Wide3& t1, const Wide3& t2,
+                        const Wide3& impulse, Motion& a, Motion& b) {
+    const Wide3 p = impulse.x * n + impulse.y * t1 + impulse.z * t2;
+    const Wide3 turning = impulse.y * t2 - impulse.z * t1; // n × p
+    a.velocity = a.velocity - a.inverseMass * p;
+    b.velocity = b.velocity + b.inverseMass * p;
+    a.spin = a.spin - (a.roundInverse * group.radiusA) * turning;
+    b.spin = b.spin - (b.roundInverse * group.radiusB) * turning;
+}
+
+/// Velocity of B's contact point relative to A's.
+CAROM_INLINE Wide3 relativeVelocity(const BallGroup& group, const Wide3& n, const Motion& a,
+                                    const Motion& b) {
+    const Wide3 spin = group.radiusB * b.spin + group.radiusA * a.spin;
+    return b.velocity - a.velocity - cross(spin, n);
+}
+
+CAROM_INLINE Wide gapNow(const BallGroup& group, const Wide3& n, const Displacement* moved) {
+    return group.gap + dot(n, gatherShift(moved, group.b) - gatherShift(moved, group.a));
+}
+
+template<Pass pass>
+CAROM_INLINE void solveGroup(BallGroup& group, SolverBody* bodies, const Displacement* moved,
+                             const StepSettings& settings, const Softnesses& softness, Wide& worst) {
+    if (group.idle) return;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
+    const Wide3 u = relativeVelocity(group, n, a, b);
+    const Wide3 change = solvePoint<pass>({dot(n, u), dot(t1, u), dot(t2, u)}, gapNow(group, n, moved), group,
+                                          select(group.hard, softness), settings.duration, group.row, worst);
+    apply(group, n, t1, t2, change, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+}
+
+/// Removes from the velocities of a group the effect of contacts whose impulses have grown by more than a
+/// closing speed at rest explains: impacts, which are then treated by Newton's law.
+CAROM_INLINE void takeBack(BallGroup& group, SolverBody* bodies, double resting, const ActiveBodies& active) {
+    if (group.idle || !group.bounces) return;
+    BallRow& row = group.row;
+    const Wide zero{}, one = wideOf(1), added = row.normal - row.carried;
+    const auto isStruck = (added > resting * row.massNormal) & (group.restitution > zero);
+    const Wide lanes = isStruck ? one : zero;
+    if (!anyLane(lanes)) return;
+    const Wide part = isStruck ? added / row.normal : zero;
+    const Wide3 back{-part * row.normal, -part * row.along1, -part * row.along2};
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent);
+    apply(group, n, t1, cross(n, t1), back, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+    activateLanes(group, lanes, active);
+}
+
+/// Solves impacts of pairs that touch and close, with Newton's law, if an impact has changed the velocity of
+/// one of their bodies in the pass before or in this one. Returns the closing speeds of those that bounce
+/// [m/s].
+CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displacement* moved,
+                         const Wide& resting, int pass, const ActiveBodies& active) {
+    const Wide zero{}, one = wideOf(1);
+    if (group.idle) return zero;
+    Wide activeIn{};
+    for (std::size_t lane = 0; lane < wideLanes; ++lane)
+        activeIn[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
+    const auto isActive = activeIn >= wideOf(pass);
+    if (!anyLane(isActive ? one : zero)) return zero;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide3 n = load(group.normal), t1 = load(group.tangent), t2 = cross(n, t1);
+    const Wide3 u = relativeVelocity(group, n, a, b);
+    const Wide closing = -dot(n, u);
+    const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
+    const auto meets = isActive & touches & (closing > zero) & (group.row.massNormal > zero);
+    const auto bounces = meets & (closing > resting) & (group.restitution > zero);
+    if (!anyLane(meets ? one : zero)) return zero;
+    const Wide normal =
+        meets ? group.row.massNormal * closing * (bounces ? one + group.restitution : one) : zero;
+    const Wide q1 = -group.row.massTangent * dot(t1, u), q2 = -group.row.massTangent * dot(t2, u);
+    const Wide most = group.friction * normal, size = rootOf(q1 * q1 + q2 * q2);
+    const Wide part = size > most ? most / (size > zero ? size : one) : one;
+    apply(group, n, t1, t2, {normal, meets ? part * q1 : zero, meets ? part * q2 : zero}, a, b);
+    scatter(bodies, group.a, a);
+    scatter(bodies, group.b, b);
+    const Wide fastest = meets & (closing > resting) ? closing : zero;
+    activateLanes(group, fastest, active, static_cast<std::uint8_t>(pass + 1));
+    return bounces ? closing : zero;
+}
+
+/// Reduces the force of pairs that separate faster than a contact at rest to what it was when the step began.
+CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, double resting) {
+    if (group.idle || !group.bounces) return;
+    Motion a, b;
+    gatherVelocity(bodies, group.a, a);
+    gatherVelocity(bodies, group.b, b);
+    const Wide zero{}, one = wideOf(1);
+    const Wide separation = dot(load(group.normal), b.velocity - a.velocity);
+    BallRow& row = group.row;
+    const auto leaves = (separation > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
+    if (!anyLane(leaves ? one : zero)) return;
+    const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
+    row.normal = part * row.normal;
+    row.along1 = part * row.along1;
+    row.along2 = part * row.along2;
+}
+
+struct Sweep {
+    std::span<BallGroup> groups;
+    SolverBody* bodies;
+    const Displacement* moved;
+    const StepSettings& settings;
+    bool back;
+};
+
+template<Pass pass>
+CAROM_INLINE double sweepGroups(const Sweep& with) {
+    Wide worst{};
+    const Softnesses softness = softnessesOf(with.settings);
+    const std::size_t count = with.groups.size();
+    for (std::size_t i = 0; i < count; ++i)
+        solveGroup<pass>(with.groups[with.back ? count - 1 - i : i], with.bodies, with.moved, with.settings,
+                         softness, worst);
+    return std::max(std::max(worst[0], worst[1]), std::max(worst[2], worst[3]));
+}
+
+CAROM_WIDE double sweep(Pass pass, const Sweep& with) {
+    switch (pass) {
+    case Pass::Relax:
+        return sweepGroups<Pass::Relax>(with);
+    case Pass::Rebound: // strikes
+    case Pass::Feedback:
+        break;
+    }
+    return sweepGroups<Pass::Feedback>(with);
+}
+
+CAROM_WIDE void passBack(std::span<BallGroup> groups, SolverBody* bodies, double resting,
+                         const ActiveBodies& active) {
+    for (BallGroup& group : groups) takeBack(group, bodies, resting, active);
+}
+
+// True if any bounced.
+CAROM_WIDE bool passStrikes(std::span<const BallGroup> groups, SolverBody* bodies, const Displacement* moved,
+                            double resting, int pass, const ActiveBodies& active) {
+    const bool back = pass % 2 == 0;
+    Wide fastest{};
+    const std::size_t count = groups.size();
+    for (std::size_t i = 0; i < count; ++i)
+        fastest = larger(
+            fastest, strike(groups[back ? count - 1 - i : i], bodies, moved, wideOf(resting), pass, active));
+    return anyLane(fastest);
+}
+
+CAROM_WIDE bool passApproach(BallGroup* groups, std::size_t count, const SolverBody* bodies, double resting) {
+    Wide any{};
+    for (std::size_t i = 0; i < count; ++i) {
+        BallGroup& group = groups[i];
+        if (group.idle || !group.bounces) continue;
+        Motion a, b;
+        gatherVelocity(bodies, group.a, a);
+        gatherVelocity(bodies, group.b, b);
+        group.row.carried = group.row.normal;
+        const Wide closing = dot(load(group.normal), a.velocity - b.velocity);
+        group.row.approach = approachOf(group, group.row, closing, resting);
+        any = larger(any, group.row.approach);
+    }
+    return anyLane(any);
+}
+
+CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody* bodies) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const BallGroup& group = groups[i];
+        if (group.idle) continue;
+        Motion a, b;
+        gatherVelocity(bodies, group.a, a);
+        gatherVelocity(bodies, group.b, b);
+        const Wide3 n = load(group.normal), t1 = load(group.tangent);
+        apply(group, n, t1, cross(n, t1), {group.row.normal, group.row.along1, group.row.along2}, a, b);
+        scatter(bodies, group.a, a);
+        scatter(bodies, group.b, b);
+    }
+}
+
+} // namespace
+
+/// Calls work(groups) for the groups of each section; several at once where they are independent.
+template<class Work>
+double BallRows::forEachSection(bool back, Workers& workers, const Work& work) {
+    return m_sections.forEach(m_groups.size(), back, workers, [&](std::size_t first, std::size_t end) {
+        return work(std::span(m_groups).subspan(first, end - first));
+    });
+}
+
+bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
+                              Workers& workers) {
+    std::atomic<bool> any = false;
+    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        if (passApproach(m_groups.data() + begin, end - begin, bodies.data(), settings.resting)) any = true;
+    });
+    return any;
+}
+
+void BallRows::warmStart(std::span<SolverBody> bodies, Workers& workers) {
+    forEachSection(false, workers, [&](std::span<const BallGroup> groups) {
+        passWarm(groups.data(), groups.size(), bodies.data());
+        return 0.0;
+    });
+}
+
+void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                     const StepSettings& settings, bool back, Workers& workers) {
+    forEachSection(back, workers, [&](std::span<BallGroup> groups) {
+        return sweep(Pass::Feedback, {groups, bodies.data(), moved.data(), settings, back});
+    });
+}
+
+void BallRows::addCorrection(std::span<const Displacement> moved, const StepSettings& settings,
+                             std::span<double> to) const {
+    const Softnesses softness = softnessesOf(settings);
+    for (const BallGroup& group : m_groups)
+        if (!group.idle)
+            carom::addCorrection(group, group.row, gapNow(group, load(group.normal), moved.data()), softness,
+                                 to);
+}
+
+double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                       const StepSettings& settings, bool back, Workers& workers) {
+    return forEachSection(back, workers, [&](std::span<BallGroup> groups) {
+        return sweep(Pass::Relax, {groups, bodies.data(), moved.data(), settings, back});
+    });
+}
+
+int BallRows::activate(const ActiveBodies& active) const {
+    int struck = 0;
+    for (const BallGroup& group : m_groups) {
+        if (group.idle || !group.bounces) continue;
+        const Wide lanes = isImpact(group.row) ? wideOf(1) : Wide{};
+        struck += lanesOf(lanes);
+        activateLanes(group, lanes, active);
+    }
+    return struck;
+}
+
+int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
+                      const StepSettings& settings, int passes, const ActiveBodies& active,
+                      Workers& workers) {
+    forEachSection(false, workers, [&](std::span<BallGroup> groups) {
+        passBack(groups, bodies.data(), settings.resting, active);
+        return 0.0;
+    });
+    const auto strikes = [&](int pass) {
+        return forEachSection(pass % 2 == 0, workers, [&](std::span<const BallGroup> groups) {
+            return passStrikes(groups, bodies.data(), moved.data(), settings.resting, pass, active) ? 1.0
+                                                                                                    : 0.0;
+        });
+    };
+    int pass = 1;
+    while (pass <= passes && strikes(pass) > 0) ++pass;
+    workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) forgetImpact(m_groups[i], bodies.data(), settings.resting);
+    });
+    return std::min(pass, passes);
+}
+
+} // namespace carom

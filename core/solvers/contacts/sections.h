@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/held_bytes.h"
+#include "core/base/scratch.h"
+#include "core/dynamics/parallel.h"
+#include "core/math/types.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+// How several threads solve one island. Its bodies are divided into slabs by planes that gravity lies in, so
+// that no column of bodies is cut, and its pairs into sections, by where their bodies are. A pass goes
+// through four phases, one after the other; sections of one phase share no body that can move, so threads
+// solve them at the same time:
+//
+//     bodies     slab 0 | slab 1 | slab 2 | slab 3        from above
+//
+//     phase 0    0 – 0    1 – 1    2 – 2    3 – 3         pairs within a slab
+//     phase 1        0 – 1             2 – 3              across the first, third, ... plane
+//     phase 2                 1 – 2                       across the others
+//     phase 3    all other pairs, in one section          across two planes, or found later
+//
+// Small islands are not divided; some together are a section of phase 0. Which sections there are depends on
+// the island alone, neither on the threads nor on other islands, so a pass gives the same bits whatever these
+// are.
+
+namespace carom {
+
+inline constexpr std::size_t sectionPhases = 4;
+
+/// Groups that one thread works on at least, where they are independent of each other; one takes some 50 ns.
+/// At half, waking a thread costs nearly what it saves; at twice, islands of 1,000 pairs have one.
+inline constexpr std::size_t fewShared = 128;
+
+/// Several threads find the largest of what each finds.
+inline void raise(std::atomic<double>& largest, double value) {
+    double most = largest;
+    while (value > most && !largest.compare_exchange_weak(most, value)) {
+    }
+}
+
+/// Where a section ends in a list of pairs that are sorted by section.
+struct SectionEnd {
+    std::size_t phase = 0;
+    std::size_t end = 0;
+};
+
+/// The sections of the groups that a pass goes through (lane_packer.h).
+class Sections {
+  public:
+    void clear() {
+        m_ends.clear();
+        m_first = {};
+    }
+    /// Groups since the last call, up to `groups`, are a section; phases ascend, and are not the last one.
+    /// What comes after all sections is that of the last phase.
+    void close(std::size_t phase, std::size_t groups) {
+        m_ends.push_back(static_cast<std::uint32_t>(groups));
+        for (std::size_t next = phase + 1; next < sectionPhases; ++next) m_first[next] = m_ends.size();
+    }
+    bool isEmpty() const { return m_ends.empty(); }
+    /// Sections end where newEnd(end) is for their previous end.
+    template<class NewEnd>
+    void renumber(const NewEnd& newEnd) {
+        for (std::uint32_t& end : m_ends) end = newEnd(end);
+    }
+    /// Calls work(first, end) for all sections of so many groups, from the first phase to the last, or the
+    /// other way. Returns the largest number it returned.
+    template<class Work>
+    double forEach(std::size_t groups, bool back, Workers& workers, const Work& work) const {
+        if (m_ends.empty()) return work(std::size_t{0}, groups);
+        std::atomic<double> largest = 0;
+        for (std::size_t k = 0; k < sectionPhases; ++k) {
+            const std::size_t phase = back ? sectionPhases - 1 - k : k;
+            const bool isLast = phase + 1 == sectionPhases;
+            const std::size_t first = m_first[phase], end = isLast ? m_ends.size() + 1 : m_first[phase + 1];
+            const auto beginOf = [&](std::size_t section) {
+                return section == 0 ? std::size_t{0} : m_ends[section - 1];
+            };
+            const std::size_t all = (isLast ? groups : beginOf(end)) - beginOf(first);
+            Workers& several = all < 2 * fewShared ? Workers::alone() : workers;
+            several.forEach(end - first, [&](std::size_t, std::size_t i) {
+                const std::size_t section = first + i;
+                raise(largest, work(beginOf(section), section == m_ends.size() ? groups : m_ends[section]));
+            });
+        }
+        return largest;
+    }
+    std::size_t bytes() const { return heldBytes(m_ends); }
+
+  private:
+    std::vector<std::uint32_t> m_ends;                // by section but the last one: its end in the groups
+    std::array<std::size_t, sectionPhases> m_first{}; // by phase: its first section
+};
+
+/// Divides islands into slabs.
+class Slabs {
+  public:
+    /// Bodies of a slab at least. At half, the passes of threads on a slab take hardly longer than waking
+    /// one; at twice, islands of 1,000 contacts are solved by one.
+    static constexpr std::size_t fewBodies = 128;
+    /// At most so many slabs. At half, four threads wait for each other; at twice, more pairs are between
+    /// slabs.
+    static constexpr std::size_t most = 8;
+
+    /// The number of the slab of each body of an island, in `slabs`, from 0 on. `radii` are those of the
+    /// bounding balls [m].
+    void divide(std::span<const Vec3> places, std::span<const double> radii, const Vec3& gravity,
+                std::span<std::uint8_t> slabs);
+
+  private:
+    std::vector<double> m_along, m_sorted;
+};
+
+/// The sections of pairs of bodies.
+class SectionPlan {
+  public:
+    /// Bodies have numbers; 0 cannot move, the others have an island, below `islands`, and a slab of it.
+    void make(std::span<const std::uint32_t> islandOf, std::span<const std::uint8_t> slabOf,
+              std::size_t islands);
+    bool isDivided() const { return m_phaseOf.size() > 2; }
+    std::uint32_t sectionOf(std::uint32_t a, std::uint32_t b) const {
+        if (a == 0 || b == 0) return m_own[std::max(a, b)];
+        const auto [lower, upper] = std::minmax(m_own[a], m_own[b]);
+        return lower == upper ? lower : upper == lower + 1 ? m_beside[lower] : last();
+    }
+    /// Sorts items by section; those of one stay in order. bodiesOf(item) is a pair of numbers. Returns where
+    /// the sections end, but for the last one.
+    template<class Item, class BodiesOf>
+    std::span<const SectionEnd> sort(std::vector<Item>& items, std::vector<Item>& scratch,
+                                     const BodiesOf& bodiesOf) {
+        m_ends.clear();
+        if (!isDivided()) return m_ends;
+        m_section.clear();
+        m_begin.assign(m_phaseOf.size() + 1, 0);
+        for (const Item& item : items) {
+            const auto [a, b] = bodiesOf(item);
+            m_section.push_back(sectionOf(a, b));
+            ++m_begin[m_section.back() + 1];
+        }
+        for (std::size_t i = 1; i < m_begin.size(); ++i) m_begin[i] += m_begin[i - 1];
+        for (std::size_t i = 0; i < last(); ++i) m_ends.push_back({m_phaseOf[i], m_begin[i + 1]});
+        scratch.resize(items.size());
+        for (std::size_t i = 0; i < items.size(); ++i) scratch[m_begin[m_section[i]]++] = items[i];
+        std::swap(items, scratch);
+        return m_ends;
+    }
+
+  private:
+    std::uint32_t last() const { return static_cast<std::uint32_t>(m_phaseOf.size() - 1); }
+
+    std::vector<std::uint32_t> m_own;       // by body: the section of pairs within its slab
+    std::vector<std::uint32_t> m_beside;    // by such a section: that of pairs between it and the next one
+    std::vector<std::uint8_t> m_phaseOf;    // by section
+    std::vector<std::uint32_t> m_bodies;    // by island
+    std::vector<std::uint8_t> m_slabs;      // by island: how many
+    std::vector<std::uint32_t> m_firstSlab; // by island: the section of its first slab
+    std::vector<std::uint32_t> m_section, m_begin;
+    std::vector<SectionEnd> m_ends;
+};
+
+} // namespace carom

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/solvers/contacts/contact_settings.h"
+#include "core/solvers/contacts/neighbours.h"
+#include "core/solvers/contacts/stepped_motion.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+// The order in which passes of the base path go through its pairs.
+
+namespace carom {
+namespace {
+
+/// A pair is near that is nearer than this part of the smaller one's size: twice the gap at which it may
+/// touch however slow it is. Half would be that gap, which a pair can close at once; twice keeps more pairs.
+constexpr double nearPart = 2 * slackPart;
+
+} // namespace
+
+// Passes solve for pairs in the order of their bodies' numbers, from the top to the ground, not in that in
+// which they were added: a heap whose lowest contacts are solved first does not come to rest.
+void SteppedMotion::order(const SteppedInput& input) {
+    if (m_isUnordered) divide(input);
+    if (m_ascending < m_general.size()) orderGeneral();
+    if (std::exchange(m_isUnordered, false)) orderBalls(input);
+}
+
+// Divides the islands that are not in order into slabs.
+void SteppedMotion::divide(const SteppedInput& input) {
+    for (std::uint32_t island = 0; island < m_groups.size(); ++island) {
+        const Group& group = m_groups[island];
+        if (group.joined != island || !group.isUnordered || group.bodies < 2 * Slabs::fewBodies) continue;
+        m_inIsland.clear();
+        m_placesIn.clear();
+        m_radiiIn.clear();
+        for (std::uint32_t i = 1; i < m_island.size(); ++i) {
+            if (m_island[i] != island) continue;
+            m_inIsland.push_back(i);
+            m_placesIn.push_back(input.state.pose[m_list[i - 1]].position);
+            m_radiiIn.push_back(input.bodies.boundingRadius[m_list[i - 1]]);
+        }
+        m_slabsIn.resize(m_inIsland.size());
+        m_divider.divide(m_placesIn, m_radiiIn, input.gravity, m_slabsIn);
+        for (std::size_t k = 0; k < m_inIsland.size(); ++k) m_slab[m_inIsland[k]] = m_slabsIn[k];
+    }
+}
+
+// Inserts the pairs that were added among those that are in order.
+void SteppedMotion::orderGeneral() {
+    const auto isBefore = [this](std::uint32_t one, std::uint32_t other) {
+        return m_entries[one] < m_entries[other];
+    };
+    m_added.assign(m_general.begin() + static_cast<std::ptrdiff_t>(m_ascending), m_general.end());
+    std::sort(m_added.begin(), m_added.end(), isBefore);
+    std::size_t end = m_ascending, to = m_general.size(); // from the end on, so that each moves once
+    while (!m_added.empty()) {
+        const std::uint32_t entry = m_added.back();
+        const std::size_t place = static_cast<std::size_t>(
+            std::upper_bound(m_general.begin(), m_general.begin() + static_cast<std::ptrdiff_t>(end), entry,
+                             isBefore) -
+            m_general.begin());
+        while (end > place) renumberGeneral(--end, --to);
+        m_general[--to] = entry;
+        m_open[to] = {};
+        m_added.pop_back();
+    }
+    m_ascending = m_general.size();
+}
+
+void SteppedMotion::renumberGeneral(std::size_t from, std::size_t to) {
+    m_general[to] = m_general[from];
+    m_open[to] = m_open[from];
+    m_open[to].watched.open = static_cast<std::uint32_t>(to);
+}
+
+// Removes the pairs of general shapes that are gone.
+void SteppedMotion::dropGone() {
+    const auto isGone = [this](std::uint32_t entry) { return m_entries[entry].isGone; };
+    std::size_t kept = static_cast<std::size_t>(std::find_if(m_general.begin(), m_general.end(), isGone) -
+                                                m_general.begin());
+    std::size_t ascending = std::min(kept, m_ascending);
+    for (std::size_t number = kept; number < m_general.size(); ++number) {
+        if (isGone(m_general[number])) continue;
+        ascending += number < m_ascending ? 1 : 0;
+        renumberGeneral(number, kept++);
+    }
+    m_general.resize(kept);
+    m_open.resize(kept);
+    m_ascending = ascending;
+}
+
+// Sorts the pairs of balls of islands that are not in order.
+void SteppedMotion::orderBalls(const SteppedInput& input) {
+    m_near.clear();
+    m_far.clear();
+    m_balls.forEachSource([&](std::uint32_t index) {
+        Entry& entry = m_entries[index];
+        if (entry.isGone) return;
+        if (m_groups[m_island[numberOf(entry.pair)]].isUnordered) entry.isNear = isNear(input, entry.pair);
+        (entry.isNear ? m_near : m_far).push_back({entry.pair, index});
+    });
+    for (Group& group : m_groups) group.isUnordered = false;
+    for (std::vector<Numbered>* list : {&m_near, &m_far}) m_sort.sort(*list, input.bodies.count());
+    m_near.insert(m_near.end(), m_far.begin(), m_far.end());
+    m_plan.make(m_island, m_slab, m_groups.size());
+    const std::span<const SectionEnd> sections =
+        m_plan.sort(m_near, m_far, [this](const Numbered& numbered) { return numbersOf(numbered.pair); });
+    m_order.clear();
+    for (const Numbered& numbered : m_near) m_order.push_back(numbered.index);
+    m_balls.reorder(m_order, immobile, sections, input.workers);
+}
+
+bool SteppedMotion::isNear(const SteppedInput& input, BodyPair pair) {
+    const double a = input.bodies.boundingRadius[pair.a], b = input.bodies.boundingRadius[pair.b];
+    const double size = a > 0 && b > 0 ? std::min(a, b) : std::max(a, b); // a wall has no radius
+    return boundingGap(input.bodies, input.state, pair) <= nearPart * size;
+}
+
+} // namespace carom
