@@ -3504,8 +3504,8 @@ Strg+J fügt eine Deklaration ein.</translation>
         <translation> MiB</translation>
     </message>
     <message>
-        <source>what the scene or the machine says</source>
-        <translation>was Szene oder Rechner sagen</translation>
+        <source>as many as the machine has</source>
+        <translation>so viele, wie der Rechner hat</translation>
     </message>
     <message>
         <source>Threads</source>

@@ -6,6 +6,7 @@
 #include "ui/base/pauses.h"
 
 #include <QMetaObject>
+#include <QThread>
 
 #include <algorithm>
 #include <string_view>
@@ -46,7 +47,7 @@ void release(BuildResult* result) {
 SharedBuild buildOf(const Request& request, const GoOn& goOn) {
     const Stopwatch watch;
     SimulationSettings settings;
-    if (request.threads > 0) settings.threads = request.threads;
+    settings.threads = request.threads > 0 ? request.threads : QThread::idealThreadCount();
     std::optional<Build> built = buildWhile(goOn, request.text.toStdString(), settings);
     if (!built) return nullptr;
     const std::shared_ptr<BuildResult> result(new BuildResult, release);

@@ -45,7 +45,7 @@ class LiveBuild : public QObject {
 
     /// The text is at this revision now; it will be built when it has rested for a pause of 150 ms.
     void textEdited(std::int64_t revision);
-    /// For simulating what is built from now on; 0: as the scene or the machine says.
+    /// For simulating what is built from now on; 0: as many as the machine has.
     void setThreads(int count) { m_threads = count; }
     /// What was typed last is built without waiting for rest: a number is being turned and the picture
     /// follows.

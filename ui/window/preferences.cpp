@@ -258,7 +258,7 @@ QWidget* Preferences::simulationPage() {
     QSpinBox* threads = new QSpinBox;
     threads->setObjectName(QStringLiteral("threads"));
     threads->setRange(0, 4 * std::max(1, QThread::idealThreadCount()));
-    threads->setSpecialValueText(tr("what the scene or the machine says"));
+    threads->setSpecialValueText(tr("as many as the machine has"));
     threads->setValue(m_settings.threads());
     connect(threads, &QSpinBox::valueChanged, this, [this](int count) {
         m_settings.setThreads(count);

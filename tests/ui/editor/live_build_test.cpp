@@ -5,6 +5,7 @@
 #include "ui/editor/live_build.h"
 
 #include <QSignalSpy>
+#include <QThread>
 
 using namespace carom;
 using namespace carom::test;
@@ -112,6 +113,15 @@ class LiveBuildTest : public QObject {
         QCOMPARE(meaningOf("# a ball\nsphere{radius 1\n\tmass 2 centre 0 , 0,0}// there"), plain);
         QVERIFY(meaningOf("sphere { radius 1 mass 3 centre 0,0,0 }") != plain);
         QVERIFY(meaningOf("sphere { radius 12 mass centre 0,0,0 }") != plain);
+    }
+
+    void aRunUsesTheThreadsOfTheMachineUnlessANumberIsChosen() {
+        LiveBuild builds([] { return QByteArray("sphere { radius 1 mass 2 centre 0,0,0 }"); });
+        builds.textReplaced(1);
+        QCOMPARE(builds.latest()->build.pipeline->settings().threads, QThread::idealThreadCount());
+        builds.setThreads(3);
+        builds.textReplaced(2);
+        QCOMPARE(builds.latest()->build.pipeline->settings().threads, 3);
     }
 
     void theOutlineComesWithTheBuild() {
