@@ -14,8 +14,6 @@ void BoxBlocks::build(std::span<const Aabb> boxes) {
     m_entry.resize(count);
     m_boxes.resize(count);
     m_blocks.resize(m_blockCount);
-    m_ranges.reserve(m_blockCount);
-    m_hits.resize(std::max(count, m_blockCount) + wideLanes);
     if (count == 0) return;
     Vec3 lowest = boxes[0].centre();
     double extent = 0;
@@ -49,19 +47,21 @@ void BoxBlocks::set(std::size_t entry, const Aabb& box) {
     m_blocks.set(block, united(m_blocks.box(block), box));
 }
 
-std::span<const std::uint32_t> BoxBlocks::overlapping(const Aabb& box) {
+std::span<const std::uint32_t> BoxBlocks::overlapping(const Aabb& box, Search& search) const {
+    auto& [ranges, hits] = search;
+    hits.resize(std::max(m_entry.size(), m_blockCount) + wideLanes);
     const BoxRange all{0, static_cast<std::uint32_t>(m_blockCount)};
-    const std::size_t blocks = carom::overlapping(m_blocks, box, {&all, 1}, m_hits.data());
-    m_ranges.clear();
+    const std::size_t blocks = carom::overlapping(m_blocks, box, {&all, 1}, hits.data());
+    ranges.clear();
     for (std::size_t k = 0; k < blocks; ++k) {
-        const std::uint32_t begin = m_hits[k] * static_cast<std::uint32_t>(size);
+        const std::uint32_t begin = hits[k] * static_cast<std::uint32_t>(size);
         const std::uint32_t end =
             std::min(begin + static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(m_entry.size()));
-        m_ranges.push_back({begin, end});
+        ranges.push_back({begin, end});
     }
-    const std::size_t hits = carom::overlapping(m_boxes, box, m_ranges, m_hits.data());
-    for (std::size_t k = 0; k < hits; ++k) m_hits[k] = m_entry[m_hits[k]];
-    return {m_hits.data(), hits};
+    const std::size_t found = carom::overlapping(m_boxes, box, ranges, hits.data());
+    for (std::size_t k = 0; k < found; ++k) hits[k] = m_entry[hits[k]];
+    return {hits.data(), found};
 }
 
 } // namespace carom

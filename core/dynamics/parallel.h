@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace carom {
 
@@ -21,8 +23,8 @@ class Workers {
 
     int threads() const { return m_threads; }
 
-    /// Calls work(begin, end) for parts that together cover [0, count), each element once. A part has at
-    /// least `least` elements, but where there are fewer in all.
+    /// Calls work(begin, end) for parts that together cover [0, count), each element once. There is one part
+    /// if there are fewer than twice `least` elements; no part has fewer than half as many.
     template<class Work>
     void forRanges(std::size_t count, std::size_t least, const Work& work) {
         if (m_threads == 1 || count < 2 * least)
@@ -36,6 +38,25 @@ class Workers {
     template<class Work>
     void forRanges(std::size_t count, const Work& work) {
         forRanges(count, grain, work);
+    }
+
+    /// The same where parts find lists: work(begin, end, list) adds to one, and append(list) is called with
+    /// each in the order of the parts, by the calling thread. What is one part adds to `all` itself.
+    template<class List, class Work, class Append>
+    void forLists(std::size_t count, std::size_t least, List& all, const Work& work, const Append& append) {
+        if (m_threads == 1 || count < 2 * least) return work(std::size_t{0}, count, all);
+        const std::size_t parts = std::min(count / least, 4 * static_cast<std::size_t>(m_threads));
+        std::vector<List> lists(parts);
+        forEach(parts, [&](std::size_t, std::size_t part) {
+            work(part * count / parts, (part + 1) * count / parts, lists[part]);
+        });
+        for (List& list : lists) append(list);
+    }
+    /// The same of vectors, which are put one after the other.
+    template<class Item, class Work>
+    void forLists(std::size_t count, std::size_t least, std::vector<Item>& all, const Work& work) {
+        forLists(count, least, all, work,
+                 [&all](std::vector<Item>& list) { all.insert(all.end(), list.begin(), list.end()); });
     }
 
     /// Calls work(thread, i) for every i in [0, count) once; calls at the same time have different threads,

@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/base_path.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace carom {
@@ -29,6 +30,21 @@ constexpr std::size_t fewRenewed = 4;
 /// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
 /// it saves; at twice, a thousand bodies are looked at by one.
 constexpr std::size_t fewBodies = 512;
+/// The same of those whose neighbours are looked at; one takes some .5 us.
+constexpr std::size_t fewSearched = 64;
+
+template<class Item>
+void append(const std::vector<Item>& from, std::vector<Item>& to) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Several threads find the largest of what each finds.
+void raise(double& largest, double value) {
+    std::atomic_ref<double> shared(largest);
+    double most = shared;
+    while (value > most && !shared.compare_exchange_weak(most, value)) {
+    }
+}
 
 /// And only where at least one mobile body in so many takes the base path, because the neighbours of all
 /// bodies may have to be found. At twice, a search for all is made for fewer bodies; at half, islands leave
@@ -246,24 +262,25 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
         });
     }
     std::sort(m_present.begin(), m_present.end());
-    m_entering.clear();
-    for (const auto& [i, reach] : m_renewed)
-        for (const BodyIndex k : neighbours.around(i)) {
-            const bool mobile = input.bodies.mobile[k] != 0;
-            if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).isMarked(k))) continue;
-            const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const double margin = marginOf(input, pair);
-            if (!areWithin(input.bodies, input.state, pair, margin) ||
-                std::binary_search(m_present.begin(), m_present.end(), pair))
-                continue;
-            if (mobile && m_block[i] != m_block[k]) {
-                mark(i);
-                mark(k);
-                continue;
-            }
-            m_entering.push_back(
-                {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
-        }
+    m_missing.entries.clear();
+    m_missing.parting.clear();
+    input.workers.forLists(
+        m_renewed.size(), fewSearched, static_cast<Missing&>(m_missing),
+        [&](std::size_t begin, std::size_t end, Missing& missing) {
+            for (std::size_t n = begin; n < end; ++n)
+                findMissing(input, m_renewed[n].body, neighbours, missing);
+        },
+        [this](Missing& part) {
+            append(part.entries, m_missing.entries);
+            append(part.parting, m_missing.parting);
+        });
+    for (const BodyIndex body : m_missing.parting) mark(body);
+    if (!m_missing.parting.empty())
+        std::erase_if(m_missing.entries, [this](const Entry& entry) {
+            const BodyIndex body = hereOf(entry.pair);
+            return blockWith(body).isMarked(body);
+        });
+    std::swap(static_cast<std::vector<Entry>&>(m_entering), m_missing.entries);
     std::sort(m_entering.begin(), m_entering.end());
     for (const Entry& entry : m_entering) {
         const auto [a, b] = entry.pair;
@@ -274,26 +291,53 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
     }
 }
 
+// Pairs of a body with a new reach that are not there. Bodies of different blocks that may meet must part
+// with these.
+void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbours& neighbours,
+                           Missing& missing) const {
+    for (const BodyIndex k : neighbours.around(i)) {
+        const bool mobile = input.bodies.mobile[k] != 0;
+        if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).isMarked(k))) continue;
+        const BodyPair pair{std::min(i, k), std::max(i, k)};
+        const double margin = marginOf(input, pair);
+        if (!areWithin(input.bodies, input.state, pair, margin) ||
+            std::binary_search(m_present.begin(), m_present.end(), pair))
+            continue;
+        if (mobile && m_block[i] != m_block[k])
+            missing.parting.insert(missing.parting.end(), {i, k});
+        else
+            missing.entries.push_back(
+                {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
+    }
+}
+
 bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> list, double time, double skin,
                        Neighbours& neighbours) {
     const Bodies& bodies = input.bodies;
     bool covered = coversThoseHere(input, neighbours);
     m_kick.resize(bodies.count());
-    for (const BodyIndex i : list) {
-        m_block[i] = entering;
-        m_origin[i] = input.state.pose[i];
-        m_reach[i] = ownReach(input, i, time, skin, neighbours);
-        m_kick[i] = 0;
-        covered = neighbours.covers(i, m_reach[i]) && covered;
-    }
-    if (!covered) return false;
-    for (const BodyIndex i : list)
-        for (const BodyIndex k : neighbours.around(i)) {
-            if (m_block[k] != entering || k < i) continue;
-            if (!areWithin(bodies, input.state, {i, k}, m_reach[i] + m_reach[k])) continue;
-            m_kick[i] = std::max(m_kick[i], kickOf(input, i, k, neighbours));
-            m_kick[k] = std::max(m_kick[k], kickOf(input, k, i, neighbours));
+    input.workers.forRanges(list.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex i : list.subspan(begin, end - begin)) {
+            m_block[i] = entering;
+            m_origin[i] = input.state.pose[i];
+            m_reach[i] = ownReach(input, i, time, skin, neighbours);
+            m_kick[i] = 0;
         }
+    });
+    for (const BodyIndex i : list) covered = neighbours.covers(i, m_reach[i]) && covered;
+    if (!covered) return false;
+    const auto kick = [&](BodyIndex body, BodyIndex striker) {
+        raise(m_kick[body], kickOf(input, body, striker, neighbours));
+    };
+    input.workers.forRanges(list.size(), fewSearched, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex i : list.subspan(begin, end - begin))
+            for (const BodyIndex k : neighbours.around(i)) {
+                if (m_block[k] != entering || k < i) continue;
+                if (!areWithin(bodies, input.state, {i, k}, m_reach[i] + m_reach[k])) continue;
+                kick(i, k);
+                kick(k, i);
+            }
+    });
     for (const BodyIndex i : list) {
         m_reach[i] += m_kick[i];
         covered = neighbours.covers(i, m_reach[i]) && covered;
@@ -327,18 +371,28 @@ bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours
 // ascending.
 void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> list,
                          const Neighbours& neighbours, std::span<Manifolds::Entry> known) {
-    m_upward.clear();
-    m_downward.clear();
-    for (const BodyIndex i : list)
-        for (const BodyIndex k : neighbours.around(i)) {
-            const bool mobile = input.bodies.mobile[k] != 0;
-            if (mobile && (m_block[k] == noBlock || (m_block[k] == entering && k < i))) continue;
-            const BodyPair pair{std::min(i, k), std::max(i, k)};
-            const double margin = marginOf(input, pair);
-            if (!areWithin(input.bodies, input.state, pair, margin)) continue;
-            (i < k ? m_upward : m_downward).push_back({.pair = pair, .margin = margin});
-        }
-    mergeAscending(m_upward, m_downward, m_entering);
+    m_paired.upward.clear();
+    m_paired.downward.clear();
+    input.workers.forLists(
+        list.size(), fewSearched, static_cast<Paired&>(m_paired),
+        [&](std::size_t begin, std::size_t end, Paired& paired) {
+            for (const BodyIndex i : list.subspan(begin, end - begin))
+                for (const BodyIndex k : neighbours.around(i)) {
+                    const bool mobile = input.bodies.mobile[k] != 0;
+                    if (mobile && (m_block[k] == noBlock || (m_block[k] == entering && k < i))) continue;
+                    const BodyPair pair{std::min(i, k), std::max(i, k)};
+                    const double margin = marginOf(input, pair);
+                    if (!areWithin(input.bodies, input.state, pair, margin)) continue;
+                    (i < k ? paired.upward : paired.downward)
+                        .push_back(
+                            {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
+                }
+        },
+        [this](Paired& part) {
+            append(part.upward, m_paired.upward);
+            append(part.downward, m_paired.downward);
+        });
+    mergeAscending(m_paired.upward, m_paired.downward, static_cast<std::vector<Entry>&>(m_entering));
     auto old = known.begin();
     for (Entry& entry : m_entering) {
         while (old != known.end() && old->pair < entry.pair) ++old;
@@ -361,10 +415,7 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                      Manifolds& manifolds) {
     findPairs(input, list, neighbours, known);
     m_pairs.clear();
-    for (Entry& entry : m_entering) {
-        m_pairs.push_back(entry.pair);
-        entry.isNear = SteppedMotion::isNear(input, entry.pair);
-    }
+    for (const Entry& entry : m_entering) m_pairs.push_back(entry.pair);
     m_islands.find(input.bodies, list, m_pairs, links);
     m_isEmpty = m_isEmpty && list.empty();
     m_numbers.clear();

@@ -172,6 +172,15 @@ class BasePath {
         BodyIndex body = 0;
         double reach = 0; // [m]
     };
+    /// Pairs of bodies that enter: from each to those of larger index, and to others that are here.
+    struct Paired {
+        std::vector<Entry> upward, downward;
+    };
+    /// Pairs that bodies with a new reach need, and bodies of different blocks that may meet.
+    struct Missing {
+        std::vector<Entry> entries;
+        std::vector<BodyIndex> parting;
+    };
     double pathOf(const SteppedInput& input, BodyIndex body, double time, const Neighbours& neighbours) const;
     /// What is left of a body's reach [m].
     double roomOf(const SteppedInput& input, BodyIndex body) const {
@@ -187,9 +196,12 @@ class BasePath {
                          const Neighbours& neighbours);
     bool findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours);
     void markWhereMany();
+    void findMissing(const SteppedInput& input, BodyIndex i, const Neighbours& neighbours,
+                     Missing& missing) const;
     void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);
     SteppedMotion& block(std::size_t number) { return m_blocks[number]; }
     SteppedMotion& blockWith(BodyIndex body) { return block(m_block[body] - 1u); }
+    const SteppedMotion& blockWith(BodyIndex body) const { return m_blocks[m_block[body] - 1u]; }
     double roomLeft(const SteppedInput& input, BodyIndex body) const;
     double marginOf(const SteppedInput& input, BodyPair pair) const;
     bool coversThoseHere(const SteppedInput& input, Neighbours& neighbours) const;
@@ -211,7 +223,9 @@ class BasePath {
     std::vector<std::uint8_t> m_block;     // by body
     std::vector<std::uint8_t> m_lastBlock; // by body: the block it was in last
     std::array<Block, divisions> m_blocks;
-    Scratch<std::vector<Entry>> m_entering, m_upward, m_downward, m_leaving;
+    Scratch<std::vector<Entry>> m_entering, m_leaving;
+    Scratch<Paired> m_paired;
+    Scratch<Missing> m_missing;
     Scratch<std::array<std::vector<ContactCount>, divisions>> m_counts; // by block and island, if counted
     Scratch<SteppedMotion::NewNumbers> m_newNumbers;
     Scratch<std::vector<BodyPair>> m_pairs; // of m_entering

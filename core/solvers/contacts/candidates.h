@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/parallel.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/neighbours.h"
 
@@ -37,7 +38,8 @@ class Candidates {
     /// neighbours share their reach.
     double reach(BodyIndex member) const { return m_body[member].reach; }
     /// Pairs that may touch, ascending.
-    std::span<const BodyPair> find(const Bodies& bodies, const State& state, const Neighbours& neighbours);
+    std::span<const BodyPair> find(const Bodies& bodies, const State& state, const Neighbours& neighbours,
+                                   Workers& workers = Workers::alone());
     /// Up to which separation points of a pair are kept [m].
     double marginOf(BodyPair pair) const;
 
@@ -50,6 +52,10 @@ class Candidates {
         double radius = 0;          // [m]
         double extent = 0;          // the radius, and how far it reaches at least as a pair's margin is [m]
         double reach = 0;           // [m]
+    };
+    struct Found {
+        std::vector<BodyPair> up;   ///< from a member to a larger index, ascending
+        std::vector<BodyPair> down; ///< from a member to something immobile or placed of smaller index
     };
     static bool mayBeWithin(const Body& a, const Body& b) {
         const double extents = a.extent + b.extent;
@@ -69,8 +75,7 @@ class Candidates {
 
     std::vector<BodyIndex> m_immobile; // and bounded
     std::vector<BodyIndex> m_free, m_merged, m_changed;
-    std::vector<BodyPair> m_up;   // from a member to a larger index, ascending
-    std::vector<BodyPair> m_down; // from a member to something immobile or placed of smaller index
+    Found m_found;
     std::vector<BodyPair> m_pairs;
 };
 

@@ -194,6 +194,7 @@ SolverReport Contacts::move(const SolverInput& input) {
     SolverReport report;
     if (input.part == 0) m_watch = {};
     const std::uint64_t searches = m_neighbours.searches();
+    m_neighbours.share(input.workers);
     findMembers(input);
     report.broadphase = m_watch.lap();
 
@@ -343,8 +344,8 @@ void Contacts::wakeTouched(const SolverInput& input, std::span<const BodyIndex> 
 }
 
 void Contacts::findContacts(const SolverInput& input) {
-    m_found.find(here(input), m_candidates.find(input.bodies, input.state, m_neighbours), m_candidates,
-                 m_refinement, m_contacts, m_work, input.workers);
+    m_found.find(here(input), m_candidates.find(input.bodies, input.state, m_neighbours, input.workers),
+                 m_candidates, m_refinement, m_contacts, m_work, input.workers);
 }
 
 // Finds the islands of bodies that are not on the base path, and which of them touch bodies that are. False

@@ -27,6 +27,11 @@ constexpr std::size_t alwaysFew = 16;
 /// changes memory only, and how often lists grow.
 constexpr std::size_t usualAround = 16;
 
+/// Bodies whose neighbours one thread finds at least, at about 1 us each; bodies whose skin it renews; and
+/// pairs of which it finds when they meet. At half, waking a thread costs nearly what it saves; at twice,
+/// some hundred bodies have one.
+constexpr std::size_t fewFound = 32, fewRenewed = 512, fewMeetings = 512;
+
 constexpr TimeSpan always{0, std::numeric_limits<double>::infinity()};
 
 auto placeIn(std::vector<Neighbour>& list, BodyIndex body) {
@@ -214,13 +219,15 @@ double Neighbours::movedFrom(const Bodies& bodies, const State& state, BodyIndex
 // Keeps the lists, except for pairs of bodies that have left them; these are found again.
 void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     if (!std::exchange(m_areBlocksBuilt, true)) m_blocks.build(m_boxes);
+    m_anew.clear();
     for (const BodyIndex i : m_outrun) {
-        if (m_isOutrun[i] != 0) continue;
-        m_isOutrun[i] = 1;
+        if (std::exchange(m_isOutrun[i], std::uint8_t{1}) != 0) continue;
+        m_anew.push_back(i);
         renewSkin(bodies, state, i);
         m_blocks.set(m_number[i], m_boxes[m_number[i]]);
     }
-    for (const BodyIndex i : m_outrun) {
+    m_outrun.clear();
+    for (const BodyIndex i : m_anew) {
         for (const Neighbour& neighbour : m_around[i]) {
             const BodyIndex k = neighbour.body;
             if (bodies.mobile[k] == 0 || m_isOutrun[k] != 0) continue;
@@ -230,33 +237,44 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
         m_ends -= m_around[i].size();
         m_around[i].clear();
     }
-    for (const BodyIndex i : m_outrun)
-        if (std::exchange(m_isOutrun[i], std::uint8_t{2}) == 1) findAround(bodies, i);
-    for (const BodyIndex i : m_outrun) {
-        if (std::exchange(m_isOutrun[i], std::uint8_t{0}) == 0) continue;
-        std::ranges::sort(m_around[i], {}, &Neighbour::body);
-    }
-    m_outrun.clear();
+    m_finds.pairs.clear();
+    m_workers->forLists(
+        m_anew.size(), fewFound, m_finds,
+        [&](std::size_t begin, std::size_t end, Finds& finds) {
+            for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
+                findAround(bodies, i, finds);
+        },
+        [&](const Finds& finds) { addFound(bodies, finds); });
+    addFound(bodies, m_finds);
+    m_workers->forRanges(m_anew.size(), fewFound, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
+            std::ranges::sort(m_around[i], {}, &Neighbour::body);
+    });
+    for (const BodyIndex i : m_anew) m_isOutrun[i] = 0;
 }
 
-// A pair of two bodies that have moved beyond the list is found once, with the first of them.
-void Neighbours::findAround(const Bodies& bodies, BodyIndex body) {
-    for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[body]])) {
+// What a body that has moved beyond the list may meet. A pair of two such bodies is found with the smaller
+// one.
+void Neighbours::findAround(const Bodies& bodies, BodyIndex body, Finds& finds) const {
+    for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[body]], finds.search)) {
         const BodyIndex other = bodies.bounded[entry];
-        if (other == body || m_isOutrun[other] == 2) continue;
+        if (other == body || (m_isOutrun[other] != 0 && other < body)) continue;
         const TimeSpan meeting = meetingOfSkins(bodies, body, other);
-        if (meeting.isEmpty()) continue;
-        m_around[body].emplace_back(other, meeting);
-        ++m_ends;
-        if (bodies.mobile[other] == 0) continue;
-        ++m_ends;
-        std::vector<Neighbour>& others = m_around[other];
-        others.emplace(m_isOutrun[other] == 1 ? others.end() : placeIn(others, body), body, meeting);
+        if (!meeting.isEmpty()) finds.pairs.push_back({body, other, meeting});
     }
-    for (const BodyIndex w : bodies.walls) {
-        if (!comesNear(bodies, body, w)) continue;
-        m_around[body].emplace_back(w, always);
+    for (const BodyIndex w : bodies.walls)
+        if (comesNear(bodies, body, w)) finds.pairs.push_back({body, w, always});
+}
+
+void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
+    for (const Found& found : finds.pairs) {
+        m_around[found.body].emplace_back(found.other, found.meeting);
         ++m_ends;
+        if (bodies.mobile[found.other] == 0) continue;
+        ++m_ends;
+        std::vector<Neighbour>& others = m_around[found.other];
+        others.emplace(m_isOutrun[found.other] != 0 ? others.end() : placeIn(others, found.body), found.body,
+                       found.meeting);
     }
 }
 
@@ -264,10 +282,12 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     ++m_searches;
     m_outrun.clear();
     m_areBlocksBuilt = false;
-    for (const BodyIndex i : bodies.mobileBodies) {
-        renewSkin(bodies, state, i);
-        m_around[i].clear();
-    }
+    m_workers->forRanges(bodies.mobileBodies.size(), fewRenewed, [&](std::size_t begin, std::size_t end) {
+        for (const BodyIndex i : std::span(bodies.mobileBodies).subspan(begin, end - begin)) {
+            renewSkin(bodies, state, i);
+            m_around[i].clear();
+        }
+    });
     if (m_searches == 1)
         for (const BodyIndex i : bodies.bounded)
             if (bodies.mobile[i] == 0) {
@@ -277,12 +297,17 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     broadphase.update({m_boxes, bodies.bounded, m_mobile});
     findWallPairs(bodies);
     m_ends = 0;
+    const std::span<const BodyPair> pairs = broadphase.pairs(); // ascending, so each body's list is, too
+    m_meetings.resize(pairs.size());
+    m_workers->forRanges(pairs.size(), fewMeetings, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            m_meetings[k] = meetingOfSkins(bodies, pairs[k].a, pairs[k].b);
+    });
     auto wall = m_wallPairs.begin();
-    for (const BodyPair pair : broadphase.pairs()) { // ascending, so each body's list is, too
-        const TimeSpan meeting = meetingOfSkins(bodies, pair.a, pair.b);
-        if (meeting.isEmpty()) continue;
-        while (wall != m_wallPairs.end() && *wall < pair) addPair(bodies, *wall++, always);
-        addPair(bodies, pair, meeting);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (m_meetings[k].isEmpty()) continue;
+        while (wall != m_wallPairs.end() && *wall < pairs[k]) addPair(bodies, *wall++, always);
+        addPair(bodies, pairs[k], m_meetings[k]);
     }
     while (wall != m_wallPairs.end()) addPair(bodies, *wall++, always);
 }

@@ -4,6 +4,7 @@
 #include "core/broadphase/box_blocks.h"
 #include "core/broadphase/broadphase.h"
 #include "core/dynamics/bodies.h"
+#include "core/dynamics/parallel.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/course.h"
 #include "core/solvers/contacts/near.h"
@@ -65,6 +66,9 @@ void mergeAscending(const std::vector<Pair>& up, std::vector<Pair>& down, std::v
 class Neighbours {
   public:
     explicit Neighbours(const Bodies& bodies);
+
+    /// Searches are shared by these threads from now on.
+    void share(Workers& workers) { m_workers = &workers; }
 
     /// Records the poses of the bodies and how far each moves within `duration` [s] by its velocity and
     /// gravity. Searches if a body may leave its skin though nothing strikes it; the lists are made to last
@@ -164,7 +168,17 @@ class Neighbours {
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    void findAround(const Bodies& bodies, BodyIndex body);
+    /// A pair that a search for single bodies has found.
+    struct Found {
+        BodyIndex body = 0, other = 0;
+        TimeSpan meeting;
+    };
+    struct Finds {
+        std::vector<Found> pairs;
+        BoxBlocks::Search search;
+    };
+    void findAround(const Bodies& bodies, BodyIndex body, Finds& finds) const;
+    void addFound(const Bodies& bodies, const Finds& finds);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies);
     void addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& meeting);
@@ -186,9 +200,13 @@ class Neighbours {
     double m_duration = 1;           // noted last [s]
     std::uint64_t m_searches = 0;
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
-    std::vector<std::uint8_t> m_isOutrun; // by body, of m_outrun: 1, or 2 once it has been found anew
-    BoxBlocks m_blocks;                   // of m_boxes, for searches for single bodies
-    bool m_areBlocksBuilt = false;        // since the last search for all
+    std::vector<BodyIndex> m_anew;        // of a search for single bodies: these
+    std::vector<std::uint8_t> m_isOutrun; // by body: one of these
+    Finds m_finds;
+    std::vector<TimeSpan> m_meetings;       // by pair of a search for all
+    Workers* m_workers = &Workers::alone(); // of searches
+    BoxBlocks m_blocks;                     // of m_boxes, for searches for single bodies
+    bool m_areBlocksBuilt = false;          // since the last search for all
     std::vector<BodyPair> m_wallPairs;
     std::vector<std::vector<Neighbour>> m_around; // by body; their bodies ascend
     std::size_t m_ends = 0;                       // of m_around together

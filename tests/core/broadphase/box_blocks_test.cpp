@@ -41,10 +41,11 @@ class BoxBlocksTest : public QObject {
         for (int trial = 0; trial < 60; ++trial) {
             MovingBoxes scene = randomScene(random);
             BoxBlocks blocks;
+            BoxBlocks::Search search;
             blocks.build(scene.boxes);
             for (int step = 0; step < 3; ++step) {
                 for (const Aabb& box : scene.boxes) {
-                    const std::vector<std::uint32_t> entries = sorted(blocks.overlapping(box));
+                    const std::vector<std::uint32_t> entries = sorted(blocks.overlapping(box, search));
                     QVERIFY(entries == obvious(scene.boxes, box));
                     found += entries.size();
                 }
@@ -58,8 +59,9 @@ class BoxBlocksTest : public QObject {
 
     void nothingOverlapsAmongNone() {
         BoxBlocks blocks;
+        BoxBlocks::Search search;
         blocks.build({});
-        QVERIFY(blocks.overlapping({Vec3::Constant(-1), Vec3::Constant(1)}).empty());
+        QVERIFY(blocks.overlapping({Vec3::Constant(-1), Vec3::Constant(1)}, search).empty());
     }
 };
 

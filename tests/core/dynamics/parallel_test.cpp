@@ -50,6 +50,35 @@ class ParallelTest : public QObject {
         QCOMPARE(calls, std::vector<int>(calls.size(), 1));
     }
 
+    void partsHaveAsManyElementsAsIsAskedFor() {
+        Workers workers(2);
+        std::atomic<int> few = 0, parts = 0;
+        workers.forRanges(10'000, 100, [&](std::size_t begin, std::size_t end) {
+            ++parts;
+            if (end - begin < 50) ++few; // a part of up to 200 is halved
+        });
+        QCOMPARE(few.load(), 0);
+        QVERIFY(parts <= 200);
+        parts = 0;
+        workers.forRanges(199, 100, [&](std::size_t, std::size_t) { ++parts; });
+        QCOMPARE(parts.load(), 1);
+    }
+
+    void listsAreInTheOrderOfTheParts_data() { addCases(); }
+    void listsAreInTheOrderOfTheParts() {
+        QFETCH(int, threads);
+        QFETCH(int, count);
+        Workers workers(threads);
+        std::vector<std::size_t> odd{7}, expected{7};
+        for (std::size_t i = 1; i < static_cast<std::size_t>(count); i += 2) expected.push_back(i);
+        workers.forLists(static_cast<std::size_t>(count), 10, odd,
+                         [](std::size_t begin, std::size_t end, std::vector<std::size_t>& list) {
+                             for (std::size_t i = begin; i < end; ++i)
+                                 if (i % 2 == 1) list.push_back(i);
+                         });
+        QCOMPARE(odd, expected);
+    }
+
     void thereAreNeverFewerThanOneThread() {
         QCOMPARE(Workers(0).threads(), 1);
         QCOMPARE(Workers(-3).threads(), 1);
