@@ -32,10 +32,6 @@ constexpr bool fromTop = true;
 /// they are computed anew twice as often.
 constexpr double mostChange = 0.25;
 
-/// Bodies that one thread moves at least; one takes some 10 ns. At half, waking a thread costs nearly what it
-/// saves; at twice, islands of a thousand bodies are moved by one.
-constexpr std::size_t fewAwake = 512;
-
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
@@ -209,9 +205,9 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
 
 // Predicts how far each body moves until the end of the step, from its pose at the look, and whether it was
 // struck.
-void SteppedMotion::foreseeStruck(double duration) {
+void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
     m_coming.assign(m_bodies.size(), {});
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+    forAwake(workers, [&](std::uint32_t i) {
         const SolverBody& body = m_bodies[i];
         Coming& to = m_coming[i];
         to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i];
@@ -219,7 +215,7 @@ void SteppedMotion::foreseeStruck(double duration) {
         to.turn = body.roundInverse > 0
                       ? 0
                       : vectorOf(m_moved[i].turn).norm() + duration * vectorOf(body.spin).norm();
-    }
+    });
 }
 
 // Whether a watched pair with a body that was struck may close its gap within the step.
@@ -234,7 +230,7 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
                               SteppedReport& report) {
     bool any = m_balls.findStruck(m_bodies, m_places, m_moved, duration, input.gravity, input.workers);
     bool anyRow = false;
-    if (!m_watched.empty()) foreseeStruck(duration);
+    if (!m_watched.empty()) foreseeStruck(duration, input.workers);
     for (Watched& pair : m_watched) {
         if (pair.entry == ContactRows::noPair || !isStruck(pair)) continue;
         PersistentManifold& manifold = manifolds[m_entries[pair.entry].place];
@@ -396,14 +392,6 @@ void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& 
     m_springLimit.keep(islands, settings.duration, m_bodies);
 }
 
-// Calls work(number) for all bodies that do not stand still.
-template<class Work>
-void SteppedMotion::forAwake(Workers& workers, const Work& work) const {
-    workers.forRanges(m_awake.size(), fewAwake, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) work(m_awake[i]);
-    });
-}
-
 // Moves bodies: those without any impulse by the mean of the velocities at both ends, the others by the
 // velocity at the end.
 void SteppedMotion::move(const SteppedInput& input, double duration) {
@@ -455,13 +443,13 @@ void SteppedMotion::renewMasses() {
 
 // Turns balls at once by their whole rotation since the look: their contacts need no orientation.
 void SteppedMotion::turnBalls(const SteppedInput& input) {
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+    forAwake(input.workers, [&](std::uint32_t i) {
         const Vec3 turn = vectorOf(m_moved[i].turn);
-        if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) continue;
+        if (!turnsLater(m_bodies[i]) || turn == Vec3::Zero()) return;
         Quat& orientation = input.state.pose[m_list[i - 1]].orientation;
         orientation = (fromRotationVector(turn) * orientation).normalized();
         m_turning.setOrientation(i, orientation);
-    }
+    });
 }
 
 void SteppedMotion::storeForces(Manifolds& manifolds, Workers& workers) const {

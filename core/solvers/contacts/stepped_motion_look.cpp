@@ -215,14 +215,14 @@ std::uint32_t SteppedMotion::frameOf(BodyIndex body, std::uint32_t number, bool 
 
 void SteppedMotion::noteTravel(const SteppedInput& input, double duration) {
     m_travel.assign(m_bodies.size(), {});
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+    forAwake(input.workers, [&](std::uint32_t i) {
         const BodyIndex body = m_list[i - 1];
         const SolverBody& from = m_bodies[i];
         const double radius = from.roundInverse > 0 ? 0 : input.bodies.boundingRadius[body];
         m_travel[i] = {
             vectorOf(m_moved[i].shift), duration * vectorOf(from.velocity), radius * m_moved[i].angle,
             duration * radius * vectorOf(from.spin).norm() + input.bodies.forces.reach(body, duration)};
-    }
+    });
 }
 
 bool SteppedMotion::staysOpen(OpenPair& pair, double fall) const {
