@@ -47,7 +47,8 @@ bool Candidates::areWithin(const Bodies& bodies, const State& state, BodyPair pa
 }
 
 void Candidates::look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-                      std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase) {
+                      std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
+                      Workers& workers) {
     for (const BodyIndex i : bodies.mobileBodies) m_kind[i] = Kind::Left;
     for (const BodyIndex i : m_immobile) m_body[i].centre = state.pose[i].position;
     m_free.clear();
@@ -57,18 +58,18 @@ void Candidates::look(const Bodies& bodies, const State& state, std::span<const 
     }
     m_changed.assign(members.begin(), members.end());
     if (!noteReach(bodies, state, members, neighbours)) neighbours.search(bodies, state, broadphase);
-    if (!shareReach(bodies, state, m_free, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!shareReach(bodies, state, m_free, neighbours, workers)) neighbours.search(bodies, state, broadphase);
 }
 
 void Candidates::join(const Bodies& bodies, const State& state, std::span<const BodyIndex> joined,
-                      Neighbours& neighbours, Broadphase& broadphase) {
+                      Neighbours& neighbours, Broadphase& broadphase, Workers& workers) {
     for (const BodyIndex i : joined) m_kind[i] = Kind::Member;
     m_merged.resize(m_free.size() + joined.size());
     std::merge(m_free.begin(), m_free.end(), joined.begin(), joined.end(), m_merged.begin());
     std::swap(m_free, m_merged);
     m_changed.assign(joined.begin(), joined.end());
     if (!noteReach(bodies, state, joined, neighbours)) neighbours.search(bodies, state, broadphase);
-    if (!shareReach(bodies, state, joined, neighbours)) neighbours.search(bodies, state, broadphase);
+    if (!shareReach(bodies, state, joined, neighbours, workers)) neighbours.search(bodies, state, broadphase);
 }
 
 bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
@@ -82,24 +83,37 @@ bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<c
     return covered;
 }
 
+// What pairs of this body give a larger reach.
+void Candidates::findLarger(const Bodies& bodies, const State& state, BodyIndex i,
+                            const Neighbours& neighbours, std::vector<Larger>& larger) const {
+    const Body& body = m_body[i];
+    for (const BodyIndex k : neighbours.around(i)) {
+        if (m_kind[k] == Kind::Immobile || m_kind[k] == Kind::Left) continue;
+        if (!mayBeWithin(body, m_body[k])) continue;
+        const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
+        const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
+        const double reach = Neighbours::reachAfter(bodies, slower, std::min(reachI, reachK), faster,
+                                                    std::max(reachI, reachK));
+        if (!(m_body[slower].reach < reach)) continue;
+        if (areWithin(bodies, state, {std::min(i, k), std::max(i, k)}, reachI + reachK))
+            larger.push_back({slower, reach});
+    }
+}
+
 // The larger reach that bodies have because of what may strike them: of pairs with at least one of `from`.
 bool Candidates::shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
-                            Neighbours& neighbours) {
+                            Neighbours& neighbours, Workers& workers) {
     const std::size_t first = m_changed.size();
-    for (const BodyIndex i : from) {
-        const Body body = m_body[i];
-        for (const BodyIndex k : neighbours.around(i)) {
-            if (m_kind[k] == Kind::Immobile || m_kind[k] == Kind::Left) continue;
-            if (!mayBeWithin(body, m_body[k])) continue;
-            const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
-            const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
-            const double reach = Neighbours::reachAfter(bodies, slower, std::min(reachI, reachK), faster,
-                                                        std::max(reachI, reachK));
-            if (!(m_body[slower].reach < reach)) continue;
-            if (!areWithin(bodies, state, {std::min(i, k), std::max(i, k)}, reachI + reachK)) continue;
-            setReach(slower, reach);
-            m_changed.push_back(slower);
-        }
+    m_larger.clear();
+    workers.forLists(from.size(), fewLookedAt, m_larger,
+                     [&](std::size_t begin, std::size_t end, std::vector<Larger>& larger) {
+                         for (const BodyIndex i : from.subspan(begin, end - begin))
+                             findLarger(bodies, state, i, neighbours, larger);
+                     });
+    for (const Larger& larger : m_larger) {
+        if (!(m_body[larger.body].reach < larger.reach)) continue;
+        setReach(larger.body, larger.reach);
+        m_changed.push_back(larger.body);
     }
     bool covered = true;
     for (std::size_t n = first; n < m_changed.size(); ++n)

@@ -25,10 +25,11 @@ class Candidates {
     /// (by body, not 0) are left out: its pairs with others that are placed and with what cannot move are
     /// known.
     void look(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
-              std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase);
+              std::span<const std::uint8_t> placed, Neighbours& neighbours, Broadphase& broadphase,
+              Workers& workers = Workers::alone());
     /// The same where these bodies, ascending, which are not placed, have become members since.
     void join(const Bodies& bodies, const State& state, std::span<const BodyIndex> joined,
-              Neighbours& neighbours, Broadphase& broadphase);
+              Neighbours& neighbours, Broadphase& broadphase, Workers& workers = Workers::alone());
     /// Members whose reach the last of these has set; some may be named twice.
     std::span<const BodyIndex> changed() const { return m_changed; }
     /// Members that are not placed, ascending.
@@ -53,6 +54,10 @@ class Candidates {
         double extent = 0;          // the radius, and how far it reaches at least as a pair's margin is [m]
         double reach = 0;           // [m]
     };
+    struct Larger {
+        BodyIndex body = 0;
+        double reach = 0; ///< [m]
+    };
     struct Found {
         std::vector<BodyPair> up;   ///< from a member to a larger index, ascending
         std::vector<BodyPair> down; ///< from a member to something immobile or placed of smaller index
@@ -65,7 +70,9 @@ class Candidates {
     bool noteReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> members,
                    Neighbours& neighbours);
     bool shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
-                    Neighbours& neighbours);
+                    Neighbours& neighbours, Workers& workers);
+    void findLarger(const Bodies& bodies, const State& state, BodyIndex i, const Neighbours& neighbours,
+                    std::vector<Larger>& larger) const;
     bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) const;
     double leastMarginOf(BodyPair pair) const;
 
@@ -76,6 +83,7 @@ class Candidates {
     std::vector<BodyIndex> m_immobile; // and bounded
     std::vector<BodyIndex> m_free, m_merged, m_changed;
     Found m_found;
+    std::vector<Larger> m_larger;
     std::vector<BodyPair> m_pairs;
 };
 

@@ -303,7 +303,7 @@ void Contacts::joinReached(const SolverInput& input) {
         if (m_met.empty()) continue;
         std::sort(m_met.begin(), m_met.end());
         addMembers(input, m_met);
-        m_candidates.join(input.bodies, input.state, m_met, m_neighbours, input.broadphase);
+        m_candidates.join(input.bodies, input.state, m_met, m_neighbours, input.broadphase, input.workers);
         m_changed.assign(m_candidates.changed().begin(), m_candidates.changed().end());
     }
 }
@@ -318,7 +318,8 @@ void Contacts::addMembers(const SolverInput& input, std::span<const BodyIndex> b
 }
 
 void Contacts::coverMembers(const SolverInput& input) {
-    m_candidates.look(input.bodies, input.state, m_members, m_base.blockOf(), m_neighbours, input.broadphase);
+    m_candidates.look(input.bodies, input.state, m_members, m_base.blockOf(), m_neighbours, input.broadphase,
+                      input.workers);
 }
 
 // Wakes sleeping bodies that have been given a velocity.

@@ -16,6 +16,8 @@ constexpr double noMeeting = std::numeric_limits<double>::infinity();
 /// Bodies of which one thread finds what they meet, at least; one takes some .5 us. At half, waking a thread
 /// costs nearly what it saves; at twice, some hundred bodies have one.
 constexpr std::size_t fewStarts = 128;
+/// The same of bodies that may be struck: of which one thread finds what they hit.
+constexpr std::size_t fewStrikes = 128;
 
 /// A number that several threads use.
 std::atomic_ref<double> shared(double& number) { return std::atomic_ref<double>(number); }
@@ -200,18 +202,32 @@ void FreeFlight::strikeAll(const SolverInput& input, Neighbours& neighbours, std
     for (const Strike& by : m_strikes)
         covered = neighbours.coversAhead(by.body, roomAfter(input, by)) && covered;
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
-    for (std::size_t n = 0; n < m_strikes.size(); ++n) {
-        const Strike by = m_strikes[n]; // the list grows
-        if (m_kind[by.body] == Kind::Struck) {
-            if (by.time != m_time[by.body] || by.speed != m_speed[by.body]) continue; // it is struck harder
-            neighbours.noteMoved(input.bodies, input.state, by.body);
-            if (!neighbours.coversAhead(by.body, roomAfter(input, by)))
-                neighbours.search(input.bodies, input.state, input.broadphase);
-        }
-        strike(input, by, neighbours, met);
+    std::size_t begin = 0;
+    while (begin < m_strikes.size()) { // the list grows
+        const std::size_t end = m_strikes.size();
+        if (begin > 0) coverStruck(input, begin, neighbours);
+        m_hits.clear();
+        input.workers.forLists(end - begin, fewStrikes, m_hits,
+                               [&](std::size_t first, std::size_t last, std::vector<Hit>& hits) {
+                                   for (std::size_t n = begin + first; n < begin + last; ++n)
+                                       if (!isOutdated(m_strikes[n])) findHits(input, n, neighbours, hits);
+                               });
+        for (const Hit& hit : m_hits) take(input, hit, met);
+        begin = end;
     }
     m_struck.insert(m_struck.end(), met.begin(), met.end());
     land(input, met);
+}
+
+// Ensures that the lists have what those may strike that have been struck, and are in the list from here on.
+void FreeFlight::coverStruck(const SolverInput& input, std::size_t begin, Neighbours& neighbours) {
+    bool covered = true;
+    for (const Strike& by : std::span(m_strikes).subspan(begin)) {
+        if (isOutdated(by)) continue;
+        neighbours.noteMoved(input.bodies, input.state, by.body);
+        covered = neighbours.coversAhead(by.body, roomAfter(input, by)) && covered;
+    }
+    if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
 }
 
 // How far a body may come in the substep once it is struck, its boxes included [m].
@@ -219,9 +235,11 @@ double FreeFlight::roomAfter(const SolverInput& input, const Strike& by) const {
     return by.speed * input.substep + m_turn[by.body] + leastRoom(input.bodies, by.body);
 }
 
-// Ends the flights of those that this body may strike after it has been struck.
-void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighbours& neighbours,
-                        std::vector<BodyIndex>& met) {
+// Finds the bodies in flight that this one may strike after it has been struck, as if all strikes before it
+// in this round had hit nobody; take() looks again.
+void FreeFlight::findHits(const SolverInput& input, std::size_t number, const Neighbours& neighbours,
+                          std::vector<Hit>& hits) const {
+    const Strike& by = m_strikes[number];
     const BodyIndex i = by.body;
     const double time = by.time, speed = by.speed;
     const double left = input.substep - time, fall = input.gravity.norm() * input.substep;
@@ -231,9 +249,7 @@ void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighb
     };
     const Vec3 from = placeAt(i), comesBy = (time + 0.5 * left) * input.gravity;
     for (const BodyIndex k : neighbours.around(i, input.substep)) {
-        const bool isStruck = m_kind[k] == Kind::Struck;
-        if (!has(k) && !isStruck) continue;
-        if (isStruck && m_time[k] <= time && m_speed[k] >= speed) continue;
+        if ((!has(k) && m_kind[k] != Kind::Struck) || isStruckBefore(k, by)) continue;
         const Vec3 between = placeAt(k) - from;
         const double contact = touching(input.bodies, i, k);
         const double meeting =
@@ -247,19 +263,27 @@ void FreeFlight::strike(const SolverInput& input, const Strike& by, const Neighb
         const double own = Neighbours::surfaceSpeed(input.bodies, input.state, k) + fall;
         const double gap = between.norm() - contact;
         const double at = time + std::max(meeting, gap > 0 ? gap / (speed + own) : 0);
-        const double after = Neighbours::speedAfter(input.bodies, k, own, i, speed);
-        if (isStruck && m_time[k] <= at && (1 + Neighbours::worthANewLook) * m_speed[k] >= after) continue;
-        if (!isStruck) {
-            m_kind[k] = Kind::Struck;
-            m_part[k] = input.part;
-            m_time[k] = at;
-            m_speed[k] = after;
-            met.push_back(k);
-        }
-        m_time[k] = std::min(m_time[k], at);
-        m_speed[k] = std::max(m_speed[k], after);
-        m_strikes.push_back({k, m_time[k], m_speed[k]});
+        hits.push_back({number, k, at, Neighbours::speedAfter(input.bodies, k, own, i, speed)});
     }
+}
+
+// Ends the flight of what is hit, unless it has been hit as hard before.
+void FreeFlight::take(const SolverInput& input, const Hit& hit, std::vector<BodyIndex>& met) {
+    const Strike& by = m_strikes[hit.strike];
+    const BodyIndex k = hit.body;
+    if (isOutdated(by) || isStruckBefore(k, by)) return;
+    const bool isStruck = m_kind[k] == Kind::Struck;
+    if (isStruck && m_time[k] <= hit.at && (1 + Neighbours::worthANewLook) * m_speed[k] >= hit.after) return;
+    if (!isStruck) {
+        m_kind[k] = Kind::Struck;
+        m_part[k] = input.part;
+        m_time[k] = hit.at;
+        m_speed[k] = hit.after;
+        met.push_back(k);
+    }
+    m_time[k] = std::min(m_time[k], hit.at);
+    m_speed[k] = std::max(m_speed[k], hit.after);
+    m_strikes.push_back({k, m_time[k], m_speed[k]});
 }
 
 // Ends the flights of bodies that are members now.

@@ -87,6 +87,12 @@ class FreeFlight {
         BodyIndex body = 0;
         double time = 0, speed = 0; // [s], [m/s]
     };
+    /// A body that a strike may hit at a time [s] of the substep, and how fast its surface may then be [m/s].
+    struct Hit {
+        std::size_t strike = 0; // its place in m_strikes
+        BodyIndex body = 0;
+        double at = 0, after = 0;
+    };
     double turnInFrame(const SolverInput& input, BodyIndex body) const;
     double roomOf(const SolverInput& input, BodyIndex body) const;
     Vec3 placeIn(const SolverInput& input, BodyIndex body, int part) const;
@@ -95,8 +101,19 @@ class FreeFlight {
     bool doBoxesMeet(const SolverInput& input, BodyIndex body, BodyIndex other, int part) const;
     void strikeAll(const SolverInput& input, Neighbours& neighbours, std::vector<BodyIndex>& met);
     double roomAfter(const SolverInput& input, const Strike& by) const;
-    void strike(const SolverInput& input, const Strike& by, const Neighbours& neighbours,
-                std::vector<BodyIndex>& met);
+    /// The body has been struck harder since this strike was noted, and another one stands for that.
+    bool isOutdated(const Strike& by) const {
+        return m_kind[by.body] == Kind::Struck &&
+               (by.time != m_time[by.body] || by.speed != m_speed[by.body]);
+    }
+    /// The body has been struck no later than this striker, and is no slower.
+    bool isStruckBefore(BodyIndex body, const Strike& by) const {
+        return m_kind[body] == Kind::Struck && m_time[body] <= by.time && m_speed[body] >= by.speed;
+    }
+    void coverStruck(const SolverInput& input, std::size_t begin, Neighbours& neighbours);
+    void findHits(const SolverInput& input, std::size_t number, const Neighbours& neighbours,
+                  std::vector<Hit>& hits) const;
+    void take(const SolverInput& input, const Hit& hit, std::vector<BodyIndex>& met);
     void land(const SolverInput& input, std::vector<BodyIndex>& landed);
     void finish(const SolverInput& input, int parts, std::span<const BodyIndex> landed);
 
@@ -111,6 +128,7 @@ class FreeFlight {
 
     std::vector<BodyIndex> m_bodies;
     std::vector<Strike> m_strikes;
+    std::vector<Hit> m_hits;         // of a round of strikes
     std::vector<BodyIndex> m_struck; // of this kind
     Coasting m_coasting;
 };
