@@ -23,9 +23,9 @@ constexpr std::size_t pointsOfOneLook = 64, mostLooks = 4;
 /// At half, islands change blocks more often; at twice, an impact may pass on through fewer contacts.
 constexpr int tooFew = 4;
 
-/// The neighbours of at most one body in so many of an island are found anew; where it would be more, the
-/// whole island leaves the base path. At half, more searches are made for single bodies; at twice, islands
-/// leave, and enter again, more often.
+/// An island of which more than one body in so many gets new neighbours is put in order before the next
+/// substep, otherwise when the next frame begins. At half, that happens more often; at twice, passes go
+/// through more pairs out of order.
 constexpr std::size_t fewRenewed = 4;
 /// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
 /// it saves; at twice, a thousand bodies are looked at by one.
@@ -46,9 +46,9 @@ void raise(double& largest, double value) {
     }
 }
 
-/// And only where at least one mobile body in so many takes the base path, because the neighbours of all
-/// bodies may have to be found. At twice, a search for all is made for fewer bodies; at half, islands leave
-/// more often.
+/// Bodies get new neighbours only where at least one mobile body in so many takes the base path, because
+/// those of all bodies may have to be found; else islands leave. At twice, a search for all is made for fewer
+/// bodies; at half, islands leave more often.
 constexpr std::size_t partHere = 4;
 
 /// An impact passes on from one contact to the next in each sweep, so balls need as many sweeps as they have
@@ -159,19 +159,20 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
         forget();
         findOutrun(input, substep, time, skin, neighbours);
     }
-    markWhereMany();
+    orderWhereMany();
     loadPairs(input, neighbours, manifolds);
     return !anyMarked();
 }
 
-// Marks islands to leave in which the neighbours of many bodies would have to be found anew.
-void BasePath::markWhereMany() {
+// Lets islands be put in order soon in which many bodies get new neighbours.
+void BasePath::orderWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
         outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islandNumbers(), 0);
     for (const auto& [body, reach] : m_renewed) {
         const std::uint32_t island = blockWith(body).islandOf(body);
-        if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island)) mark(body);
+        if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island))
+            blockWith(body).orderSoon();
     }
     const auto leaves = [this](const Renewed& renewed) {
         const bool is = blockWith(renewed.body).isMarked(renewed.body);

@@ -23,10 +23,10 @@
 //              by a few of them a pass. So there is a block of bodies for every division of the substep.
 //     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew; at the
 //              start of a frame, pairs that can no longer meet are removed, and all pairs of such an island
-//              are sorted again
-//     leaving  single islands leave, and may enter again: those of which more than a quarter of the bodies
-//              move beyond their reach, that refinement is to try again, that have too many contacts for
-//              their block's division, or that meet another block. Bodies at rest stay for many frames.
+//              are sorted again, or at once where more than a quarter of its bodies have new pairs
+//     leaving  single islands leave, and may enter again: those that refinement is to try again, that have
+//              too many contacts for their block's division, or that meet another block. Bodies at rest stay
+//              for many frames.
 
 namespace carom {
 
@@ -195,7 +195,7 @@ class BasePath {
     static double kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,
                          const Neighbours& neighbours);
     bool findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours);
-    void markWhereMany();
+    void orderWhereMany();
     void findMissing(const SteppedInput& input, BodyIndex i, const Neighbours& neighbours,
                      Missing& missing) const;
     void loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds);

@@ -70,7 +70,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_laws.clear();
     m_general.clear();
     m_ascending = 0;
-    m_isUnordered = false;
+    m_isUnordered = m_isOrderedSoon = false;
     m_balls.clear();
     m_forced.clear();
 }
@@ -177,7 +177,7 @@ void SteppedMotion::noteChanged(BodyPair pair) {
 
 SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manifolds, double part) {
     settle();
-    if (input.isFirst) order(input);
+    if (std::exchange(m_isOrderedSoon, false) || input.isFirst) order(input);
     if (!m_areStillNoted) noteStill(input, manifolds);
     SteppedReport report;
     Invariants before;

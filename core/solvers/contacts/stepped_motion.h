@@ -117,6 +117,8 @@ class SteppedMotion {
     /// Pairs have been added to an island that has been solved before: all of its pairs are sorted again when
     /// the next frame begins.
     void reorder(std::uint32_t island) { m_groups[island].isUnordered = m_isUnordered = true; }
+    /// So many pairs come that they are put in order before the next substep.
+    void orderSoon() { m_isOrderedSoon = true; }
     /// Removes pairs of which `is(entry)` holds: they are too far apart to meet.
     template<class Is>
     void drop(const Is& is, Manifolds& manifolds) {
@@ -414,6 +416,7 @@ class SteppedMotion {
     std::vector<std::uint32_t> m_general;  // entries that are not of balls
     std::size_t m_ascending = 0;           // so many of the first are in order
     bool m_isUnordered = false;            // balls of some island
+    bool m_isOrderedSoon = false;
     std::vector<OpenPair> m_open;          // by number in m_general
     Scratch<std::vector<PairLaws>> m_laws; // by entry
     BallRows m_balls;
