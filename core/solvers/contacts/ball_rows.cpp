@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/ball_rows.h"
 
+#include "core/base/shared_extremes.h"
 #include "core/solvers/contacts/contact_law.h"
 #include "core/solvers/contacts/manifolds.h"
 
@@ -246,23 +247,20 @@ void BallRows::reorder(std::span<const std::uint32_t> sources, std::uint32_t imm
             if (m_laneOf.size() <= source) m_laneOf.resize(source + 1);
             m_laneOf[source] = wideLanes * i + lane;
         }
-    auto section = sections.begin();
-    const auto endSections = [&](std::size_t pairs) {
-        for (; section != sections.end() && section->end == pairs; ++section) {
+    forEachInSections(
+        sources.size(), sections,
+        [&](std::size_t i) {
+            const std::uint32_t from = m_laneOf[sources[i]];
+            const BallGroup& group = m_before[from / wideLanes];
+            const LanePacker::Place place =
+                m_packer.place(group.a[from % wideLanes], group.b[from % wideLanes], immobile);
+            if (place.isNew) m_from.push_back({noPair, noPair, noPair, noPair});
+            m_from[place.group][place.lane] = from;
+        },
+        [&](std::size_t phase) {
             m_packer.closeAll();
-            m_sections.close(section->phase, m_from.size());
-        }
-    };
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        endSections(i);
-        const std::uint32_t from = m_laneOf[sources[i]];
-        const BallGroup& group = m_before[from / wideLanes];
-        const LanePacker::Place place =
-            m_packer.place(group.a[from % wideLanes], group.b[from % wideLanes], immobile);
-        if (place.isNew) m_from.push_back({noPair, noPair, noPair, noPair});
-        m_from[place.group][place.lane] = from;
-    }
-    endSections(sources.size());
+            m_sections.close(phase, m_from.size());
+        });
     m_groups.resize(m_from.size());
     m_fixed.resize(m_from.size());
     const BallGroup empty = emptyGroup(immobile);
@@ -383,17 +381,16 @@ void BallRows::countGroups() {
 void BallRows::refresh(std::span<const SolverBody> bodies, std::span<const BodyPlace> places, double duration,
                        const Vec3& gravity, Workers& workers) {
     std::atomic<std::size_t> active = 0, watched = 0;
-    std::atomic<double> deepest = 0;
+    m_deepest = 0;
     workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
         const Count count = refreshAll({m_groups.data() + begin, m_fixed.data() + begin, end - begin,
                                         bodies.data(), places.data(), nullptr, duration, gravity});
         active += count.active;
         watched += count.watched;
-        raise(deepest, count.deepest);
+        raiseTo(m_deepest, count.deepest);
     });
     m_active = active;
     m_watched = watched;
-    m_deepest = deepest;
 }
 
 bool BallRows::findStruck(std::span<const SolverBody> bodies, std::span<const BodyPlace> places,

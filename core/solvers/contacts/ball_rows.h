@@ -203,8 +203,6 @@ class BallRows {
                (row.along2[lane] + held[2][lane]) * n.cross(t);
     }
     static BallGroup emptyGroup(std::uint32_t immobile);
-    template<class Work>
-    double forEachSection(bool back, Workers& workers, const Work& work);
     struct Refresh;
     template<class Visit>
     void visitContacts(std::span<const std::uint8_t> bodies, std::size_t i, bool alsoHeld,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/shared_extremes.h"
 #include "core/solvers/contacts/ball_rows.h"
 #include "core/solvers/contacts/contact_law.h"
 #include "core/solvers/contacts/manifolds.h"
@@ -201,14 +202,6 @@ CAROM_WIDE void passWarm(const BallGroup* groups, std::size_t count, SolverBody*
 
 } // namespace
 
-/// Calls work(groups) for the groups of each section; several at once where they are independent.
-template<class Work>
-double BallRows::forEachSection(bool back, Workers& workers, const Work& work) {
-    return m_sections.forEach(m_groups.size(), back, workers, [&](std::size_t first, std::size_t end) {
-        return work(std::span(m_groups).subspan(first, end - first));
-    });
-}
-
 bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
                               Workers& workers) {
     std::atomic<bool> any = false;
@@ -219,16 +212,15 @@ bool BallRows::recordApproach(std::span<const SolverBody> bodies, const StepSett
 }
 
 void BallRows::warmStart(std::span<SolverBody> bodies, Workers& workers) {
-    forEachSection(false, workers, [&](std::span<const BallGroup> groups) {
+    m_sections.forEach(std::span(m_groups), false, workers, [&](std::span<const BallGroup> groups) {
         passWarm(groups.data(), groups.size(), bodies.data());
-        return 0.0;
     });
 }
 
 void BallRows::solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                      const StepSettings& settings, bool back, Workers& workers) {
-    forEachSection(back, workers, [&](std::span<BallGroup> groups) {
-        return sweep(Pass::Feedback, {groups, bodies.data(), moved.data(), settings, back});
+    m_sections.forEach(std::span(m_groups), back, workers, [&](std::span<BallGroup> groups) {
+        sweep(Pass::Feedback, {groups, bodies.data(), moved.data(), settings, back});
     });
 }
 
@@ -243,9 +235,11 @@ void BallRows::addCorrection(std::span<const Displacement> moved, const StepSett
 
 double BallRows::relax(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                        const StepSettings& settings, bool back, Workers& workers) {
-    return forEachSection(back, workers, [&](std::span<BallGroup> groups) {
-        return sweep(Pass::Relax, {groups, bodies.data(), moved.data(), settings, back});
+    double residual = 0;
+    m_sections.forEach(std::span(m_groups), back, workers, [&](std::span<BallGroup> groups) {
+        raiseTo(residual, sweep(Pass::Relax, {groups, bodies.data(), moved.data(), settings, back}));
     });
+    return residual;
 }
 
 int BallRows::activate(const ActiveBodies& active) const {
@@ -262,18 +256,20 @@ int BallRows::activate(const ActiveBodies& active) const {
 int BallRows::rebound(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                       const StepSettings& settings, int passes, const ActiveBodies& active,
                       Workers& workers) {
-    forEachSection(false, workers, [&](std::span<BallGroup> groups) {
+    m_sections.forEach(std::span(m_groups), false, workers, [&](std::span<BallGroup> groups) {
         passBack(groups, bodies.data(), settings.resting, active);
-        return 0.0;
     });
     const auto strikes = [&](int pass) {
-        return forEachSection(pass % 2 == 0, workers, [&](std::span<const BallGroup> groups) {
-            return passStrikes(groups, bodies.data(), moved.data(), settings.resting, pass, active) ? 1.0
-                                                                                                    : 0.0;
-        });
+        std::atomic<bool> any = false;
+        m_sections.forEach(
+            std::span(m_groups), pass % 2 == 0, workers, [&](std::span<const BallGroup> groups) {
+                if (passStrikes(groups, bodies.data(), moved.data(), settings.resting, pass, active))
+                    any = true;
+            });
+        return any.load();
     };
     int pass = 1;
-    while (pass <= passes && strikes(pass) > 0) ++pass;
+    while (pass <= passes && strikes(pass)) ++pass;
     workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) forgetImpact(m_groups[i], bodies.data(), settings.resting);
     });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/base_path.h"
 
+#include "core/base/shared_extremes.h"
+
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 namespace carom {
@@ -32,19 +33,6 @@ constexpr std::size_t fewRenewed = 4;
 constexpr std::size_t fewBodies = 512;
 /// The same of those whose neighbours are looked at; one takes some .5 us.
 constexpr std::size_t fewSearched = 64;
-
-template<class Item>
-void append(const std::vector<Item>& from, std::vector<Item>& to) {
-    to.insert(to.end(), from.begin(), from.end());
-}
-
-/// Several threads find the largest of what each finds.
-void raise(double& largest, double value) {
-    std::atomic_ref<double> shared(largest);
-    double most = shared;
-    while (value > most && !shared.compare_exchange_weak(most, value)) {
-    }
-}
 
 /// Bodies get new neighbours only where at least one mobile body in so many takes the base path, because
 /// those of all bodies may have to be found; else islands leave. At twice, a search for all is made for fewer
@@ -271,10 +259,7 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
             for (std::size_t n = begin; n < end; ++n)
                 findMissing(input, m_renewed[n].body, neighbours, missing);
         },
-        [this](Missing& part) {
-            append(part.entries, m_missing.entries);
-            append(part.parting, m_missing.parting);
-        });
+        [this](const Missing& part) { m_missing.append(part); });
     for (const BodyIndex body : m_missing.parting) mark(body);
     if (!m_missing.parting.empty())
         std::erase_if(m_missing.entries, [this](const Entry& entry) {
@@ -328,7 +313,7 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     for (const BodyIndex i : list) covered = neighbours.covers(i, m_reach[i]) && covered;
     if (!covered) return false;
     const auto kick = [&](BodyIndex body, BodyIndex striker) {
-        raise(m_kick[body], kickOf(input, body, striker, neighbours));
+        raiseTo(m_kick[body], kickOf(input, body, striker, neighbours));
     };
     input.workers.forRanges(list.size(), fewSearched, [&](std::size_t begin, std::size_t end) {
         for (const BodyIndex i : list.subspan(begin, end - begin))
@@ -372,8 +357,7 @@ bool BasePath::coversThoseHere(const SteppedInput& input, Neighbours& neighbours
 // ascending.
 void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> list,
                          const Neighbours& neighbours, std::span<Manifolds::Entry> known) {
-    m_paired.upward.clear();
-    m_paired.downward.clear();
+    m_paired.clear();
     input.workers.forLists(
         list.size(), fewSearched, static_cast<Paired&>(m_paired),
         [&](std::size_t begin, std::size_t end, Paired& paired) {
@@ -384,16 +368,13 @@ void BasePath::findPairs(const SteppedInput& input, std::span<const BodyIndex> l
                     const BodyPair pair{std::min(i, k), std::max(i, k)};
                     const double margin = marginOf(input, pair);
                     if (!areWithin(input.bodies, input.state, pair, margin)) continue;
-                    (i < k ? paired.upward : paired.downward)
+                    (i < k ? paired.up : paired.down)
                         .push_back(
                             {.pair = pair, .margin = margin, .isNear = SteppedMotion::isNear(input, pair)});
                 }
         },
-        [this](Paired& part) {
-            append(part.upward, m_paired.upward);
-            append(part.downward, m_paired.downward);
-        });
-    mergeAscending(m_paired.upward, m_paired.downward, static_cast<std::vector<Entry>&>(m_entering));
+        [this](const Paired& part) { m_paired.append(part); });
+    m_paired.mergeInto(m_entering);
     auto old = known.begin();
     for (Entry& entry : m_entering) {
         while (old != known.end() && old->pair < entry.pair) ++old;

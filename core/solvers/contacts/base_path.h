@@ -173,13 +173,16 @@ class BasePath {
         double reach = 0; // [m]
     };
     /// Pairs of bodies that enter: from each to those of larger index, and to others that are here.
-    struct Paired {
-        std::vector<Entry> upward, downward;
-    };
+    using Paired = UpAndDown<Entry>;
     /// Pairs that bodies with a new reach need, and bodies of different blocks that may meet.
     struct Missing {
         std::vector<Entry> entries;
         std::vector<BodyIndex> parting;
+
+        void append(const Missing& later) {
+            entries.insert(entries.end(), later.entries.begin(), later.entries.end());
+            parting.insert(parting.end(), later.parting.begin(), later.parting.end());
+        }
     };
     double pathOf(const SteppedInput& input, BodyIndex body, double time, const Neighbours& neighbours) const;
     /// What is left of a body's reach [m].

@@ -127,8 +127,7 @@ bool Candidates::shareReach(const Bodies& bodies, const State& state, std::span<
 // base-path body of smaller index.
 std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& state,
                                            const Neighbours& neighbours, Workers& workers) {
-    m_found.up.clear();
-    m_found.down.clear();
+    m_found.clear();
     reserveFor(neighbours.ends(), m_found.up);
     workers.forLists(
         m_free.size(), fewLookedAt, m_found,
@@ -144,11 +143,8 @@ std::span<const BodyPair> Candidates::find(const Bodies& bodies, const State& st
                 }
             }
         },
-        [this](Found& part) {
-            m_found.up.insert(m_found.up.end(), part.up.begin(), part.up.end());
-            m_found.down.insert(m_found.down.end(), part.down.begin(), part.down.end());
-        });
-    mergeAscending(m_found.up, m_found.down, m_pairs);
+        [this](const Found& part) { m_found.append(part); });
+    m_found.mergeInto(m_pairs);
     return m_pairs;
 }
 

@@ -58,10 +58,8 @@ class Candidates {
         BodyIndex body = 0;
         double reach = 0; ///< [m]
     };
-    struct Found {
-        std::vector<BodyPair> up;   ///< from a member to a larger index, ascending
-        std::vector<BodyPair> down; ///< from a member to something immobile or placed of smaller index
-    };
+    /// From members to other members of larger index, and to what is immobile or placed.
+    using Found = UpAndDown<BodyPair>;
     static bool mayBeWithin(const Body& a, const Body& b) {
         const double extents = a.extent + b.extent;
         return (b.centre - a.centre).squaredNorm() <= extents * extents;

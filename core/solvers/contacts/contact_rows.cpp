@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/contact_rows.h"
 
+#include "core/base/shared_extremes.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/wide_bodies.h"
 
@@ -325,12 +326,12 @@ void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& pla
 double ContactRows::end(std::span<const SolverBody> bodies, std::span<const BodyFrame> frames,
                         double duration, Workers& workers) {
     m_packer.closeAll();
-    std::atomic<double> deepest = 0;
+    double deepest = 0;
     if (m_prepared < m_carried.size())
         workers.forRanges(m_groups.size(), fewShared, [&](std::size_t begin, std::size_t end) {
-            raise(deepest, fillRows(groups().subspan(begin, end - begin),
-                                    std::span(m_carried).subspan(begin, end - begin), m_points.data(),
-                                    bodies.data(), frames.data(), duration));
+            raiseTo(deepest, fillRows(groups().subspan(begin, end - begin),
+                                      std::span(m_carried).subspan(begin, end - begin), m_points.data(),
+                                      bodies.data(), frames.data(), duration));
         });
     else
         prepare(groups().subspan(m_prepared), m_points.data(), bodies.data());

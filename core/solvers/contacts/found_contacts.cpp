@@ -12,10 +12,6 @@ namespace carom {
 
 namespace {
 
-/// Pairs that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly what
-/// it saves; at twice, some hundred pairs are updated by one.
-constexpr std::size_t fewUpdated = 128;
-
 /// Whether the gap of a pair is that of its bounding balls.
 bool areBalls(const Bodies& bodies, BodyPair pair) {
     const auto isBall = [&](BodyIndex i) { return isSphere(bodies, i) || isWall(bodies.shape[i]); };
@@ -104,7 +100,7 @@ void FoundContacts::updateCarried(const ManifoldInput& here, std::span<const Bod
     }
     for (; carried != carriedEnd; ++carried) m_distant.push_back({carried->pair, carried->place});
     std::atomic<std::size_t> collided = 0;
-    workers.forRanges(m_updated.size(), fewUpdated, [&](std::size_t begin, std::size_t end) {
+    workers.forRanges(m_updated.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
         for (const Manifolds::Entry& entry : std::span(m_updated).subspan(begin, end - begin))
             count += updateManifold(here, margins.marginOf(entry.pair), m_manifolds[entry.place]) ? 1 : 0;

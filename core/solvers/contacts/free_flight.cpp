@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/free_flight.h"
 
+#include "core/base/shared_extremes.h"
 #include "core/solvers/contacts/manifolds.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -18,16 +18,6 @@ constexpr double noMeeting = std::numeric_limits<double>::infinity();
 constexpr std::size_t fewStarts = 128;
 /// The same of bodies that may be struck: of which one thread finds what they hit.
 constexpr std::size_t fewStrikes = 128;
-
-/// A number that several threads use.
-std::atomic_ref<double> shared(double& number) { return std::atomic_ref<double>(number); }
-
-/// Several threads find the smallest of what each finds.
-void lower(double& smallest, double value) {
-    double least = shared(smallest);
-    while (value < least && !shared(smallest).compare_exchange_weak(least, value)) {
-    }
-}
 
 /// The distance of two centres within which their bodies may touch however slow they are [m].
 double touching(const Bodies& bodies, BodyIndex a, BodyIndex b) {
@@ -162,10 +152,10 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
             for (const BodyIndex k : neighbours.around(i, time)) {
                 const bool fly = has(k);
                 if (m_kind[k] == Kind::Member || (fly && k < i)) continue;
-                if (shared(m_due[i]) == 0 && (!fly || shared(m_due[k]) == 0)) continue;
+                if (sharedValue(m_due[i]) == 0 && (!fly || sharedValue(m_due[k]) == 0)) continue;
                 const double meeting = timeOfMeeting(input, i, k);
-                lower(m_due[i], meeting);
-                if (fly) lower(m_due[k], meeting);
+                lowerTo(m_due[i], meeting);
+                if (fly) lowerTo(m_due[k], meeting);
             }
     });
     for (const BodyIndex i : m_bodies)

@@ -53,15 +53,29 @@ inline bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, d
     return areWithin(bodies, pair, state.pose[pair.a], state.pose[pair.b], margin);
 }
 
-/// What was found from each body to those of larger index, ascending, and the rest, as one: `down` is sorted.
-/// No memory is taken while crowds are no larger than they were.
+/// Pairs that are found from one body after another, ascending.
 template<class Pair>
-void mergeAscending(const std::vector<Pair>& up, std::vector<Pair>& down, std::vector<Pair>& all) {
-    std::sort(down.begin(), down.end());
-    all.reserve(up.capacity() + down.capacity());
-    all.resize(up.size() + down.size());
-    std::merge(up.begin(), up.end(), down.begin(), down.end(), all.begin());
-}
+struct UpAndDown {
+    std::vector<Pair> up;   ///< from a body to larger indices: ascending
+    std::vector<Pair> down; ///< from a body to smaller indices: few, in any order
+
+    void clear() {
+        up.clear();
+        down.clear();
+    }
+    /// Those that were found from the bodies after these.
+    void append(const UpAndDown& later) {
+        up.insert(up.end(), later.up.begin(), later.up.end());
+        down.insert(down.end(), later.down.begin(), later.down.end());
+    }
+    /// All of them, ascending. No memory is taken while crowds are no larger than they were.
+    void mergeInto(std::vector<Pair>& all) {
+        std::sort(down.begin(), down.end());
+        all.reserve(up.capacity() + down.capacity());
+        all.resize(up.size() + down.size());
+        std::merge(up.begin(), up.end(), down.begin(), down.end(), all.begin());
+    }
+};
 
 class Neighbours {
   public:

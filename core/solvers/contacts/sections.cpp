@@ -28,30 +28,29 @@ Eigen::Index widestAxis(std::span<const Vec3> places, const Vec3& gravity, doubl
 
 } // namespace
 
-void Slabs::divide(std::span<const Vec3> places, std::span<const double> radii, const Vec3& gravity,
-                   std::span<std::uint8_t> slabs) {
-    std::fill(slabs.begin(), slabs.end(), std::uint8_t{0});
-    const std::size_t bodies = places.size();
-    if (bodies < 2 * fewBodies) return;
-    double deviation = 0, size = 0;
-    const Eigen::Index axis = widestAxis(places, gravity, deviation);
-    for (const double radius : radii) size += radius;
-    size /= static_cast<double>(bodies);
+std::span<const std::uint8_t> Slabs::divide(const Vec3& gravity) {
+    const std::size_t bodies = m_places.size();
+    m_slabs.assign(bodies, 0);
+    if (bodies < 2 * fewBodies) return m_slabs;
+    double deviation = 0;
+    const Eigen::Index axis = widestAxis(m_places, gravity, deviation);
+    const double size = m_size / static_cast<double>(bodies);
     const double wide = std::sqrt(12.0) * deviation / (leastThickness * size); // of bodies evenly spread
     // A power of two, so that two or four threads have as many.
     const std::size_t count = std::bit_floor(
         std::min({bodies / fewBodies, most, static_cast<std::size_t>(std::clamp(wide, 1.0, double{most}))}));
     m_along.clear();
-    for (const Vec3& place : places) m_along.push_back(place[axis]);
+    for (const Vec3& place : m_places) m_along.push_back(place[axis]);
     m_sorted = m_along;
     auto first = m_sorted.begin();
-    for (std::size_t k = 1; k < count; ++k) { // planes, each with as many bodies between them
+    for (std::size_t k = 1; k < count; ++k) { // planes, with as many bodies between each two
         const auto nth = m_sorted.begin() + static_cast<std::ptrdiff_t>(k * bodies / count);
         std::nth_element(first, nth, m_sorted.end());
         for (std::size_t i = 0; i < bodies; ++i)
-            if (m_along[i] >= *nth) slabs[i] = static_cast<std::uint8_t>(k);
+            if (m_along[i] >= *nth) m_slabs[i] = static_cast<std::uint8_t>(k);
         first = nth;
     }
+    return m_slabs;
 }
 
 void SectionPlan::make(std::span<const std::uint32_t> islandOf, std::span<const std::uint8_t> slabOf,

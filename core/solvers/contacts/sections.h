@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -39,18 +38,23 @@ inline constexpr std::size_t sectionPhases = 4;
 /// At half, waking a thread costs nearly what it saves; at twice, islands of 1,000 pairs have one.
 inline constexpr std::size_t fewShared = 128;
 
-/// Several threads find the largest of what each finds.
-inline void raise(std::atomic<double>& largest, double value) {
-    double most = largest;
-    while (value > most && !largest.compare_exchange_weak(most, value)) {
-    }
-}
-
 /// Where a section ends in a list of pairs that are sorted by section.
 struct SectionEnd {
     std::size_t phase = 0;
     std::size_t end = 0;
 };
+
+/// Calls visit(i) for every i below `count`, and end(phase) wherever a section ends.
+template<class Visit, class End>
+void forEachInSections(std::size_t count, std::span<const SectionEnd> sections, const Visit& visit,
+                       const End& end) {
+    std::size_t next = 0;
+    for (const SectionEnd& section : sections) {
+        for (; next < section.end; ++next) visit(next);
+        end(section.phase);
+    }
+    for (; next < count; ++next) visit(next);
+}
 
 /// The sections of the groups that a pass goes through (lane_packer.h).
 class Sections {
@@ -71,27 +75,27 @@ class Sections {
     void renumber(const NewEnd& newEnd) {
         for (std::uint32_t& end : m_ends) end = newEnd(end);
     }
-    /// Calls work(first, end) for all sections of so many groups, from the first phase to the last, or the
-    /// other way. Returns the largest number it returned.
-    template<class Work>
-    double forEach(std::size_t groups, bool back, Workers& workers, const Work& work) const {
-        if (m_ends.empty()) return work(std::size_t{0}, groups);
-        std::atomic<double> largest = 0;
+    /// Calls work(groups) for the groups of every section, from the first phase to the last, or the other
+    /// way; for several of one phase at once.
+    template<class Group, class Work>
+    void forEach(std::span<Group> groups, bool back, Workers& workers, const Work& work) const {
+        if (m_ends.empty()) return work(groups);
+        const auto beginOf = [&](std::size_t section) {
+            return section == 0 ? std::size_t{0} : m_ends[section - 1];
+        };
+        const auto endOf = [&](std::size_t section) {
+            return section == m_ends.size() ? groups.size() : m_ends[section];
+        };
         for (std::size_t k = 0; k < sectionPhases; ++k) {
-            const std::size_t phase = back ? sectionPhases - 1 - k : k;
-            const bool isLast = phase + 1 == sectionPhases;
-            const std::size_t first = m_first[phase], end = isLast ? m_ends.size() + 1 : m_first[phase + 1];
-            const auto beginOf = [&](std::size_t section) {
-                return section == 0 ? std::size_t{0} : m_ends[section - 1];
-            };
-            const std::size_t all = (isLast ? groups : beginOf(end)) - beginOf(first);
-            Workers& several = all < 2 * fewShared ? Workers::alone() : workers;
-            several.forEach(end - first, [&](std::size_t, std::size_t i) {
-                const std::size_t section = first + i;
-                raise(largest, work(beginOf(section), section == m_ends.size() ? groups : m_ends[section]));
+            const std::size_t phase = back ? sectionPhases - 1 - k : k, first = m_first[phase],
+                              last = phase + 1 == sectionPhases ? m_ends.size() : m_first[phase + 1] - 1;
+            if (last + 1 == first) continue; // a phase without sections
+            Workers& several = endOf(last) - beginOf(first) < 2 * fewShared ? Workers::alone() : workers;
+            several.forEach(last + 1 - first, [&](std::size_t, std::size_t i) {
+                const std::size_t begin = beginOf(first + i);
+                work(groups.subspan(begin, endOf(first + i) - begin));
             });
         }
-        return largest;
     }
     std::size_t bytes() const { return heldBytes(m_ends); }
 
@@ -110,13 +114,23 @@ class Slabs {
     /// slabs.
     static constexpr std::size_t most = 8;
 
-    /// The number of the slab of each body of an island, in `slabs`, from 0 on. `radii` are those of the
-    /// bounding balls [m].
-    void divide(std::span<const Vec3> places, std::span<const double> radii, const Vec3& gravity,
-                std::span<std::uint8_t> slabs);
+    void clear() {
+        m_places.clear();
+        m_size = 0;
+    }
+    /// A body of the island, with the radius of its bounding ball [m].
+    void add(const Vec3& place, double radius) {
+        m_places.push_back(place);
+        m_size += radius;
+    }
+    /// The number of the slab of each body, from 0 on, in the order in which they were added.
+    std::span<const std::uint8_t> divide(const Vec3& gravity);
 
   private:
+    std::vector<Vec3> m_places;
+    double m_size = 0; // of all together [m]
     std::vector<double> m_along, m_sorted;
+    std::vector<std::uint8_t> m_slabs;
 };
 
 /// The sections of pairs of bodies.

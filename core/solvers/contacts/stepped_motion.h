@@ -431,11 +431,8 @@ class SteppedMotion {
     Scratch<PairSort<Numbered>> m_sort;
     Scratch<std::vector<std::uint32_t>> m_order, m_added;
     Scratch<SectionPlan> m_plan;
-    Scratch<Slabs> m_divider; // of an island, as the next four
-    Scratch<std::vector<std::uint32_t>> m_inIsland;
-    Scratch<std::vector<Vec3>> m_placesIn;
-    Scratch<std::vector<double>> m_radiiIn; // [m]
-    Scratch<std::vector<std::uint8_t>> m_slabsIn;
+    Scratch<Slabs> m_slabs;                                  // of an island
+    Scratch<std::vector<std::uint32_t>> m_divided;           // numbers, by island
     Scratch<std::vector<Seen>> m_seen, m_touching, m_sorted; // of a look: all, and those in contact
     Scratch<std::vector<Travel>> m_travel;                   // by number
     Scratch<std::vector<Coming>> m_coming;                   // by number

@@ -14,10 +14,8 @@
 namespace carom {
 namespace {
 
-/// Pairs that one thread updates at least; one takes .1 to 1 us. At half, waking a thread costs nearly what
-/// it saves; at twice, islands of some hundred pairs are updated by one.
-constexpr std::size_t fewPairs = 128;
-/// Frames that one thread makes at least; one takes some 20 ns. The same holds of half and twice.
+/// Frames that one thread makes at least; one takes some 20 ns. At half, waking a thread costs nearly what it
+/// saves; at twice, those of some hundred bodies are made by one.
 constexpr std::size_t fewFrames = 512;
 
 } // namespace
@@ -83,7 +81,7 @@ void SteppedMotion::updatePairs(const ManifoldInput& here, Manifolds& manifolds,
     const double fall = here.gravity.norm() * here.duration * here.duration;
     std::atomic<std::size_t> collided = 0;
     m_seen.resize(m_moving.size());
-    workers.forRanges(m_moving.size(), fewPairs, [&](std::size_t begin, std::size_t end) {
+    workers.forRanges(m_moving.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
         for (std::size_t i = begin; i < end; ++i) m_seen[i] = see(here, m_moving[i], fall, manifolds, count);
         collided += count;
@@ -124,22 +122,18 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
     m_plan.make(m_island, m_slab, m_groups.size());
     const std::span<const SectionEnd> sections =
         m_plan.sort(m_touching, m_sorted, [](const Seen& seen) { return std::pair(seen.a, seen.b); });
-    auto section = sections.begin();
-    const auto endSections = [&](std::size_t pairs) {
-        for (; section != sections.end() && section->end == pairs; ++section)
-            m_rows.endSection(section->phase);
-    };
     m_placed.clear();
     m_framed.clear();
-    for (std::size_t i = 0; i < m_touching.size(); ++i) {
-        endSections(i);
-        const Seen& seen = m_touching[i];
-        const std::uint32_t entry = m_general[seen.number];
-        const auto [a, b] = m_entries[entry].pair;
-        m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, seen.count, entry), entry,
-                            frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound)});
-    }
-    endSections(m_touching.size());
+    forEachInSections(
+        m_touching.size(), sections,
+        [&](std::size_t i) {
+            const Seen& seen = m_touching[i];
+            const std::uint32_t entry = m_general[seen.number];
+            const auto [a, b] = m_entries[entry].pair;
+            m_placed.push_back({m_rows.placeCarried(seen.a, seen.b, seen.count, entry), entry,
+                                frameOf(a, seen.a, !seen.isRound), frameOf(b, seen.b, !seen.isRound)});
+        },
+        [this](std::size_t phase) { m_rows.endSection(phase); });
     m_frames.resize(m_framed.size());
     workers.forRanges(m_framed.size(), fewFrames, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -148,7 +142,7 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
                            pose.position};
         }
     });
-    workers.forRanges(m_placed.size(), fewPairs, [&](std::size_t begin, std::size_t end) {
+    workers.forRanges(m_placed.size(), fewManifolds, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) setRow(here, m_placed[i], manifolds);
     });
     for (const Placed& placed : m_placed)

@@ -28,21 +28,22 @@ void SteppedMotion::order(const SteppedInput& input) {
 
 // Divides the islands that are not in order into slabs.
 void SteppedMotion::divide(const SteppedInput& input) {
-    for (std::uint32_t island = 0; island < m_groups.size(); ++island) {
-        const Group& group = m_groups[island];
-        if (group.joined != island || !group.isUnordered || group.bodies < 2 * Slabs::fewBodies) continue;
-        m_inIsland.clear();
-        m_placesIn.clear();
-        m_radiiIn.clear();
-        for (std::uint32_t i = 1; i < m_island.size(); ++i) {
-            if (m_island[i] != island) continue;
-            m_inIsland.push_back(i);
-            m_placesIn.push_back(input.state.pose[m_list[i - 1]].position);
-            m_radiiIn.push_back(input.bodies.boundingRadius[m_list[i - 1]]);
+    m_divided.clear();
+    for (std::uint32_t i = 1; i < m_island.size(); ++i)
+        if (m_groups[m_island[i]].isUnordered) m_divided.push_back(i);
+    std::stable_sort(m_divided.begin(), m_divided.end(), [this](std::uint32_t one, std::uint32_t other) {
+        return m_island[one] < m_island[other];
+    });
+    for (auto from = m_divided.begin(); from != m_divided.end();) {
+        const std::uint32_t island = m_island[*from];
+        const auto to =
+            std::find_if(from, m_divided.end(), [&](std::uint32_t i) { return m_island[i] != island; });
+        m_slabs.clear();
+        for (auto i = from; i != to; ++i) {
+            const BodyIndex body = m_list[*i - 1];
+            m_slabs.add(input.state.pose[body].position, input.bodies.boundingRadius[body]);
         }
-        m_slabsIn.resize(m_inIsland.size());
-        m_divider.divide(m_placesIn, m_radiiIn, input.gravity, m_slabsIn);
-        for (std::size_t k = 0; k < m_inIsland.size(); ++k) m_slab[m_inIsland[k]] = m_slabsIn[k];
+        for (const std::uint8_t slab : m_slabs.divide(input.gravity)) m_slab[*from++] = slab;
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/velocity_solve.h"
 
+#include "core/base/shared_extremes.h"
 #include "core/base/wide.h"
 #include "core/solvers/contacts/contact_law.h"
 
@@ -159,14 +160,6 @@ CAROM_WIDE void passWarm(const RowGroup* groups, std::size_t count, const RowPoi
     for (std::size_t i = 0; i < count; ++i) warmGroup(groups[i], points, bodies);
 }
 
-/// Calls work(groups) for the groups of each section; several at once where they are independent.
-template<class Work>
-double forEachSection(const ContactRows& rows, bool back, Workers& workers, const Work& work) {
-    return rows.sections().forEach(
-        rows.groups().size(), back, workers,
-        [&](std::size_t first, std::size_t end) { return work(rows.groups().subspan(first, end - first)); });
-}
-
 } // namespace
 
 void addCorrection(const ContactRows& rows, const StepSettings& settings, std::span<double> to) {
@@ -208,9 +201,8 @@ bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const
 }
 
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies, Workers& workers) {
-    forEachSection(rows, false, workers, [&](std::span<const RowGroup> groups) {
+    rows.sections().forEach(rows.groups(), false, workers, [&](std::span<const RowGroup> groups) {
         passWarm(groups.data(), groups.size(), rows.points().data(), bodies.data());
-        return 0.0;
     });
     for (const RollingRow& row : rows.rolling()) {
         add(bodies[row.a].spin, -turnedBy(bodies[row.a], row.torque));
@@ -226,16 +218,18 @@ void updateGaps(ContactRows& rows, std::span<const Displacement> moved, Workers&
 
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
                      Workers& workers) {
-    forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
-        return sweep(Pass::Feedback, {groups, rows.points().data(), bodies.data(), settings, back});
+    rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
+        sweep(Pass::Feedback, {groups, rows.points().data(), bodies.data(), settings, back});
     });
 }
 
 double relaxVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings,
                        bool back, Workers& workers) {
-    return forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
-        return sweep(Pass::Relax, {groups, rows.points().data(), bodies.data(), settings, back});
+    double residual = 0;
+    rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
+        raiseTo(residual, sweep(Pass::Relax, {groups, rows.points().data(), bodies.data(), settings, back}));
     });
+    return residual;
 }
 
 int activate(const ContactRows& rows, const ActiveBodies& active) {
@@ -246,9 +240,8 @@ void rebound(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings
              const ActiveBodies& active, Workers& workers) {
     for (int pass = 0; pass < passes; ++pass) {
         const bool back = pass % 2 != 0;
-        forEachSection(rows, back, workers, [&](std::span<const RowGroup> groups) {
-            return sweep(Pass::Rebound,
-                         {groups, rows.points().data(), bodies.data(), settings, back, active});
+        rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {
+            sweep(Pass::Rebound, {groups, rows.points().data(), bodies.data(), settings, back, active});
         });
     }
     workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {

@@ -25,6 +25,15 @@ struct PairOfNumbers {
     std::uint32_t a = 0, b = 0, place = 0; ///< the place before they were sorted
 };
 
+std::vector<std::uint8_t> slabsOf(std::span<const Vec3> places, double radius, const Vec3& gravity) {
+    Slabs slabs;
+    slabs.add(Vec3::Zero(), 1); // of another island
+    slabs.clear();
+    for (const Vec3& place : places) slabs.add(place, radius);
+    const std::span<const std::uint8_t> result = slabs.divide(gravity);
+    return {result.begin(), result.end()};
+}
+
 /// Islands of bodies that are numbered from 1 on, with their slabs and with pairs, most of them of
 /// neighbours.
 struct DividedIslands {
@@ -38,8 +47,7 @@ struct DividedIslands {
         std::vector<Vec3> places;
         const double side = std::cbrt(static_cast<double>(bodies));
         for (std::size_t i = 0; i < bodies; ++i) places.push_back(uniformIn(random, side));
-        std::vector<std::uint8_t> slabs(bodies);
-        Slabs().divide(places, std::vector<double>(bodies, 0.2), Vec3(0, -9.81, 0), slabs);
+        const std::vector<std::uint8_t> slabs = slabsOf(places, 0.2, Vec3(0, -9.81, 0));
         islandOf.insert(islandOf.end(), bodies, static_cast<std::uint32_t>(islands++));
         slabOf.insert(slabOf.end(), slabs.begin(), slabs.end());
         for (std::size_t i = 0; i < bodies; ++i) {
@@ -95,8 +103,7 @@ class SectionsTest : public QObject {
         Random random(test::seed, 1);
         std::vector<Vec3> places;
         for (int i = 0; i < 1000; ++i) places.push_back(uniformIn(random, 1).cwiseProduct(size));
-        std::vector<std::uint8_t> slabs(places.size());
-        Slabs().divide(places, std::vector<double>(places.size(), 0.1), gravity, slabs);
+        const std::vector<std::uint8_t> slabs = slabsOf(places, 0.1, gravity);
         std::map<std::uint8_t, std::vector<double>> along;
         for (std::size_t i = 0; i < places.size(); ++i) along[slabs[i]].push_back(places[i][axis]);
         QCOMPARE(along.size(), std::size_t{4}); // the largest power of two of 128 bodies each
@@ -114,8 +121,7 @@ class SectionsTest : public QObject {
         for (std::size_t i = 0; i + 1 < 2 * Slabs::fewBodies; ++i) few.push_back(uniformIn(random, 5));
         for (int i = 0; i < 2000; ++i) column.push_back(uniformIn(random, 0.05) + 0.4 * i * Vec3::UnitY());
         for (const std::vector<Vec3>& places : {few, column}) {
-            std::vector<std::uint8_t> slabs(places.size(), 7);
-            Slabs().divide(places, std::vector<double>(places.size(), 0.2), Vec3(0, -9.81, 0), slabs);
+            const std::vector<std::uint8_t> slabs = slabsOf(places, 0.2, Vec3(0, -9.81, 0));
             QCOMPARE(slabs, std::vector<std::uint8_t>(places.size(), 0));
         }
     }
