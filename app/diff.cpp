@@ -6,6 +6,7 @@
 #include "app/progress.h"
 #include "app/scene_options.h"
 #include "core/base/figures.h"
+#include "core/simulation/world.h"
 #include "core/study/race.h"
 
 #include <limits>

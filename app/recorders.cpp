@@ -2,6 +2,7 @@
 #include "app/recorders.h"
 
 #include "core/base/text.h"
+#include "core/simulation/world.h"
 
 #include <initializer_list>
 
@@ -19,6 +20,8 @@ void append(std::string& row, const Vec3& v) { append(row, {v.x(), v.y(), v.z()}
 TraceWriter::TraceWriter(const std::string& path, std::int64_t every) : m_file(path), m_every(every) {
     m_file.write("frame,time,body,label,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n");
 }
+
+void TraceWriter::record(const World& world) { record(world.pipeline(), world.state()); }
 
 void TraceWriter::record(const Pipeline& pipeline, const State& state) {
     if (state.frame % m_every != 0) return;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "app/files.h"
-#include "core/simulation/world.h"
+#include "core/simulation/pipeline.h"
+#include "core/simulation/statistics.h"
 
 #include <cstdint>
 #include <string>
@@ -11,11 +12,13 @@
 
 namespace carom {
 
+class World;
+
 /// `--trace`: one row a mobile body, every so many frames.
 class TraceWriter {
   public:
     TraceWriter(const std::string& path, std::int64_t every);
-    void record(const World& world) { record(world.pipeline(), world.state()); }
+    void record(const World& world);
     void record(const Pipeline& pipeline, const State& state);
     void close() { m_file.close(); }
 

@@ -8,6 +8,7 @@
 #include "app/run_summary.h"
 #include "app/scene_options.h"
 #include "core/simulation/energy_guard.h"
+#include "core/simulation/world.h"
 
 #include <exception>
 #include <limits>

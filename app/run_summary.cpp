@@ -5,6 +5,7 @@
 #include "core/base/json.h"
 #include "core/base/text.h"
 #include "core/broadphase/broadphase.h"
+#include "core/simulation/world.h"
 
 #include <algorithm>
 #include <array>

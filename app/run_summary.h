@@ -3,7 +3,7 @@
 
 #include "core/math/running_summary.h"
 #include "core/simulation/build.h"
-#include "core/simulation/world.h"
+#include "core/simulation/statistics.h"
 
 #include <cstdint>
 #include <optional>
@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace carom {
+
+class World;
 
 /// What `carom run` says at the end; collected frame by frame.
 class RunSummary {

@@ -4,6 +4,7 @@
 #include "app/errors.h"
 #include "app/files.h"
 #include "core/scene/schema.h"
+#include "core/simulation/world.h"
 
 namespace carom {
 namespace {

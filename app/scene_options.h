@@ -3,7 +3,6 @@
 
 #include "app/options.h"
 #include "core/simulation/build.h"
-#include "core/simulation/world.h"
 
 #include <string>
 #include <string_view>
@@ -12,6 +11,8 @@
 // What every subcommand that simulates shares: its options, and how a file becomes a scene.
 
 namespace carom {
+
+class World;
 
 /// --step, --method and so on: what overrides the scene's `simulation` declaration.
 std::vector<OptionRow> simulationOptions();

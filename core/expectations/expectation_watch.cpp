@@ -3,6 +3,7 @@
 
 #include "core/narrowphase/narrowphase.h"
 #include "core/scene/schema.h"
+#include "core/simulation/world.h"
 #include "core/solvers/solver.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "core/simulation/impact_watch.h"
 #include "core/simulation/quantities.h"
 #include "core/simulation/state_between.h"
-#include "core/simulation/world.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +17,8 @@
 // linearly.
 
 namespace carom {
+
+class World;
 
 /// What is asked of a quantity.
 enum class Criterion : std::uint8_t { Value, Least, Most, Drift, Rest };

@@ -2,6 +2,7 @@
 #include "core/expectations/scene_check.h"
 
 #include "core/base/clock.h"
+#include "core/simulation/world.h"
 
 #include <algorithm>
 #include <set>

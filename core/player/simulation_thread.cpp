@@ -2,6 +2,7 @@
 #include "core/player/simulation_thread.h"
 
 #include "core/base/memory_limit.h"
+#include "core/simulation/world.h"
 
 #include <pthread.h>
 

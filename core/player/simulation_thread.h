@@ -15,7 +15,6 @@
 #include "core/simulation/pipeline.h"
 #include "core/simulation/recording.h"
 #include "core/simulation/snapshot.h"
-#include "core/simulation/world.h"
 
 #include <atomic>
 #include <chrono>
@@ -38,6 +37,8 @@
 //     GUI ◀── Latest<PublishedSnapshot>, SampleQueue, state ───────────── World
 
 namespace carom {
+
+class World;
 
 /// A breakpoint held for the first time in the step that led to a frame.
 struct BreakHit {

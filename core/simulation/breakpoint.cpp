@@ -3,6 +3,7 @@
 
 #include "core/narrowphase/narrowphase.h"
 #include "core/simulation/frame_impulses.h"
+#include "core/simulation/world.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/math/pose.h"
 #include "core/math/types.h"
-#include "core/simulation/world.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +13,8 @@
 #include <vector>
 
 namespace carom {
+
+class World;
 
 enum class BreakKind : std::uint8_t { Contact, Penetration, EnergyDrift, Speed, PlaneCrossed };
 

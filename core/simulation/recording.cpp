@@ -2,6 +2,7 @@
 #include "core/simulation/recording.h"
 
 #include "core/base/assert.h"
+#include "core/simulation/world.h"
 
 #include <iterator>
 

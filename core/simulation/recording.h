@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/simulation/checkpoint.h"
-#include "core/simulation/world.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +20,8 @@
 // deleting every second one together would leave the heap fragmented.
 
 namespace carom {
+
+class World;
 
 class Recording {
   public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run_difference.h"
 
+#include "core/simulation/world.h"
+
 #include <bit>
 
 namespace carom {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/world.h"
-
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -11,6 +9,8 @@
 // apart the bodies are.
 
 namespace carom {
+
+class World;
 
 /// Where two states differ first, in the order of the bodies.
 struct BitDifference {

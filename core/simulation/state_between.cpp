@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/state_between.h"
 
+#include "core/simulation/world.h"
+
 namespace carom {
 namespace {
 

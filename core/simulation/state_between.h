@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/simulation/quantities.h"
-#include "core/simulation/world.h"
+#include "core/simulation/statistics.h"
 
 #include <vector>
 
 namespace carom {
+
+class World;
 
 /// What is kept of a frame to interpolate between it and the next.
 struct FrameBefore {

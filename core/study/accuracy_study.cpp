@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/accuracy.h"
 
+#include "core/simulation/world.h"
 #include "core/study/accuracy_run.h"
 #include "core/study/convergence.h"
 #include "core/study/engines.h"

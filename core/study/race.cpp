@@ -3,6 +3,7 @@
 
 #include "core/base/figures.h"
 #include "core/base/text.h"
+#include "core/simulation/world.h"
 
 #include <algorithm>
 #include <iterator>
@@ -22,20 +23,24 @@ std::optional<std::string> objectionToRace(const Pipeline& a, const Pipeline& b)
 }
 
 Race::Race(std::shared_ptr<const Pipeline> a, std::shared_ptr<const Pipeline> b)
-    : m_a(std::move(a)), m_b(std::move(b)) {
+    : m_a(std::make_unique<World>(std::move(a))), m_b(std::make_unique<World>(std::move(b))) {
     look();
 }
 
+Race::~Race() = default;
+
+bool Race::isFinite() const { return m_a->health().finite && m_b->health().finite; }
+
 bool Race::step() {
-    m_a.step();
-    m_b.step();
+    m_a->step();
+    m_b->step();
     if (isFinite()) look();
     return isFinite();
 }
 
 void Race::look() {
-    m_now = {m_a.state().frame, m_a.state().time, distanceBetween(m_a, m_b)};
-    if (!m_first) m_first = carom::firstDifference(m_a, m_b);
+    m_now = {m_a->state().frame, m_a->state().time, distanceBetween(*m_a, *m_b)};
+    if (!m_first) m_first = carom::firstDifference(*m_a, *m_b);
 }
 
 void RaceRecording::add(const Race& race) {

@@ -17,6 +17,8 @@
 
 namespace carom {
 
+class World;
+
 /// The reason why two runs cannot be compared frame by frame, or nothing: bodies are compared one by one, at
 /// the same times.
 std::optional<std::string> objectionToRace(const Pipeline& a, const Pipeline& b);
@@ -32,21 +34,22 @@ class Race {
   public:
     /// Begins with both runs at their start; objectionToRace() must have no objection.
     Race(std::shared_ptr<const Pipeline> a, std::shared_ptr<const Pipeline> b);
+    ~Race();
 
     /// Runs a frame of both; false, without a point, if the state of one of them is not finite any more.
     bool step();
 
-    const World& a() const { return m_a; }
-    const World& b() const { return m_b; }
+    const World& a() const { return *m_a; }
+    const World& b() const { return *m_b; }
     const RacePoint& now() const { return m_now; }
     /// Where the first difference is; nothing if there is none so far.
     const std::optional<BitDifference>& firstDifference() const { return m_first; }
-    bool isFinite() const { return m_a.health().finite && m_b.health().finite; }
+    bool isFinite() const;
 
   private:
     void look();
 
-    World m_a, m_b;
+    std::unique_ptr<World> m_a, m_b;
     RacePoint m_now;
     std::optional<BitDifference> m_first;
 };

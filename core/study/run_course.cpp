@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/run_course.h"
 
+#include "core/simulation/world.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,6 +99,8 @@ double RunCourse::momentumChange(const World& world) const {
     const double scale = std::sqrt(2 * m_mass * energyScale());
     return most > noMomentum * scale ? (world.statistics().momentum - m_momentum).norm() / most : 0;
 }
+
+Outcome RunCourse::outcome(const World& world) const { return outcome(world.pipeline(), world.state()); }
 
 Outcome RunCourse::outcome(const Pipeline& pipeline, const State& state) const {
     const Bodies& bodies = pipeline.bodies();

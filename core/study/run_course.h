@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/world.h"
+#include "core/simulation/pipeline.h"
 #include "core/study/error_norms.h"
 
 #include <cmath>
@@ -17,6 +17,8 @@
 //                                   ε = 1e-3: less exchange than this part of W s counts as none
 
 namespace carom {
+
+class World;
 
 /// The final state of a run.
 struct Outcome {
@@ -58,7 +60,7 @@ class RunCourse {
     double energyScale() const;
     /// Relative change of momentum, of scenes without gravity, walls and ends in the world; else 0.
     double momentumChange(const World& world) const;
-    Outcome outcome(const World& world) const { return outcome(world.pipeline(), world.state()); }
+    Outcome outcome(const World& world) const;
     Outcome outcome(const Pipeline& pipeline, const State& state) const;
     double overlap() const { return m_overlap; }   ///< the largest, relative to the thinnest mobile body
     double residual() const { return m_residual; } ///< [m/s], of the worst contact problem

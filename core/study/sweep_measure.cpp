@@ -5,6 +5,7 @@
 #include "core/narrowphase/time_of_impact.h"
 #include "core/scene/schema.h"
 #include "core/simulation/frame_impulses.h"
+#include "core/simulation/world.h"
 #include "core/solvers/solver.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "core/study/sweep_run.h"
 
 #include "core/base/clock.h"
+#include "core/simulation/world.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 
 #include "core/base/assert.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 #include <utility>
 
@@ -17,6 +18,8 @@ std::string simulationOf(StudyColumn column, std::string_view further) {
 
 Trial::Trial(const HardCase& hardCase, StudyColumn column, StudyLength length, std::function<bool()> goOn)
     : m_case(hardCase), m_column(column), m_length(length), m_goOn(std::move(goOn)) {}
+
+World Trial::world(const std::string& declarations) const { return world(declarations, m_case.simulation); }
 
 World Trial::world(const std::string& declarations, std::string_view simulation) const {
     const Build built = build(declarations + simulationOf(m_column, simulation));

@@ -3,8 +3,6 @@
 
 #include "core/study/stability.h"
 
-#include "core/simulation/world.h"
-
 #include <functional>
 #include <string>
 #include <string_view>
@@ -14,6 +12,8 @@
 // them until it is cancelled, and collects figures.
 
 namespace carom {
+
+class World;
 
 /// A limit for the default column and one for the two others.
 struct Limits {
@@ -39,7 +39,7 @@ class Trial {
     }
 
     /// A world of these declarations. `simulation` replaces the case's further parameters.
-    World world(const std::string& declarations) const { return world(declarations, m_case.simulation); }
+    World world(const std::string& declarations) const;
     World world(const std::string& declarations, std::string_view simulation) const;
 
     /// One frame; false if told to stop, or if the world has lost its state (which is a failing figure).

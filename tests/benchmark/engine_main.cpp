@@ -8,6 +8,7 @@
 #include "core/base/clock.h"
 #include "core/base/text.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 // carom-engine-NAME SCENE --frames N [--substeps K] [--iterations I] [--own-rules]: a scene of ours, read by
 // our own parser, in another engine. What it prints is the protocol of `carom study accuracy --engines`

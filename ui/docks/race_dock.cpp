@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/docks/race_dock.h"
 
+#include "core/integrators/integrator.h"
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
 #include "ui/base/file_output.h"

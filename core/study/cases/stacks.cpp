@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/world.h"
 #include "core/study/cases/generated.h"
 #include "core/study/trial.h"
 

@@ -4,6 +4,7 @@
 #include "core/language/expectation_edit.h"
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 #include "tests/support/test_class.h"
 

@@ -3,6 +3,7 @@
 #include "core/expectations/scene_check.h"
 #include "core/scene/schema.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 #include "tests/support/test_class.h"
 

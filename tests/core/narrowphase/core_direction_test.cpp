@@ -227,7 +227,7 @@ class CoreDirectionTest : public QObject {
         for (int i = 0; i < 2000; ++i) {
             // B stands on A, somewhere on its face, turned about the common normal.
             const Vec3 up = randomDirection(random);
-            const Quat upright = Quat::FromTwoVectors(Vec3::UnitY(), up);
+            const Quat upright = shortestRotation(Vec3::UnitY(), up);
             const auto standing = [&](double& height) -> Shape {
                 const double x = randomLength(random, 2), y = randomLength(random, 2);
                 height = y;

@@ -5,6 +5,7 @@
 #include "core/expectations/scene_check.h"
 #include "core/player/simulation_thread.h"
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 #include <chrono>
 #include <condition_variable>

@@ -138,7 +138,7 @@ class QuantitiesTest : public QObject {
         constexpr double r = 2, h = 1.5;
         const double expected = std::atan2(h, r * std::sqrt(2.5));
         for (const Vec3& up : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0.6, 0.8)}) {
-            const Quat turn = Quat::FromTwoVectors(Vec3::UnitY(), up);
+            const Quat turn = shortestRotation(Vec3::UnitY(), up);
             const auto at = [&](const Vec3& place) {
                 return test::sphere(0.1, 2, Vec3(7, 8, 9) + turn * place);
             };

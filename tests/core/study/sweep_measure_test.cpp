@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 #include "core/study/sweep_measure.h"
 
 #include "tests/support/test_class.h"

@@ -6,6 +6,7 @@
 #include "ui/player/simulation.h"
 
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 
 #include <QSignalSpy>
 #include <QTest>

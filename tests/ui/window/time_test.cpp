@@ -3,6 +3,7 @@
 #include "tests/support/whole_ide.h"
 
 #include "core/simulation/build.h"
+#include "core/simulation/world.h"
 #include "ui/docks/accuracy_dock.h"
 #include "ui/docks/plots_dock.h"
 #include "ui/docks/timing_dock.h"
