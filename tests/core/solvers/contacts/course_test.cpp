@@ -62,7 +62,7 @@ class CourseTest : public QObject {
         Random random(test::seed, 82);
         constexpr double known = 0.05; // [m]
         int meet = 0, pass = 0;
-        for (int trial = 0; trial < 2000; ++trial) {
+        for (int trial = 0; trial < 500; ++trial) {
             const Course a = courseOf(random), b = courseOf(random);
             const double time = std::max(a.begins, b.begins), distance = random.uniform(0.1, 3);
             const double least = leastDistance(a, b, time);
@@ -72,7 +72,7 @@ class CourseTest : public QObject {
             if (least > distance + known) QVERIFY(!is);
             ++(is ? meet : pass);
         }
-        QVERIFY(meet > 300 && pass > 300);
+        QVERIFY(meet > 75 && pass > 75);
     }
 
     // The span begins and ends where the distance is the one asked for, or where time begins; it never ends
@@ -141,7 +141,7 @@ class CourseTest : public QObject {
         qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
         Random random(test::seed, 86);
         int meet = 0, pass = 0;
-        for (int trial = 0; trial < 2000; ++trial) {
+        for (int trial = 0; trial < 500; ++trial) {
             const auto boxOf = [&]() -> Aabb {
                 const Vec3 centre = somewhere(random, 1);
                 const Vec3 half = somewhere(random, 0.5).cwiseAbs();
@@ -162,7 +162,7 @@ class CourseTest : public QObject {
             if (!nearly) QVERIFY(!found);
             ++(found ? meet : pass);
         }
-        QVERIFY(meet > 200 && pass > 200);
+        QVERIFY(meet > 50 && pass > 50);
     }
 
     void theSweptBoxHoldsBothEnds() {

@@ -23,10 +23,10 @@ constexpr double earth = 9.81;
 
 /// Bodies without walls, coupled as `pairs` say; what is in no pair is alone.
 struct Crowd {
-    explicit Crowd(std::size_t count) {
+    explicit Crowd(std::size_t count, double radius = 0.1) {
         Scene scene;
         for (std::size_t i = 0; i < count; ++i)
-            scene.bodies.push_back(test::sphere(0.1, 1, {static_cast<double>(i), 0, 0}));
+            scene.bodies.push_back(test::sphere(radius, 1, {static_cast<double>(i), 0, 0}));
         bodies = bodiesOf(scene);
         state = initialStateOf(scene);
     }
@@ -327,6 +327,27 @@ class RefinementTest : public QObject {
         crowd.state.angularVelocity[1] = {0, 0, 2 * limit / 0.1};
         refinement.choose(crowd.input(), budget);
         QVERIFY(refinement.refined()[0].budget < budget.start);
+    }
+
+    // In a frame gravity gives small bodies more speed than takes them past each other.
+    void whatComesFurtherThanItsSizeInAFrameIsNotNearlyAtRest() {
+        constexpr double small = 1e-4; // [m]
+        const auto budgetAt = [](const Vec3& velocity, const Vec3& spin) {
+            Crowd crowd(2, small);
+            crowd.chain({2});
+            crowd.state.velocity[0] = velocity;
+            crowd.state.angularVelocity[1] = spin;
+            crowd.find();
+            Refinement refinement(2);
+            refinement.choose(crowd.input(), {.floor = 1e5, .perItem = 0, .start = 1e7, .saved = 4e6});
+            return refinement.refined()[0].budget;
+        };
+        constexpr double limit = small / test::substep; // a frame of one substep
+        QVERIFY(limit < 2.5 * earth * test::substep);
+        QVERIFY(budgetAt({0.9 * limit, 0, 0}, Vec3::Zero()) >= 6e6);
+        QVERIFY(budgetAt({1.1 * limit, 0, 0}, Vec3::Zero()) < 1e6);
+        QVERIFY(budgetAt(Vec3::Zero(), {0, 0.9 / test::substep, 0}) >= 6e6);
+        QVERIFY(budgetAt(Vec3::Zero(), {0, 1.1 / test::substep, 0}) < 1e6);
     }
 
     // Presets divide the same frame into 1, 4 or 8 substeps.
