@@ -13,22 +13,27 @@ std::uint32_t crossingName(std::uint32_t sideOfPolygon, std::uint32_t sideOfHalf
 
 } // namespace
 
-ClipPolygon clipped(const ClipPolygon& polygon, const HalfPlane& half, double slack) {
-    ClipPolygon result;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const ClipCorner& here = polygon.corners[i];
-        const ClipCorner& next = polygon.corners[(i + 1) % polygon.count];
-        const double depthHere = half.depthOf(here.point);
-        const double depthNext = half.depthOf(next.point);
-        const bool isInside = depthHere >= -slack;
-        const bool nextInside = depthNext >= -slack;
-        if (isInside) result.add(here);
-        if (isInside == nextInside) continue;
-        const double part = std::clamp(depthHere / (depthHere - depthNext), 0.0, 1.0);
-        result.add({here.point + part * (next.point - here.point), crossingName(here.side, half.side),
-                    isInside ? half.side : here.side});
+void clip(ClipPolygon& polygon, const HalfPlane& half, double slack) {
+    const std::size_t count = polygon.count;
+    std::array<double, ClipPolygon::capacity> depths;
+    double least = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        depths[i] = half.depthOf(polygon.corners[i].point);
+        least = std::min(least, depths[i]);
     }
-    return result;
+    if (least >= -slack) return; // the usual case of a face on a larger one
+    const ClipPolygon whole = polygon;
+    polygon.count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = i + 1 < count ? i + 1 : 0;
+        const ClipCorner &here = whole.corners[i], &next = whole.corners[k];
+        const bool isInside = depths[i] >= -slack;
+        if (isInside) polygon.add(here);
+        if (isInside == (depths[k] >= -slack)) continue;
+        const double part = std::clamp(depths[i] / (depths[i] - depths[k]), 0.0, 1.0);
+        polygon.add({here.point + part * (next.point - here.point), crossingName(here.side, half.side),
+                     isInside ? half.side : here.side});
+    }
 }
 
 } // namespace carom

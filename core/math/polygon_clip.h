@@ -37,9 +37,9 @@ struct HalfPlane {
     double depthOf(const Vec2& point) const { return inward.dot(point) - offset; }
 };
 
-/// The part of the polygon inside the half-plane: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon
+/// Leaves the part of the polygon inside the half-plane: I. E. Sutherland, G. W. Hodgman, "Reentrant polygon
 /// clipping", Communications of the ACM 17 (1974). Corners outside by no more than `slack` [m] count as
 /// inside, so polygons with sides on one line do not gain and lose corners by rounding.
-ClipPolygon clipped(const ClipPolygon& polygon, const HalfPlane& half, double slack);
+void clip(ClipPolygon& polygon, const HalfPlane& half, double slack);
 
 } // namespace carom

@@ -118,7 +118,7 @@ void ContactRegion::meetFaces(const Sides& sides) {
         corners[k] = plane.flatten(sides.first.corners[k]);
         polygon.add({plane.flatten(sides.second.corners[k]), k, k});
     }
-    for (const HalfPlane& side : sidesOf(corners, 4)) polygon = clipped(polygon, side, m_slack);
+    for (const HalfPlane& side : sidesOf(corners, 4)) clip(polygon, side, m_slack);
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Vec3 point = plane.lift(polygon.corners[i].point);
         add(sides, alongNormalOnto(sides.first, point), alongNormalOnto(sides.second, point),

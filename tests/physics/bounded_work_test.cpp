@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/constants.h"
 #include "tests/support/frame_work.h"
 #include "tests/support/test_class.h"
 #include "tests/support/varied_scene.h"
 
 #include "core/solvers/contacts/refinement.h"
 #include "core/study/cases/scene_text.h"
+#include "core/study/stability.h"
 
 #include <QTest>
 
@@ -154,14 +154,7 @@ class BoundedWorkTest : public QObject {
     // Gravity makes a body of a millimetre fall past others of its size in a frame: such bodies are not about
     // to rest, and draw nothing of what is saved for those that are.
     void smallBodiesThatFallOnEachOtherDrawNothingThatIsSaved() {
-        Random random(test::seed, 90);
-        std::string scene = falling() + levelFloor(0.5, 0.3);
-        for (int i = 0; i < 6; ++i)
-            scene += text(i % 2 == 0 ? "sphere { radius 0.0005" : "cuboid { size 0.001, 0.001, 0.001",
-                          "  mass 1e-6  centre ",
-                          Vec3(random.uniform(-3e-4, 3e-4), 0.001 + 0.0015 * i, random.uniform(-3e-4, 3e-4)),
-                          "  friction 0.5  elastic 0.3 }\n");
-        World world = test::contactsWorld(scene);
+        World world = test::contactsWorld(findHardCase("bystanders")->declarations());
         for (int frame = 0; frame < 60; ++frame) {
             world.step();
             QVERIFY(operationsOf(world.statistics().work) < overrun * frameBudget(world));

@@ -23,6 +23,11 @@ ClipPolygon unitSquare() {
     return square;
 }
 
+ClipPolygon clipped(ClipPolygon polygon, const HalfPlane& half, double within) {
+    clip(polygon, half, within);
+    return polygon;
+}
+
 double areaOf(const ClipPolygon& polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
