@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_class.h"
+#include "tests/support/trials.h"
 
 #include "core/solvers/events/event_times.h"
 
@@ -30,10 +31,10 @@ double gapAt(const TrajectoryOrigin& a, const Vec3& gA, const TrajectoryOrigin& 
 double collisionBySteps(const TrajectoryOrigin& a, const Vec3& gA, const TrajectoryOrigin& b, const Vec3& gB,
                         double from, double until) {
     constexpr int steps = 20'000;
-    double before = from;
+    double before = from, gapBefore = gapAt(a, gA, b, gB, from);
     for (int k = 1; k <= steps; ++k) {
-        const double now = from + (until - from) * k / steps;
-        if (gapAt(a, gA, b, gB, before) > 0 && gapAt(a, gA, b, gB, now) <= 0) {
+        const double now = from + (until - from) * k / steps, gap = gapAt(a, gA, b, gB, now);
+        if (gapBefore > 0 && gap <= 0) {
             double low = before, high = now;
             for (int i = 0; i < 80; ++i) {
                 const double middle = 0.5 * (low + high);
@@ -42,6 +43,7 @@ double collisionBySteps(const TrajectoryOrigin& a, const Vec3& gA, const Traject
             return high;
         }
         before = now;
+        gapBefore = gap;
     }
     return never;
 }
@@ -84,7 +86,7 @@ class EventTimesTest : public QObject {
         constexpr std::uint64_t seed = 20054;
         constexpr double roundingOfRoots = 1e-14; // relative
         Random random(seed);
-        for (int trial = 0; trial < 2000; ++trial) {
+        for (int trial = 0; trial < test::trials(2000); ++trial) {
             const double hop = std::pow(10.0, random.uniform(-9, 0));
             const std::array<double, 5> q{0, random.uniform(1, 2) * hop, -random.uniform(1, 2),
                                           random.uniform(-1, 1), random.uniform(0, 20)};
@@ -105,7 +107,7 @@ class EventTimesTest : public QObject {
         constexpr std::uint64_t seed = 20051;
         Random random(seed);
         int collisions = 0;
-        for (int trial = 0; trial < 300; ++trial) {
+        for (int trial = 0; trial < test::trials(300); ++trial) {
             const Vec3 g = anyVector(random, 5);
             const TrajectoryOrigin a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
             const TrajectoryOrigin b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
@@ -117,14 +119,14 @@ class EventTimesTest : public QObject {
             QVERIFY2(std::abs(found - expected) < 1e-9,
                      qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(trial)));
         }
-        QVERIFY(collisions > 10);
+        QVERIFY(collisions > test::trials(10));
     }
 
     void aCollisionUnderDifferentAccelerationsIsFoundWhereSmallStepsFindIt() {
         constexpr std::uint64_t seed = 20052;
         Random random(seed);
         int collisions = 0;
-        for (int trial = 0; trial < 300; ++trial) {
+        for (int trial = 0; trial < test::trials(300); ++trial) {
             const Vec3 gA = anyVector(random, 4), gB = anyVector(random, 4);
             const TrajectoryOrigin a{anyVector(random, 1), random.uniform(0, 0.2), anyVector(random, 2), 0.3};
             const TrajectoryOrigin b{anyVector(random, 0.5) + Vec3(3, 0, 0), random.uniform(0, 0.2),
@@ -136,7 +138,7 @@ class EventTimesTest : public QObject {
             QVERIFY2(std::abs(found - expected) < 1e-9,
                      qPrintable(QStringLiteral("seed %1 trial %2").arg(seed).arg(trial)));
         }
-        QVERIFY(collisions > 10);
+        QVERIFY(collisions > test::trials(10));
     }
 
     // One that hopped lower than rounding had put it into the other never hit it again, and sank into it.
@@ -149,7 +151,7 @@ class EventTimesTest : public QObject {
 
     void exchangingTheTwoBallsChangesNoBit() {
         Random random(20053);
-        for (int trial = 0; trial < 1000; ++trial) {
+        for (int trial = 0; trial < test::trials(1000); ++trial) {
             const Vec3 g = anyVector(random, 5);
             const TrajectoryOrigin a{anyVector(random, 1), random.uniform(), anyVector(random, 2), 0.3};
             const TrajectoryOrigin b{anyVector(random, 2), random.uniform(), anyVector(random, 2), 0.5};
