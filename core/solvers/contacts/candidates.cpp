@@ -152,6 +152,16 @@ double Candidates::leastMarginOf(BodyPair pair) const {
     return Neighbours::leastMargin * std::min(m_body[pair.a].radius, m_body[pair.b].radius);
 }
 
+// The numbers of pairs are as the volumes, (r + reach)³.
+bool Candidates::comeFar(std::span<const BodyIndex> members, int substeps) const {
+    double reach = 0, size = 0;
+    for (const BodyIndex i : members) {
+        reach += m_body[i].reach;
+        size += m_body[i].radius;
+    }
+    return std::pow((size + substeps * reach) / (size + reach), 3) > substeps;
+}
+
 double Candidates::marginOf(BodyPair pair) const {
     return std::max(leastMarginOf(pair), m_body[pair.a].reach + m_body[pair.b].reach);
 }

@@ -38,6 +38,8 @@ class Candidates {
     /// How far a member's surface may move [m]: a body that is struck may leave as fast as the striker, so
     /// neighbours share their reach.
     double reach(BodyIndex member) const { return m_body[member].reach; }
+    /// Whether members have more pairs within their reach in so many substeps than in one, taken as often.
+    bool comeFar(std::span<const BodyIndex> members, int substeps) const;
     /// Pairs that may touch, ascending.
     std::span<const BodyPair> find(const Bodies& bodies, const State& state, const Neighbours& neighbours,
                                    Workers& workers = Workers::alone());

@@ -100,7 +100,6 @@ class Contacts final : public Solver {
     void findContacts(const SolverInput& input);
     bool findJoining(const SolverInput& input);
     void enterBase(const SolverInput& input);
-    bool comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const;
     void passBriefly(const SolverInput& input, const Island& island);
     void enterForFrames(const SolverInput& input);
     void leaveMarked(const SolverInput& input);
@@ -108,7 +107,8 @@ class Contacts final : public Solver {
     template<class Is>
     void sleepMarked(const SolverInput& input, const Is& isCalm);
     void moveRefined(const SolverInput& input, SolverReport& report);
-    void sleepIfCreeping(const SolverInput& input, const Island& island);
+    void sleepIfCreeping(const SolverInput& input, const Island& island, bool isLast);
+    void fallAsleep(std::span<const BodyIndex> bodies);
     void moveStepped(const SolverInput& input, SolverReport& report);
     void stepIsland(const SolverInput& input, const Island& island, double duration, SolverReport& report);
     void putToSleep(const SolverInput& input, const Island& island);
@@ -254,6 +254,7 @@ void Contacts::recall(const SolverMemory& memory) {
     m_backOff = persistent.backOff;
     m_brief.clear();
     m_flight.clear();
+    m_neighbours.forget();
 }
 
 // Finds the mobile bodies that neither sleep nor fly, with those of both kinds that they may touch.
@@ -377,8 +378,8 @@ void Contacts::enterBase(const SolverInput& input) {
     for (const std::uint32_t number : m_refinement.stepped()) {
         const Island island = m_islands[number];
         m_found.makeManifolds(here(input), island.pairs, m_work);
-        const bool isBrief =
-            m_joins[number] == 0 && (m_refinement.isTriedSoon(number) || comesFar(input, island.bodies));
+        const bool isBrief = m_joins[number] == 0 && (m_refinement.isTriedSoon(number) ||
+                                                      m_candidates.comeFar(island.bodies, input.parts));
         std::vector<BodyIndex>& list = isBrief ? m_passing : m_entering;
         list.insert(list.end(), island.bodies.begin(), island.bodies.end());
         for (const BodyIndex body : island.bodies) m_backOff[body] = m_refinement.backOffOf(number);
@@ -400,17 +401,6 @@ void Contacts::passBriefly(const SolverInput& input, const Island& island) {
                                    .isFresh = true,
                                    .isNear = SteppedMotion::isNear(stepped(input), pair.bodies())});
     }
-}
-
-// Whether bodies that enter have more pairs within their reach in a frame than within that in a substep,
-// taken as often as there are substeps. Their numbers are as the volumes, (r + reach)³.
-bool Contacts::comesFar(const SolverInput& input, std::span<const BodyIndex> bodies) const {
-    double reach = 0, size = 0;
-    for (const BodyIndex i : bodies) {
-        reach += m_candidates.reach(i);
-        size += input.bodies.boundingRadius[i];
-    }
-    return std::pow((size + input.parts * reach) / (size + reach), 3) > input.parts;
 }
 
 // The bodies that enter, for as long as their pairs are valid.
@@ -442,18 +432,26 @@ void Contacts::moveRefined(const SolverInput& input, SolverReport& report) {
     report.coneViolation = std::max(coneViolationOf(m_contacts), coneViolationOf(m_sleeping.contacts()));
     if (input.ledger != nullptr) m_sleeping.record(input.bodies, input.gravity, input.substep, *input.ledger);
     if (!m_settings.resting) return;
-    for (const std::uint32_t island : m_scheduler.still()) m_sleeping.putToSleep(m_islands[island].bodies);
-    for (const std::uint32_t island : m_scheduler.finished()) sleepIfCreeping(input, m_islands[island]);
-    m_sleeping.exchange(input.bodies, m_contacts);
+    const bool isLast = input.part + 1 == input.parts; // flights expect those that were awake to stay so
+    if (isLast)
+        for (const std::uint32_t island : m_scheduler.still()) fallAsleep(m_islands[island].bodies);
+    for (const std::uint32_t island : m_scheduler.finished())
+        sleepIfCreeping(input, m_islands[island], isLast);
+    if (isLast) m_sleeping.exchange(input.bodies, m_contacts);
 }
 
 // What creeps within what the tolerance leaves is at rest.
-void Contacts::sleepIfCreeping(const SolverInput& input, const Island& island) {
+void Contacts::sleepIfCreeping(const SolverInput& input, const Island& island, bool isLast) {
     if (!island.links.empty() || m_sleeping.isAsleep(island.bodies.front())) return;
     m_calm.noteRefined(input.bodies, input.state, island.bodies, input.gravity, input.substep);
-    if (!m_calm.areAtRest(input.bodies, island.bodies, input.gravity)) return;
+    if (!isLast || !m_calm.areAtRest(input.bodies, island.bodies, input.gravity)) return;
     stop(input.bodies, island.bodies, input.state, input.ledger);
-    m_sleeping.putToSleep(island.bodies);
+    fallAsleep(island.bodies);
+}
+
+void Contacts::fallAsleep(std::span<const BodyIndex> bodies) {
+    m_sleeping.putToSleep(bodies);
+    m_neighbours.stay(bodies);
 }
 
 // Moves the bodies on the base path; then, one by one, the islands that refinement has not finished.
@@ -566,7 +564,7 @@ void Contacts::putToSleep(const SolverInput& input, const Island& island) {
     }
     std::sort(m_contacts.pairs.begin(), m_contacts.pairs.end(),
               [](const ContactPair& one, const ContactPair& other) { return one.bodies() < other.bodies(); });
-    m_sleeping.putToSleep(island.bodies);
+    fallAsleep(island.bodies);
     m_refinement.forget(island.bodies);
 }
 

@@ -144,7 +144,7 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     m_duration = duration;
     notePulls(bodies, state, duration);
     const double fallInFrame = 0.5 * gravity.norm() * m_frame * m_frame;
-    bool serves = true;
+    bool serves = m_outrun.empty() && !m_isForgotten;
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
         const double speed = surfaceSpeed(bodies, state, i);
@@ -160,6 +160,16 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
         serves = false;
     }
     return serves;
+}
+
+void Neighbours::stay(std::span<const BodyIndex> list) {
+    for (const BodyIndex i : list)
+        if (m_course[i].velocityAt(m_now) != Vec3::Zero()) m_outrun.push_back(i);
+}
+
+void Neighbours::forget() {
+    m_isForgotten = true;
+    m_outrun.clear();
 }
 
 bool Neighbours::covers(BodyIndex body, double room) {
@@ -198,7 +208,8 @@ void Neighbours::search(const Bodies& bodies, const State& state, Broadphase& br
 }
 
 bool Neighbours::areFewOutrun(const Bodies& bodies) const {
-    return m_searches > 0 && m_outrun.size() <= std::max(bodies.mobileBodies.size() / fewOutrun, alwaysFew);
+    return m_searches > 0 && !m_isForgotten &&
+           m_outrun.size() <= std::max(bodies.mobileBodies.size() / fewOutrun, alwaysFew);
 }
 
 void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
@@ -280,6 +291,7 @@ void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
 
 void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase) {
     ++m_searches;
+    m_isForgotten = false;
     m_outrun.clear();
     m_areBlocksBuilt = false;
     m_workers->forRanges(bodies.mobileBodies.size(), fewRenewed, [&](std::size_t begin, std::size_t end) {

@@ -93,6 +93,9 @@ class Neighbours {
     /// them may leave its skin: search() must be called.
     bool follow(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                 const Vec3& gravity, double duration);
+    /// These bodies stay where they are from now on, and are followed no longer: their courses end here. The
+    /// next update() searches again for those that were on their way.
+    void stay(std::span<const BodyIndex> list);
     /// Searches, with wider skins of the bodies for which covers() was false; only for these, if they are
     /// few.
     void search(const Bodies& bodies, const State& state, Broadphase& broadphase);
@@ -110,6 +113,8 @@ class Neighbours {
     /// by gravity [m].
     bool coversFlight(const State& state, BodyIndex body, double room, double time, double fall);
 
+    /// Bodies may be anywhere now, also those that are not followed: the next update() searches for all.
+    void forget();
     /// A substep has passed.
     void pass(double duration) { m_now += duration; }
 
@@ -213,6 +218,7 @@ class Neighbours {
     double m_frame = 0;              // [s]
     double m_duration = 1;           // noted last [s]
     std::uint64_t m_searches = 0;
+    bool m_isForgotten = false;
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice
     std::vector<BodyIndex> m_anew;        // of a search for single bodies: these
     std::vector<std::uint8_t> m_isOutrun; // by body: one of these

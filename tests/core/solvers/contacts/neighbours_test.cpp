@@ -180,6 +180,54 @@ class NeighboursTest : public QObject {
         }
     }
 
+    // A body that stops is followed until it is said to stay: those that fall past its course may meet it.
+    void whatStaysIsOnNoCourse() {
+        const Vec3 falls(0, -5, 0);
+        Scene scene;
+        for (const double height : {5.0, 5.5})
+            scene.bodies.push_back(test::sphere(0.1, 1, Vec3(0, height, 0), falls));
+        const Bodies bodies = bodiesOf(scene);
+        State state = initialStateOf(scene);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(bodies);
+        const auto update = [&](std::span<const BodyIndex> list) {
+            neighbours.update(bodies, state, list, Vec3::Zero(), stepTime, 4 * stepTime, *broadphase);
+        };
+        update(bodies.mobileBodies);
+        QVERIFY(namesOf(neighbours.listed(1)).empty()); // they fall alike
+        state.velocity[0] = Vec3::Zero();
+        neighbours.stay(std::vector<BodyIndex>{0});
+        update(std::vector<BodyIndex>{1});
+        const std::vector<BodyIndex> soon = namesOf(neighbours.listed(1));
+        QCOMPARE(soon, std::vector<BodyIndex>{0});
+    }
+
+    // After a jump to another time even those that are not followed are somewhere else.
+    void whatIsForgottenIsSearchedFor() {
+        Random random(seed);
+        Crowd crowd(random, 100);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(crowd.bodies);
+        const auto update = [&](std::span<const BodyIndex> list) {
+            neighbours.update(crowd.bodies, crowd.state, list, Vec3::Zero(), stepTime, 4 * stepTime,
+                              *broadphase);
+        };
+        update(crowd.bodies.mobileBodies);
+        for (const BodyIndex i : crowd.bodies.mobileBodies)
+            crowd.state.pose[i].position =
+                Vec3(Crowd::anywhere(random), Crowd::anywhere(random), Crowd::anywhere(random));
+        neighbours.forget();
+        update(std::span(crowd.bodies.mobileBodies).first(1));
+        QVERIFY(isInOrder(crowd, neighbours));
+        const BodyIndex first = crowd.bodies.mobileBodies.front();
+        const std::vector<BodyIndex> around = namesOf(neighbours.around(first));
+        for (const BodyIndex k : crowd.bodies.bounded)
+            if (k != first && areWithin(crowd.bodies, crowd.state, {std::min(k, first), std::max(k, first)},
+                                        neighbours.reach(first)))
+                QVERIFY(std::binary_search(around.begin(), around.end(), k));
+        QCOMPARE(neighbours.searches(), 2U);
+    }
+
     // What somebody asks for beyond what he needs is there after the next search.
     void whatIsAskedForIsFound() {
         Random random(seed);
