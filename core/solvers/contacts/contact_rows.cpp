@@ -106,6 +106,32 @@ CAROM_WIDE void prepare(std::span<RowGroup> groups, RowPoint* points, const Solv
     }
 }
 
+constexpr std::array<Wide RowPoint::*, 6> massesOfRow{&RowPoint::massNormal, &RowPoint::massTangent,
+                                                      &RowPoint::perNormal,  &RowPoint::perTangent,
+                                                      &RowPoint::coupling1,  &RowPoint::coupling2};
+constexpr std::array<Wide RowPoint::*, 3> impulsesOfRow{&RowPoint::normal, &RowPoint::along1,
+                                                        &RowPoint::along2};
+
+// A lane without effective masses has no effect.
+void clearLane(RowPoint& row, std::size_t lane) {
+    for (Wide RowPoint::*value : massesOfRow) (row.*value)[lane] = 0;
+    for (Wide RowPoint::*value : impulsesOfRow) (row.*value)[lane] = 0;
+    row.start[lane] = row.gap[lane] = row.approach[lane] = 0;
+}
+
+// Prepares one lane of a group anew.
+CAROM_WIDE void prepareLane(RowGroup& group, RowPoint* points, const SolverBody* bodies, std::size_t lane) {
+    const PairOfBodies pair(bodies, group);
+    store(group.tangent, pair.t1);
+    for (std::uint32_t k = 0; k < group.points; ++k) {
+        RowPoint& row = points[group.firstPoint + k];
+        RowPoint now = row;
+        prepareRow(pair, {row.normal, row.along1, row.along2}, row.massNormal > Wide{}, now);
+        for (Wide RowPoint::*value : massesOfRow) (row.*value)[lane] = (now.*value)[lane];
+        for (Wide RowPoint::*value : impulsesOfRow) (row.*value)[lane] = (now.*value)[lane];
+    }
+}
+
 // Renews the effective masses of rows with a body that has `turned`.
 CAROM_WIDE void renew(std::span<const RowGroup> groups, RowPoint* points, const SolverBody* bodies,
                       const std::uint8_t* turned) {
@@ -121,9 +147,7 @@ CAROM_WIDE void renew(std::span<const RowGroup> groups, RowPoint* points, const 
             RowPoint& row = points[group.firstPoint + k];
             RowPoint now = row;
             setMasses(pair, row.massNormal > zero, now);
-            for (Wide RowPoint::*value : {&RowPoint::massNormal, &RowPoint::massTangent, &RowPoint::perNormal,
-                                          &RowPoint::perTangent, &RowPoint::coupling1, &RowPoint::coupling2})
-                row.*value = changes ? now.*value : row.*value;
+            for (Wide RowPoint::*value : massesOfRow) row.*value = changes ? now.*value : row.*value;
         }
     }
 }
@@ -281,6 +305,18 @@ void ContactRows::setCarried(const LanePacker::Place& place, const PairInput& pa
     carried.middle[lane] = points.middle;
 }
 
+void ContactRows::setPoint(std::uint32_t row, std::size_t lane, const PointInput& from) {
+    RowPoint& to = m_points[row];
+    setLane(to.armA, lane, from.armA);
+    setLane(to.armB, lane, from.armB);
+    to.start[lane] = to.gap[lane] = from.separation;
+    to.approach[lane] = 0;
+    to.massNormal[lane] = 1; // marks the lane as used
+    to.normal[lane] = from.impulse.x();
+    to.along1[lane] = from.impulse.y();
+    to.along2[lane] = from.impulse.z();
+}
+
 void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
     if (pair.points.empty()) return;
     const LanePacker::Place place = this->place(pair.a, pair.b, pair.points.size(), source);
@@ -289,17 +325,8 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     const std::size_t lane = place.lane;
     if (place.isNew) // without masses: empty lanes have no effect
         std::fill_n(m_points.begin() + group.firstPoint, group.points, RowPoint{});
-    for (std::size_t k = 0; k < pair.points.size(); ++k) {
-        const PointInput& from = pair.points[k];
-        RowPoint& to = m_points[group.firstPoint + k];
-        setLane(to.armA, lane, from.armA);
-        setLane(to.armB, lane, from.armB);
-        to.start[lane] = to.gap[lane] = from.separation;
-        to.massNormal[lane] = 1; // marks the lane as used
-        to.normal[lane] = from.impulse.x();
-        to.along1[lane] = from.impulse.y();
-        to.along2[lane] = from.impulse.z();
-    }
+    for (std::uint32_t k = 0; k < pair.points.size(); ++k)
+        setPoint(group.firstPoint + k, lane, pair.points[k]);
     if (pair.rolling > 0) addRolling(pair, place, bodies);
 }
 
@@ -309,6 +336,32 @@ void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::u
     const LanePacker::Place place = placeCarried(pair.a, pair.b, points.count, source);
     setCarried(place, pair, points);
     if (pair.rolling > 0) addRolling(pair, place, bodies);
+}
+
+void ContactRows::remove(std::uint32_t group, std::uint32_t lane) {
+    RowGroup& of = m_groups[group];
+    of.source[lane] = noPair;
+    for (std::uint32_t k = 0; k < of.points; ++k) clearLane(m_points[of.firstPoint + k], lane);
+    if (group < m_carried.size()) m_carried[group].first[lane] = m_none.data();
+    std::erase_if(m_rolling, [&](const RollingRow& row) { return row.group == group && row.lane == lane; });
+}
+
+void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
+                          std::span<const SolverBody> bodies) {
+    RowGroup& of = m_groups[group];
+    setLane(of.normal, lane, pair.normal);
+    for (std::uint32_t k = 0; k < of.points; ++k)
+        if (k < pair.points.size())
+            setPoint(of.firstPoint + k, lane, pair.points[k]);
+        else
+            clearLane(m_points[of.firstPoint + k], lane);
+    prepareLane(of, m_points.data(), bodies.data(), lane);
+    for (RollingRow& row : m_rolling)
+        if (row.group == group && row.lane == lane) {
+            row.normal = pair.normal;
+            row.inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal);
+            row.torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal;
+        }
 }
 
 void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& place,

@@ -155,6 +155,11 @@ class ContactRows {
                Workers& workers = Workers::alone());
     /// Effective masses of rows with a body that has `turned`, from its present inertia.
     void renewMasses(std::span<const SolverBody> bodies, std::span<const std::uint8_t> turned);
+    /// A pair that has rows gets other points, of which there is room for, and the impulses of these.
+    void replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
+                 std::span<const SolverBody> bodies);
+    /// A pair that has rows has none from now on.
+    void remove(std::uint32_t group, std::uint32_t lane);
     /// Carried points get the forces that their impulses are over `duration` [s].
     void storeForces(double duration, Workers& workers = Workers::alone()) const;
     /// The groups from here on have no carried points.
@@ -173,6 +178,7 @@ class ContactRows {
   private:
     LanePacker::Place place(std::uint32_t a, std::uint32_t b, std::size_t points, std::uint32_t source);
     void set(const LanePacker::Place& place, const PairInput& pair);
+    void setPoint(std::uint32_t row, std::size_t lane, const PointInput& from);
     RowGroup& addGroup(std::uint32_t points);
 
     std::uint32_t m_immobile = 0;

@@ -77,6 +77,37 @@ bool IslandMotion::mayMissImpact(const MotionInput& input, double duration) {
     return false;
 }
 
+// Whether bodies overlap at the end of the part by so much more than at its start that it would take several
+// substeps to correct that: they turned too far for their contacts, of which no impact was looked for.
+bool IslandMotion::sinkIn(const MotionInput& input, double duration) {
+    return std::any_of(m_contacts.pairs.begin(), m_contacts.pairs.end(), [&](const ContactPair& pair) {
+        m_work += collideWork(input.bodies, pair);
+        ++report.work.pairsCollided;
+        return overlapAt(input, pair, duration, duration) > overlapOf(pair) + mostCorrection * pair.size;
+    });
+}
+
+// How deep the points of a pair are [m].
+double IslandMotion::overlapOf(const ContactPair& pair) const {
+    double deepest = 0;
+    for (const ContactConstraint& point : m_contacts.pointsOf(pair))
+        deepest = std::max(deepest, -point.separation);
+    return deepest;
+}
+
+// How deep the bodies are in each other at a time of a part [m]; 0 where the step is lost.
+double IslandMotion::overlapAt(const MotionInput& input, const ContactPair& pair, double time,
+                               double duration) const {
+    const Pose a = poseAt(input, pair.a, time, duration), b = poseAt(input, pair.b, time, duration);
+    Manifold manifold;
+    if (!a.position.allFinite() || !b.position.allFinite() ||
+        !collide({&input.bodies.shape[pair.a], &a}, {&input.bodies.shape[pair.b], &b}, 0, manifold))
+        return 0;
+    double deepest = 0;
+    for (const ContactPoint& point : manifold) deepest = std::max(deepest, -point.separation);
+    return deepest;
+}
+
 // Marks pairs that a contact force acts in, or that touch and neither close nor separate.
 void IslandMotion::markHeld() {
     m_held.assign(m_contacts.pairs.size(), 0);
@@ -135,11 +166,16 @@ double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pa
         const Vec3 velocityB = velocityAt(pair.b, near.onB - poseB.position, t, duration);
         const double closing = near.normal.dot(velocityA - velocityB);
         // An impact at low speed between bodies whose contact could take a force has been treated by that
-        // force.
+        // force, unless they sink in behind it: elsewhere, because they turn.
         const bool waits =
             std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
                         [](std::uint8_t wait) { return wait != 0; });
-        if (!waits && closing <= gentleClosing(pair)) return never;
+        if (!waits && closing <= gentleClosing(pair)) {
+            m_work += collideWork(input.bodies, pair);
+            ++report.work.pairsCollided;
+            if (!(overlapAt(input, pair, first, duration) > overlapOf(pair) + deepRoll * pair.size))
+                return never;
+        }
         if (!(closing > 0) || std::abs(near.distance) <= reached * touchingWithin(pair)) break;
         t = std::clamp(t + near.distance / closing, 0.0, duration);
     }

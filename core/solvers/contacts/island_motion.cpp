@@ -30,6 +30,10 @@ constexpr double relocationEnd = 1e-12;
 /// A part through which contacts cannot be followed is halved so often at most. At half, discs that fall flat
 /// sink in by more; at twice, a substep may take many times as many parts.
 constexpr int mostHalvings = 4;
+/// So is one in which contacts give more than this part of the energy of motion. At half or twice, coins that
+/// spin fast sink in as deep, with 2 % more or 3 % fewer comparisons of shapes; without, they gain a tenth of
+/// their energy in single frames.
+constexpr double mostGained = 1e-3;
 
 } // namespace
 
@@ -70,7 +74,8 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (remaining(input) <= 0) return giveUp();
         double duration = findsImpacts ? std::min(left, longest) : left;
         solveVelocities(input, duration, findsImpacts);
-        for (int half = 0; m_turnsTooFar && half < mostHalvings && remaining(input) > 0; ++half) {
+        const auto isTooLong = [&] { return m_turnsTooFar || (!m_unsolved && gainsEnergy(input, duration)); };
+        for (int half = 0; half < mostHalvings && remaining(input) > 0 && isTooLong(); ++half) {
             duration *= 0.5;
             solveVelocities(input, duration, findsImpacts);
         }
@@ -92,6 +97,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         }
         if (m_unsolved && !m_contacts.pairs.empty()) return giveUp();
         if (findsImpacts && remaining(input) <= 0 && mayMissImpact(input, duration)) return giveUp();
+        if (!findsImpacts && sinkIn(input, duration)) return giveUp();
         if ((report.loss = findLoss(island))) break;
         if (input.ledger != nullptr) recordForces(input, duration);
         if (duration == left) settle(input, island);
@@ -107,6 +113,24 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         if (std::max(m_overlap, relativeOverlap()) > 0.5 * mostCorrection) break;
         correctPositions(input, island);
     }
+}
+
+// Whether forces of contacts have given the bodies energy in a part: the contacts turned by more than they
+// can be followed through.
+bool IslandMotion::gainsEnergy(const MotionInput& input, double duration) const {
+    if (m_pushes.empty() || !m_forced.isEmpty()) return false;
+    double before = 0, gained = 0;
+    for (std::size_t i = 0; i < m_start.size(); ++i) {
+        const ContactBody& end = m_problem.bodies[i];
+        const Vec3 v0 = m_start[i].velocity.head<3>(), v1 = end.velocity.head<3>();
+        const double turning = m_start[i].velocity.tail<3>().dot(m_start[i].angularMomentum);
+        const Vec3 way = 0.5 * duration * (v0 + v1);
+        before += 0.5 * (end.mass * (v0.squaredNorm() + m_scale * m_scale) + turning);
+        gained += 0.5 * (end.mass * (v1.squaredNorm() - v0.squaredNorm()) +
+                         end.velocity.tail<3>().dot(endMomentum(i)) - turning) -
+                  end.mass * input.gravity.dot(way);
+    }
+    return gained > mostGained * before;
 }
 
 // The path of a body on a spring depends on the duration of the part, so the time of impact is found again on

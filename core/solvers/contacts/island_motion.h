@@ -150,7 +150,11 @@ class IslandMotion {
     double changeOfVelocities();
     double firstImpact(const MotionInput& input, double duration);
     bool mayMeet(const MotionInput& input, std::uint32_t p, double duration) const;
+    bool gainsEnergy(const MotionInput& input, double duration) const;
     bool mayMissImpact(const MotionInput& input, double duration);
+    bool sinkIn(const MotionInput& input, double duration);
+    double overlapOf(const ContactPair& pair) const;
+    double overlapAt(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
     double relocated(const MotionInput& input, double duration);
     double firstStop(const MotionInput& input, double duration);
     double findStopTime(const MotionInput& input, const Braked& braked, double duration);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -32,6 +33,12 @@ constexpr bool fromTop = true;
 /// they are computed anew twice as often.
 constexpr double mostChange = 0.25;
 
+/// Contacts of a body are found anew within a look when its rotation may have moved a point of its surface
+/// off the line that the rows foresee by this part of its half thickness, r φ²/2 for a rotation of φ. At
+/// half, coins that spin fast sink in by three fifths of what they do, at twice by a third more; 2 % more or
+/// fewer contacts are found.
+constexpr double turnedError = 0.0025;
+
 /// Contacts of balls may be stiffer, because balls do not rock on faces (velocity_solve.h).
 StepSettings forBalls(StepSettings settings) {
     settings.hardness *= 0.54 / StepSettings{}.hardness;
@@ -50,6 +57,7 @@ void SteppedMotion::begin(const Bodies& bodies, const Division& division, double
     m_bodies.assign(1, {});
     m_moved.assign(1, {});
     m_places.assign(1, {});
+    m_turnable.assign(1, {});
     m_turning.begin();
     m_still.begin();
     m_areStillNoted = true;
@@ -89,6 +97,11 @@ void SteppedMotion::addIsland(const SteppedInput& input, std::span<const BodyInd
         setMass(input, m_local[body]);
         m_moved.emplace_back();
         m_places.push_back({arrayOf(input.state.pose[body].position)});
+        const Shape& shape = input.bodies.shape[body];
+        m_turnable.push_back({isSphere(input.bodies, body) ? std::numeric_limits<double>::infinity()
+                                                           : 2 * turnedError * halfThicknessOf(shape) /
+                                                                 input.bodies.boundingRadius[body],
+                              std::holds_alternative<Cylinder>(shape)});
         m_turning.add(input.bodies, body, input.state);
         m_island.push_back(island);
         m_slab.push_back(0);
@@ -186,6 +199,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {
+            lookAhead(input, m_step, manifolds, report);
             step(input, m_step, manifolds, report);
             if (report.loss) return report;
         }
@@ -299,6 +313,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     sweep(settings, input.workers, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, input.workers, report);
+    limitEnergy(input, &settings);
     if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
@@ -318,6 +333,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
+    limitEnergy(input, nullptr);
     if (bounces) rebound(settings, input.workers, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
@@ -325,6 +341,44 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     });
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
+}
+
+// Takes bodies back towards the velocities that they would have without contacts, as far as these have given
+// an island energy. Where an impact is over, a step begins with impulses that throw bodies up again, and
+// passes hardly solve for light bodies below heavy ones.
+void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings* correcting) {
+    findParts();
+    if (!mayGainEnergy(input)) return;
+    m_before = m_bodies;
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        m_before[i].velocity = m_free[i];
+        m_before[i].spin = arrayOf(input.state.angularVelocity[m_list[i - 1]]);
+    }
+    m_stepEnergy.remember(m_before, partOf(), parts(), input.workers);
+    for (const SpringRow& spring : m_springs) // m_springLimit is theirs
+        m_stepEnergy.allow(partOf()[std::max(spring.a, spring.b)], std::numeric_limits<double>::infinity());
+    if (correcting != nullptr) {
+        findCorrection(*correcting);
+        for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(partOf()[i], m_corrected[i]);
+    }
+    m_stepEnergy.keep(m_before, partOf(), m_bodies, input.workers);
+}
+
+// Whether contacts may have given some island energy: as if all bodies were balls.
+bool SteppedMotion::mayGainEnergy(const SteppedInput& input) {
+    m_gained.assign(parts(), 0);
+    const std::span<const std::uint32_t> part = partOf();
+    const auto gained = [](const Vec3& before, const Vec3& after) {
+        return after.squaredNorm() - before.squaredNorm();
+    };
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        const SolverBody& body = m_bodies[i];
+        double sum = gained(vectorOf(m_free[i]), vectorOf(body.velocity)) / body.inverseMass;
+        if (const double inverse = body.xx + body.yy + body.zz; inverse > 0)
+            sum += 3 / inverse * gained(input.state.angularVelocity[m_list[i - 1]], vectorOf(body.spin));
+        m_gained[part[i]] += sum;
+    }
+    return std::any_of(m_gained.begin(), m_gained.end(), [](double sum) { return sum > 0; });
 }
 
 // Applies force terms as if only they and gravity acted: as an impulse before those of the contacts.
@@ -382,12 +436,17 @@ void SteppedMotion::rememberSprings(const SteppedInput& input) {
             m_springLimit.hold(m_island[numberOf(entry.pair)]);
 }
 
-// Slows islands with springs down to what the energy allows, with what position correction may add to it.
-void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& settings) {
-    const SpringIslands islands = springIslands(input);
+// What position correction may add to the energy of each body.
+void SteppedMotion::findCorrection(const StepSettings& settings) {
     m_corrected.assign(m_bodies.size(), 0);
     addCorrection(m_rows, settings, m_corrected);
     m_balls.addCorrection(m_moved, forBalls(settings), m_corrected);
+}
+
+// Slows islands with springs down to what the energy allows, with what position correction may add to it.
+void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& settings) {
+    const SpringIslands islands = springIslands(input);
+    findCorrection(settings);
     m_springLimit.allow(islands, m_corrected);
     m_springLimit.keep(islands, settings.duration, m_bodies);
 }
@@ -481,8 +540,9 @@ bool SteppedMotion::isUnchanged(const State& state) const {
 }
 
 std::size_t SteppedMotion::bytes() const {
-    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_island, m_slab, m_free, m_struck,
-                     m_links, m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups, m_still) +
+    return heldBytes(m_list, m_local, m_bodies, m_moved, m_places, m_turnable, m_island, m_slab, m_free,
+                     m_struck, m_links, m_entries, m_isFlipped, m_general, m_open, m_balls, m_groups,
+                     m_still) +
            m_turning.bytes();
 }
 

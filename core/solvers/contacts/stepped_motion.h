@@ -46,6 +46,12 @@
 // found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
 // passed on.
 //
+// Where a body turns far within a look, its contacts are found anew in between, where it will be at the end of
+// the step: a rim that is held where it was at the start passes over that point, and sinks in beside it.
+//
+// What contacts do in a step gives an island no energy beyond what pushing overlaps apart takes: a step
+// begins with the impulses of the one before, and those of an impact that is over would throw bodies up.
+//
 // Threads share the loops over pairs and over bodies, and the passes through large islands (sections.h).
 //
 // Bodies that are at rest while others of their island move stand still (still_bodies.h): they are treated as
@@ -256,6 +262,17 @@ class SteppedMotion {
         Vec3 came = Vec3::Zero(), comes = Vec3::Zero(); ///< its centre [m]
         double turned = 0, turns = 0;                   ///< its surface at most, beyond its centre [m]
     };
+    /// How far a body may turn until its contacts are no longer where they were found.
+    struct Turnable {
+        double most = 0;      ///< squared [rad²]
+        bool hasAxis = false; ///< turning about its axis moves no contact
+    };
+    /// A body that is moved ahead, and where it is.
+    struct Foreseen {
+        std::uint32_t number = 0;
+        Pose pose;
+        Displacement moved;
+    };
     /// An entry.
     struct Numbered {
         BodyPair pair;
@@ -320,8 +337,14 @@ class SteppedMotion {
     bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
+    bool foreseeTurned(const SteppedInput& input, double duration);
+    void lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
+    void findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane, Manifolds& manifolds);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
+    void limitEnergy(const SteppedInput& input, const StepSettings* correcting);
+    void findCorrection(const StepSettings& settings);
+    bool mayGainEnergy(const SteppedInput& input);
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
@@ -382,6 +405,7 @@ class SteppedMotion {
     std::vector<SolverBody> m_bodies;
     std::vector<Displacement> m_moved;
     std::vector<BodyPlace> m_places;
+    std::vector<Turnable> m_turnable;
     TurningBodies m_turning;
     StillBodies m_still;
     bool m_areStillNoted = true;    // by all pairs
@@ -438,7 +462,10 @@ class SteppedMotion {
     Scratch<std::vector<Coming>> m_coming;                   // by number
     Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
     Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
-    Scratch<EnergyLimit> m_energy;
+    Scratch<std::vector<Vec3>> m_seenTurn; // by number: how far it had turned when its contacts were found
+    Scratch<std::vector<Foreseen>> m_foreseen;
+    Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
+    Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>
         m_halfWays; // by number: how far the velocity at the end is too far, with terms

@@ -120,6 +120,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
         m_list[kept - 1] = body;
         m_bodies[kept] = m_bodies[i];
         m_places[kept] = m_places[i];
+        m_turnable[kept] = m_turnable[i];
         m_turning.renumber(i, kept);
         m_still.renumber(i, kept);
         m_island[kept] = island;
@@ -130,6 +131,7 @@ void SteppedMotion::keepUnmarked(const Bodies& bodies, NewNumbers& numbers) {
     m_bodies.resize(kept);
     m_moved.resize(kept);
     m_places.resize(kept);
+    m_turnable.resize(kept);
     m_turning.resize(kept);
     m_still.resize(kept);
     m_still.noteAll();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
+#include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
@@ -26,6 +27,7 @@ void SteppedMotion::look(const SteppedInput& input, double duration, Manifolds& 
     findMoving();
     noteTravel(input, duration);
     std::fill(m_moved.begin(), m_moved.end(), Displacement{});
+    m_seenTurn.assign(m_bodies.size(), Vec3::Zero());
     std::fill(m_struck.begin(), m_struck.end(), std::uint8_t{0});
     findContacts(input, duration, manifolds, report);
     if (wakeStruck(input, manifolds)) {
@@ -149,6 +151,88 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         if (m_laws[placed.entry].rolling > 0)
             m_rows.addRolling(rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]),
                               placed.place, m_bodies);
+}
+
+// Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
+// these are elsewhere, and moves them to where they will be then. Where a cylinder turns about its axis, its
+// surface stays where it is.
+bool SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
+    std::vector<Foreseen>& foreseen = m_foreseen;
+    foreseen.clear();
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        const Vec3 spin = vectorOf(m_bodies[i].spin), turn = duration * spin;
+        Vec3 since = vectorOf(m_moved[i].turn) + turn - m_seenTurn[i];
+        if (!(since.squaredNorm() > m_turnable[i].most)) continue;
+        Pose& pose = input.state.pose[m_list[i - 1]];
+        if (m_turnable[i].hasAxis) {
+            const Vec3 axis = pose.orientation * Vec3::UnitY();
+            since -= axis.dot(since) * axis;
+            if (!(since.squaredNorm() > m_turnable[i].most)) continue;
+        }
+        if (foreseen.empty()) m_hasTurned.assign(m_bodies.size(), 0);
+        m_hasTurned[i] = 1;
+        const Vec3 shift = duration * vectorOf(m_bodies[i].velocity);
+        foreseen.push_back({i, pose, m_moved[i]});
+        pose.position += shift;
+        pose.orientation = (fromRotationVector(turn) * pose.orientation).normalized();
+        add(m_moved[i].shift, shift);
+        add(m_moved[i].turn, turn);
+        m_seenTurn[i] = vectorOf(m_moved[i].turn);
+    }
+    return !foreseen.empty();
+}
+
+// Finds the contacts anew of bodies that turn far: where they will be at the end of the step. Where they are
+// at its start, a rim would pass over the point that the row holds, and sink in beside it.
+void SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
+                              SteppedReport& report) {
+    if (!foreseeTurned(input, duration)) return;
+    const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
+    const std::size_t groups = m_rows.groups().size();
+    for (std::uint32_t group = 0; group < groups; ++group)
+        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+            const RowGroup& of = m_rows.groups()[group];
+            if (of.source[lane] == ContactRows::noPair) continue;
+            if ((m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
+            ++report.work.pairsCollided;
+            findAnew(there, group, lane, manifolds);
+        }
+    for (const Foreseen& foreseen : m_foreseen) {
+        input.state.pose[m_list[foreseen.number - 1]] = foreseen.pose;
+        m_moved[foreseen.number] = foreseen.moved;
+    }
+    if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
+    updateGaps(m_rows, m_moved, input.workers);
+}
+
+// Finds the contact of a pair with rows anew, which keeps its forces.
+void SteppedMotion::findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane,
+                             Manifolds& manifolds) {
+    const RowGroup& of = m_rows.groups()[group];
+    const std::uint32_t entry = of.source[lane], a = of.a[lane], b = of.b[lane];
+    PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
+        manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
+    for (const RollingRow& row : m_rows.rolling())
+        if (row.group == group && row.lane == lane) manifold.torque = row.torque / m_step;
+    closeManifold(there, m_entries[entry].margin, manifold);
+    PlacedManifold contact = placed(there, manifold);
+    for (PointInput& point : contact.points) { // rows add the displacement since the look
+        const Displacement &from = m_moved[a], &to = m_moved[b];
+        point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
+                                               vectorOf(from.shift) - vectorOf(from.turn).cross(point.armA));
+        point.impulse *= m_step;
+    }
+    PairInput pair = inputOf(there.bodies, entry);
+    pair.normal = contact.normal;
+    pair.torque = m_step * contact.torque;
+    pair.points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
+    if (pair.points.size() <= of.points) {
+        m_rows.replace(group, lane, pair, m_bodies);
+    } else {
+        m_rows.remove(group, lane);
+        m_rows.add(pair, entry, m_bodies);
+    }
 }
 
 // What is the same for a pair at every look.

@@ -222,6 +222,55 @@ class ContactRowsTest : public QObject {
         }
     }
 
+    // Pairs that get other points are as if they had been added with these, to the bit, and nothing else
+    // changes; pairs that are removed have no effect.
+    void pairsAreReplacedAndRemovedInTheirPlaces() {
+        Random random(test::seed, 3);
+        for (const RowScene& scene : manyScenes()) {
+            RowScene other = scene;
+            std::vector<int> fate(scene.pairs.size()); // 0: stays, 1: is replaced, 2: is removed
+            for (std::size_t i = 0; i < scene.pairs.size(); ++i) {
+                fate[i] = static_cast<int>(random.below(3));
+                OwnedPair& pair = other.pairs[i];
+                const std::size_t count = pair.points.size();
+                const PairInput laws = pair.laws;
+                if (fate[i] == 1) pair = test::randomPair(random, scene, laws.a, laws.b, {});
+                pair.points.resize(count, pair.points.front());
+                const Vec3 normal = pair.laws.normal;
+                pair.laws = laws;
+                pair.laws.normal = normal;
+            }
+            ContactRows rows = scene.rows();
+            const ContactRows expected = other.rows();
+            for (std::uint32_t group = 0; group < rows.groups().size(); ++group)
+                for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+                    const std::uint32_t source = rows.groups()[group].source[lane];
+                    if (source == ContactRows::noPair) continue;
+                    PairInput pair = other.pairs[source].laws;
+                    pair.points = other.pairs[source].points;
+                    if (fate[source] == 1) rows.replace(group, lane, pair, scene.bodies);
+                    if (fate[source] == 2) rows.remove(group, lane);
+                }
+            for (std::uint32_t group = 0; group < rows.groups().size(); ++group)
+                for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+                    const RowGroup &is = rows.groups()[group], &was = expected.groups()[group];
+                    const bool isGone =
+                        was.source[lane] != ContactRows::noPair && fate[was.source[lane]] == 2;
+                    if (!isGone) QVERIFY(laneOf(is.normal, lane) == laneOf(was.normal, lane));
+                    for (std::uint32_t k = 0; k < is.points; ++k) {
+                        const RowPoint &one = rows.points()[is.firstPoint + k],
+                                       &two = expected.points()[was.firstPoint + k];
+                        for (const auto value : {&RowPoint::massNormal, &RowPoint::massTangent,
+                                                 &RowPoint::normal, &RowPoint::along1, &RowPoint::along2})
+                            QVERIFY((one.*value)[lane] == (isGone ? 0 : (two.*value)[lane]));
+                        if (!isGone) QVERIFY(one.gap[lane] == two.gap[lane]);
+                    }
+                }
+            for (const RollingRow& row : rows.rolling())
+                QVERIFY(rows.groups()[row.group].source[row.lane] != ContactRows::noPair);
+        }
+    }
+
     void groupsOfIndependentPairsAreFull() {
         Random random(test::seed, 2);
         RowScene scene = test::randomBodies(random, 400);
