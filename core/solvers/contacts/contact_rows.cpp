@@ -237,6 +237,8 @@ void ContactRows::begin(std::size_t bodies, std::uint32_t immobile) {
     m_pointCount = 0;
     m_carried.clear();
     m_rolling.clear();
+    m_rollingOf.clear();
+    m_rollingNoted = 0;
     m_prepared = 0;
     m_sections.clear();
     if (m_points.empty()) { // for islands of the usual size
@@ -338,12 +340,33 @@ void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::u
     if (pair.rolling > 0) addRolling(pair, place, bodies);
 }
 
+RollingRow* ContactRows::rollingOf(std::uint32_t group, std::uint32_t lane) {
+    m_rollingOf.resize(wideLanes * m_groups.size(), noPair);
+    for (; m_rollingNoted < m_rolling.size(); ++m_rollingNoted) {
+        const RollingRow& row = m_rolling[m_rollingNoted];
+        m_rollingOf[wideLanes * row.group + row.lane] = static_cast<std::uint32_t>(m_rollingNoted);
+    }
+    const std::uint32_t number = m_rollingOf[wideLanes * group + lane];
+    return number != noPair ? &m_rolling[number] : nullptr;
+}
+
+Vec3 ContactRows::torqueOf(std::uint32_t group, std::uint32_t lane) {
+    const RollingRow* row = rollingOf(group, lane);
+    return row != nullptr ? row->torque : Vec3(Vec3::Zero());
+}
+
 void ContactRows::remove(std::uint32_t group, std::uint32_t lane) {
     RowGroup& of = m_groups[group];
     of.source[lane] = noPair;
     for (std::uint32_t k = 0; k < of.points; ++k) clearLane(m_points[of.firstPoint + k], lane);
     if (group < m_carried.size()) m_carried[group].first[lane] = m_none.data();
-    std::erase_if(m_rolling, [&](const RollingRow& row) { return row.group == group && row.lane == lane; });
+    RollingRow* row = rollingOf(group, lane);
+    if (row == nullptr) return;
+    *row = m_rolling.back();
+    m_rollingOf[wideLanes * row->group + row->lane] = m_rollingOf[wideLanes * group + lane];
+    m_rollingOf[wideLanes * group + lane] = noPair;
+    m_rolling.pop_back();
+    m_rollingNoted = m_rolling.size();
 }
 
 void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
@@ -356,12 +379,11 @@ void ContactRows::replace(std::uint32_t group, std::uint32_t lane, const PairInp
         else
             clearLane(m_points[of.firstPoint + k], lane);
     prepareLane(of, m_points.data(), bodies.data(), lane);
-    for (RollingRow& row : m_rolling)
-        if (row.group == group && row.lane == lane) {
-            row.normal = pair.normal;
-            row.inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal);
-            row.torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal;
-        }
+    if (RollingRow* row = rollingOf(group, lane)) {
+        row->normal = pair.normal;
+        row->inertia = rollingInertia(bodies[pair.a], bodies[pair.b], pair.normal);
+        row->torque = pair.torque - pair.normal.dot(pair.torque) * pair.normal;
+    }
 }
 
 void ContactRows::addRolling(const PairInput& pair, const LanePacker::Place& place,

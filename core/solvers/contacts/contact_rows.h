@@ -158,6 +158,8 @@ class ContactRows {
     /// A pair that has rows gets other points, of which there is room for, and the impulses of these.
     void replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
                  std::span<const SolverBody> bodies);
+    /// The torque of rolling resistance of a pair that has rows, on B [N m s].
+    Vec3 torqueOf(std::uint32_t group, std::uint32_t lane);
     /// A pair that has rows has none from now on.
     void remove(std::uint32_t group, std::uint32_t lane);
     /// Carried points get the forces that their impulses are over `duration` [s].
@@ -178,6 +180,7 @@ class ContactRows {
   private:
     LanePacker::Place place(std::uint32_t a, std::uint32_t b, std::size_t points, std::uint32_t source);
     void set(const LanePacker::Place& place, const PairInput& pair);
+    RollingRow* rollingOf(std::uint32_t group, std::uint32_t lane);
     void setPoint(std::uint32_t row, std::size_t lane, const PointInput& from);
     RowGroup& addGroup(std::uint32_t points);
 
@@ -191,6 +194,8 @@ class ContactRows {
     std::vector<CarriedGroup> m_carried; // by group, of the first ones
     std::array<CarriedPoint, 4> m_none;  // of an empty lane
     std::vector<RollingRow> m_rolling;
+    std::vector<std::uint32_t> m_rollingOf; // by 4 group + lane: in m_rolling, or noPair
+    std::size_t m_rollingNoted = 0;         // so many of m_rolling are in m_rollingOf
 };
 
 } // namespace carom

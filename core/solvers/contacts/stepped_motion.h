@@ -46,8 +46,8 @@
 // found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
 // passed on.
 //
-// Where a body turns far within a look, its contacts are found anew in between, where it will be at the end of
-// the step: a rim that is held where it was at the start passes over that point, and sinks in beside it.
+// Where a body turns far within a look, its contacts are found anew in between, where it will be at the end
+// of the step: a rim that is held where it was at the start passes over that point, and sinks in beside it.
 //
 // What contacts do in a step gives an island no energy beyond what pushing overlaps apart takes: a step
 // begins with the impulses of the one before, and those of an impact that is over would throw bodies up.

@@ -99,7 +99,10 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
     const bool isFresh = std::exchange(entry.isFresh, false);
     if (isFresh || !staysOpen(open, fall)) {
         PersistentManifold& manifold = manifolds[entry.place];
-        if (!isFresh) collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
+        if (isFresh)
+            openIfApart(here, manifold);
+        else
+            collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
         open.watched.gap = 0;
         if (!manifold.open) {
             const auto [a, b] = numbersOf(manifold.pair);
@@ -213,8 +216,7 @@ void SteppedMotion::findAnew(const ManifoldInput& there, std::uint32_t group, st
     PersistentManifold& manifold = manifolds[m_entries[entry].place];
     for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
         manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
-    for (const RollingRow& row : m_rows.rolling())
-        if (row.group == group && row.lane == lane) manifold.torque = row.torque / m_step;
+    manifold.torque = m_rows.torqueOf(group, lane) / m_step;
     closeManifold(there, m_entries[entry].margin, manifold);
     PlacedManifold contact = placed(there, manifold);
     for (PointInput& point : contact.points) { // rows add the displacement since the look
