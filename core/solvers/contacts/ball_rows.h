@@ -114,6 +114,14 @@ class BallRows {
     bool recordApproach(std::span<const SolverBody> bodies, const StepSettings& settings,
                         Workers& workers = Workers::alone());
     void warmStart(std::span<SolverBody> bodies, Workers& workers = Workers::alone());
+    /// As that of ContactRows.
+    template<class Part>
+    void scaleImpulses(const Part& part) {
+        for (BallGroup& group : m_groups)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (!group.idle && group.row.massNormal[lane] > 0)
+                    scaleImpulse(group.row, lane, part(group.a[lane], group.b[lane]));
+    }
     void solve(std::span<SolverBody> bodies, std::span<const Displacement> moved,
                const StepSettings& settings, bool back, Workers& workers = Workers::alone());
     void addCorrection(std::span<const Displacement> moved, const StepSettings& settings,

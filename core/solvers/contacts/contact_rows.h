@@ -93,6 +93,11 @@ struct alignas(32) RowPoint {
     Wide approach;               ///< closing speed before an impact, 0 where there is none [m/s]
 };
 
+template<class Row>
+void scaleImpulse(Row& row, std::size_t lane, double part) {
+    for (Wide Row::*impulse : {&Row::normal, &Row::along1, &Row::along2}) (row.*impulse)[lane] *= part;
+}
+
 struct alignas(32) RowGroup {
     std::array<std::uint32_t, wideLanes> a{}, b{};
     std::array<Wide, 3> normal, tangent; ///< the other tangent is normal × tangent
@@ -158,6 +163,16 @@ class ContactRows {
     /// A pair that has rows gets other points, of which there is room for, and the impulses of these.
     void replace(std::uint32_t group, std::uint32_t lane, const PairInput& pair,
                  std::span<const SolverBody> bodies);
+    /// Impulses of a pair become part(a, b) of what they are.
+    template<class Part>
+    void scaleImpulses(const Part& part) {
+        for (const RowGroup& group : m_groups)
+            for (std::size_t lane = 0; lane < wideLanes; ++lane)
+                if (group.source[lane] != noPair)
+                    for (RowPoint& row : points().subspan(group.firstPoint, group.points))
+                        scaleImpulse(row, lane, part(group.a[lane], group.b[lane]));
+        for (RollingRow& row : m_rolling) row.torque *= part(row.a, row.b);
+    }
     /// The torque of rolling resistance of a pair that has rows, on B [N m s].
     Vec3 torqueOf(std::uint32_t group, std::uint32_t lane);
     /// A pair that has rows has none from now on.

@@ -313,7 +313,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     sweep(settings, input.workers, report);
     for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
         sweep(settings, input.workers, report);
-    limitEnergy(input, &settings);
+    limitEnergy(input, settings, true);
     if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
@@ -333,7 +333,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
-    limitEnergy(input, nullptr);
+    limitEnergy(input, settings, false);
     if (bounces) rebound(settings, input.workers, report);
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
@@ -344,36 +344,46 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
 }
 
 // Takes bodies back towards the velocities that they would have without contacts, as far as these have given
-// an island energy. Where an impact is over, a step begins with impulses that throw bodies up again, and
-// passes hardly solve for light bodies below heavy ones.
-void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings* correcting) {
+// an island more energy than its bodies have at the speed of rest; impulses by the same part, so that the
+// next step begins with what is left. Where an impact is over, a step begins with impulses that throw bodies
+// up again, and passes hardly solve for light bodies below heavy ones.
+void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects) {
     findParts();
-    if (!mayGainEnergy(input)) return;
+    if (!mayGainEnergy(input, settings)) return;
     m_before = m_bodies;
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         m_before[i].velocity = m_free[i];
         m_before[i].spin = arrayOf(input.state.angularVelocity[m_list[i - 1]]);
     }
-    m_stepEnergy.remember(m_before, partOf(), parts(), input.workers);
+    const std::span<const std::uint32_t> part = partOf();
+    m_stepEnergy.remember(m_before, part, parts(), input.workers);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
+        m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
-        m_stepEnergy.allow(partOf()[std::max(spring.a, spring.b)], std::numeric_limits<double>::infinity());
-    if (correcting != nullptr) {
-        findCorrection(*correcting);
-        for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(partOf()[i], m_corrected[i]);
+        m_stepEnergy.allow(part[std::max(spring.a, spring.b)], std::numeric_limits<double>::infinity());
+    if (corrects) {
+        findCorrection(settings);
+        for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
     }
-    m_stepEnergy.keep(m_before, partOf(), m_bodies, input.workers);
+    if (!m_stepEnergy.keep(m_before, part, m_bodies, input.workers)) return;
+    const auto partLeft = [&](std::uint32_t a, std::uint32_t b) {
+        return m_stepEnergy.partOf(part[a == immobile || m_still.is(a) ? b : a]);
+    };
+    m_balls.scaleImpulses(partLeft);
+    m_rows.scaleImpulses(partLeft);
 }
 
-// Whether contacts may have given some island energy: as if all bodies were balls.
-bool SteppedMotion::mayGainEnergy(const SteppedInput& input) {
+// Whether contacts may have given some island that much energy: as if all bodies were balls.
+bool SteppedMotion::mayGainEnergy(const SteppedInput& input, const StepSettings& settings) {
     m_gained.assign(parts(), 0);
     const std::span<const std::uint32_t> part = partOf();
     const auto gained = [](const Vec3& before, const Vec3& after) {
         return after.squaredNorm() - before.squaredNorm();
     };
+    const double resting = settings.resting * settings.resting;
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const SolverBody& body = m_bodies[i];
-        double sum = gained(vectorOf(m_free[i]), vectorOf(body.velocity)) / body.inverseMass;
+        double sum = (gained(vectorOf(m_free[i]), vectorOf(body.velocity)) - resting) / body.inverseMass;
         if (const double inverse = body.xx + body.yy + body.zz; inverse > 0)
             sum += 3 / inverse * gained(input.state.angularVelocity[m_list[i - 1]], vectorOf(body.spin));
         m_gained[part[i]] += sum;

@@ -49,8 +49,9 @@
 // Where a body turns far within a look, its contacts are found anew in between, where it will be at the end
 // of the step: a rim that is held where it was at the start passes over that point, and sinks in beside it.
 //
-// What contacts do in a step gives an island no energy beyond what pushing overlaps apart takes: a step
-// begins with the impulses of the one before, and those of an impact that is over would throw bodies up.
+// What contacts do in a step gives an island no more energy than pushing overlaps apart takes, and the speed
+// of rest gives: a step begins with the impulses of the one before, and those of an impact that is over would
+// throw bodies up.
 //
 // Threads share the loops over pairs and over bodies, and the passes through large islands (sections.h).
 //
@@ -342,9 +343,9 @@ class SteppedMotion {
     void findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane, Manifolds& manifolds);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void limitEnergy(const SteppedInput& input, const StepSettings* correcting);
+    void limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects);
     void findCorrection(const StepSettings& settings);
-    bool mayGainEnergy(const SteppedInput& input);
+    bool mayGainEnergy(const SteppedInput& input, const StepSettings& settings);
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
