@@ -453,16 +453,6 @@ bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold
     return !manifold.open;
 }
 
-void openIfApart(const ManifoldInput& input, PersistentManifold& manifold) {
-    if (manifold.open || manifold.round || manifold.count == 0) return;
-    const PlacedManifold here = placed(input, manifold);
-    double gap = std::numeric_limits<double>::infinity();
-    for (const PointInput& point : std::span(here.points).first(static_cast<std::size_t>(here.count)))
-        gap = std::min(gap, point.separation);
-    manifold.open = !canMeetAlong(input, manifold.pair, here.normal, gap);
-    manifold.gap = gap;
-}
-
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {
     if (manifold.round) return manifold.normal;
     const auto [a, b] = manifold.pair;

@@ -111,8 +111,6 @@ inline constexpr std::size_t fewManifolds = 128;
 /// Updates an open manifold to the present poses, for bodies that were struck; it is no longer open. False,
 /// and still open, if they are further apart than `margin` [m].
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
-/// Opens a manifold of the present poses whose bodies cannot touch within the substep as they move.
-void openIfApart(const ManifoldInput& input, PersistentManifold& manifold);
 /// The points in the world.
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);
 

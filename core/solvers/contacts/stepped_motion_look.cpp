@@ -99,10 +99,7 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
     const bool isFresh = std::exchange(entry.isFresh, false);
     if (isFresh || !staysOpen(open, fall)) {
         PersistentManifold& manifold = manifolds[entry.place];
-        if (isFresh)
-            openIfApart(here, manifold);
-        else
-            collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
+        if (!isFresh) collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
         open.watched.gap = 0;
         if (!manifold.open) {
             const auto [a, b] = numbersOf(manifold.pair);
