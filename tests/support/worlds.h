@@ -2,10 +2,8 @@
 #pragma once
 
 #include "core/scene/scene.h"
-#include "core/simulation/touching.h"
 #include "core/simulation/world.h"
 
-#include <algorithm>
 #include <memory>
 
 // A small vocabulary for tests of motion.
@@ -33,14 +31,6 @@ inline World worldOf(const Scene& scene, const SimulationSettings& options = byM
 
 inline void run(World& world, int frames) {
     for (int i = 0; i < frames; ++i) world.step();
-}
-
-/// How deep two bodies are in each other at most [m].
-inline double deepestOverlap(const World& world) {
-    double deepest = 0;
-    for (const TouchingPair& pair : touchingPairs(world.pipeline().bodies(), world.state()))
-        deepest = std::max(deepest, -pair.manifold.deepest().separation);
-    return deepest;
 }
 
 } // namespace carom::test

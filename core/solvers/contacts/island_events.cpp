@@ -218,10 +218,7 @@ double IslandMotion::impactTime(const MotionInput& input, const ContactPair& pai
         return first;
     const BodyIndex anchorBody = isWall(input.bodies.shape[pair.b]) ? pair.a : pair.b;
     const Pose& anchorPose = anchorBody == pair.a ? poseA : poseB;
-    const std::span<const ContactConstraint> points = m_contacts.pointsOf(pair);
-    const bool overlapped = std::any_of(points.begin(), points.end(), [&](const ContactConstraint& point) {
-        return point.separation < -0.5 * deepRoll * pair.size;
-    });
+    const bool overlapped = overlapOf(pair) > 0.5 * deepRoll * pair.size;
     for (const ContactPoint& deep : manifold) {
         if (!(deep.separation < -touchingWithin(pair))) continue;
         const Vec3 velocityA = velocityAt(pair.a, deep.onA - poseA.position, time, duration);

@@ -189,8 +189,7 @@ void IslandMotion::load(const MotionInput& input, const Island& island, const Co
     m_unsolved = m_isCorrected = false;
     m_overlap = 0;
     for (const ContactPair& pair : m_contacts.pairs)
-        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
-            report.maxPenetration = std::max(report.maxPenetration, -point.separation);
+        report.maxPenetration = std::max(report.maxPenetration, overlapOf(pair));
 }
 
 double IslandMotion::collideWork(const Bodies& bodies, const ContactPair& pair) const {
@@ -271,9 +270,8 @@ ContactRow IslandMotion::rowOf(const Bodies& bodies, const ContactPair& pair,
 double IslandMotion::relativeOverlap() const {
     double deepest = 0;
     for (const ContactPair& pair : m_contacts.pairs)
-        for (const ContactConstraint& point : m_contacts.pointsOf(pair))
-            if (point.separation < -touchingWithin(pair))
-                deepest = std::max(deepest, -point.separation / pair.size);
+        if (const double overlap = overlapOf(pair); overlap > touchingWithin(pair))
+            deepest = std::max(deepest, overlap / pair.size);
     return deepest;
 }
 

@@ -257,13 +257,8 @@ bool SteppedMotion::addStruck(const SteppedInput& input, double duration, Manifo
                              pair.radiusB * vectorOf(bodyB.spin).norm();
         ++report.work.pairsCollided;
         if (!closeManifold(here, duration * speed, manifold)) continue;
-        PlacedManifold contact = placed(here, manifold);
-        for (PointInput& point : contact.points) { // separations of rows refer to the poses at the look
-            const Displacement &a = m_moved[pair.a], &b = m_moved[pair.b];
-            point.separation -= contact.normal.dot(vectorOf(b.shift) + vectorOf(b.turn).cross(point.armB) -
-                                                   vectorOf(a.shift) - vectorOf(a.turn).cross(point.armA));
-        }
-        addRow(input, pair.entry, contact);
+        const PlacedManifold contact = placedAtLook(here, manifold);
+        m_rows.add(rowOf(input.bodies, pair.entry, contact), pair.entry, m_bodies);
         m_open[pair.open].watched.gap = 0;
         pair.entry = ContactRows::noPair;
         anyRow = true;

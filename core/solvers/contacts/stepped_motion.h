@@ -318,7 +318,8 @@ class SteppedMotion {
     template<class Goes>
     void storeBalls(const SteppedInput& input, const Goes& goes, Manifolds& manifolds);
     void look(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact);
+    PlacedManifold placedAtLook(const ManifoldInput& here, const PersistentManifold& manifold) const;
+    PairInput rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact);
     void addRows(const ManifoldInput& here, Manifolds& manifolds, Workers& workers);
     PairInput rowOf(const ManifoldInput& here, std::uint32_t entry, const PersistentManifold& manifold);
     void setRow(const ManifoldInput& here, const Placed& placed, Manifolds& manifolds);

@@ -209,23 +209,16 @@ void SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
 void SteppedMotion::findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane,
                              Manifolds& manifolds) {
     const RowGroup& of = m_rows.groups()[group];
-    const std::uint32_t entry = of.source[lane], a = of.a[lane], b = of.b[lane];
+    const std::uint32_t entry = of.source[lane];
     PersistentManifold& manifold = manifolds[m_entries[entry].place];
     for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
         manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
     manifold.torque = m_rows.torqueOf(group, lane) / m_step;
     closeManifold(there, m_entries[entry].margin, manifold);
-    PlacedManifold contact = placed(there, manifold);
-    for (PointInput& point : contact.points) { // rows add the displacement since the look
-        const Displacement &from = m_moved[a], &to = m_moved[b];
-        point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
-                                               vectorOf(from.shift) - vectorOf(from.turn).cross(point.armA));
-        point.impulse *= m_step;
-    }
-    PairInput pair = inputOf(there.bodies, entry);
-    pair.normal = contact.normal;
-    pair.torque = m_step * contact.torque;
-    pair.points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
+    PlacedManifold contact = placedAtLook(there, manifold);
+    for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
+    contact.torque *= m_step;
+    const PairInput pair = rowOf(there.bodies, entry, contact);
     if (pair.points.size() <= of.points) {
         m_rows.replace(group, lane, pair, m_bodies);
     } else {
@@ -251,12 +244,25 @@ PairInput SteppedMotion::inputOf(const Bodies& bodies, std::uint32_t entry) {
             .points = {}};
 }
 
-void SteppedMotion::addRow(const SteppedInput& input, std::uint32_t entry, const PlacedManifold& contact) {
-    PairInput pair = inputOf(input.bodies, entry);
+// The contact at the present poses, with separations as at the look: rows add the displacement since.
+PlacedManifold SteppedMotion::placedAtLook(const ManifoldInput& here,
+                                           const PersistentManifold& manifold) const {
+    PlacedManifold contact = placed(here, manifold);
+    const auto [a, b] = numbersOf(manifold.pair);
+    const Displacement &from = m_moved[a], &to = m_moved[b];
+    for (PointInput& point : contact.points)
+        point.separation -= contact.normal.dot(vectorOf(to.shift) + vectorOf(to.turn).cross(point.armB) -
+                                               vectorOf(from.shift) - vectorOf(from.turn).cross(point.armA));
+    return contact;
+}
+
+// A pair with the points of a contact, whose impulses and torque are in [N s] and [N m s].
+PairInput SteppedMotion::rowOf(const Bodies& bodies, std::uint32_t entry, const PlacedManifold& contact) {
+    PairInput pair = inputOf(bodies, entry);
     pair.normal = contact.normal;
     pair.torque = contact.torque;
     pair.points = std::span(contact.points).first(static_cast<std::size_t>(contact.count));
-    m_rows.add(pair, entry, m_bodies);
+    return pair;
 }
 
 PairInput SteppedMotion::rowOf(const ManifoldInput& here, std::uint32_t entry,
