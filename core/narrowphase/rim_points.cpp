@@ -37,6 +37,11 @@ std::optional<Vec3> onSurface(const PlacedShape& shape, const Vec3& normal, cons
     return there;
 }
 
+/// A way within this angle of the axis [rad] points to no place of the rim: what is left across is rounding,
+/// 1e-16 of the way. At a thousandth it is near that; at a thousand times, places a millionth of the way off
+/// the axis are none.
+constexpr double alongAxis = 1e-9;
+
 /// The point of the rim of the cap that a shape turns along `normal`.
 std::optional<Vec3> onRim(const PlacedShape& shape, const Vec3& normal, const Vec3& towards) {
     if (!std::holds_alternative<Cylinder>(*shape.shape)) return std::nullopt;
@@ -44,7 +49,7 @@ std::optional<Vec3> onRim(const PlacedShape& shape, const Vec3& normal, const Ve
     if (cap.kind != ContactFeature::Kind::Disc) return std::nullopt;
     const Vec3 way = towards - cap.centre;
     const Vec3 outward = way - way.dot(cap.normal) * cap.normal;
-    if (outward == Vec3::Zero()) return std::nullopt;
+    if (!(outward.norm() > alongAxis * way.norm())) return std::nullopt;
     return Vec3(cap.centre + cap.radius * outward.normalized());
 }
 

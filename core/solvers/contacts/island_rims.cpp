@@ -96,7 +96,8 @@ double IslandMotion::addRimPoints(const MotionInput& input, bool fastest) {
     return slowest;
 }
 
-// The centre of pressure of a pair, relative to the centre of its first mobile body [m].
+// The centre of pressure of a pair, relative to the centre of its first mobile body [m]; that itself where no
+// point bears.
 Vec3 IslandMotion::centreOfPressure(const Bodies& bodies, std::uint32_t index) const {
     const ContactPair& pair = m_contacts.pairs[index];
     Vec3 sum = Vec3::Zero();

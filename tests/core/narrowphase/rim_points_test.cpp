@@ -65,6 +65,17 @@ class RimPointsTest : public QObject {
         QVERIFY(std::abs(low.points[0].separation - cap.y() + radius * std::sin(lean)) < tolerance);
     }
 
+    // Along the axis no place of the rim is nearer than another; what is left of the way across is rounding.
+    void towardsTheAxisThereIsNone() {
+        const Shape wall = Wall{Vec3::UnitY(), 0};
+        for (int n = 1; n < 20; ++n) {
+            Pose pose = standing(Vec3::Zero(), 0.1);
+            pose.orientation = fromRotationVector(Vec3(0.02 * n, 0, 0.013 * n));
+            for (const double along : {-1.0, 0.0, 3.0})
+                QCOMPARE(pointsOf(wall, {}, pose, pose.position + along * axisOf(pose)).count, 0);
+        }
+    }
+
     // A cap whose rim reaches over the edge of what it stands on.
     void beyondTheEdgeOfTheOtherSurfaceThereIsNone() {
         const Pose below{Vec3(0, -0.5, 0), Quat::Identity()};
