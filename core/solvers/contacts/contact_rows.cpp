@@ -319,8 +319,9 @@ void ContactRows::setPoint(std::uint32_t row, std::size_t lane, const PointInput
     to.along2[lane] = from.impulse.z();
 }
 
-void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies) {
-    if (pair.points.empty()) return;
+LanePacker::Place ContactRows::add(const PairInput& pair, std::uint32_t source,
+                                   std::span<const SolverBody> bodies) {
+    if (pair.points.empty()) return {};
     const LanePacker::Place place = this->place(pair.a, pair.b, pair.points.size(), source);
     set(place, pair);
     const RowGroup& group = m_groups[place.group];
@@ -330,6 +331,7 @@ void ContactRows::add(const PairInput& pair, std::uint32_t source, std::span<con
     for (std::uint32_t k = 0; k < pair.points.size(); ++k)
         setPoint(group.firstPoint + k, lane, pair.points[k]);
     if (pair.rolling > 0) addRolling(pair, place, bodies);
+    return place;
 }
 
 void ContactRows::add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,

@@ -136,7 +136,7 @@ class ContactRows {
     /// For so many bodies, of which the one numbered `immobile` cannot move.
     void begin(std::size_t bodies, std::uint32_t immobile);
     std::uint32_t immobile() const { return m_immobile; }
-    void add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
+    LanePacker::Place add(const PairInput& pair, std::uint32_t source, std::span<const SolverBody> bodies);
     /// The same of a pair without points, which has these instead. They must stay where they are.
     void add(const PairInput& pair, const CarriedPoints& points, std::uint32_t source,
              std::span<const SolverBody> bodies);

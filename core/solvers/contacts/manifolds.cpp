@@ -7,6 +7,7 @@
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
+#include "core/narrowphase/separating_axis.h"
 #include "core/solvers/contacts/manifold_following.h"
 #include "core/solvers/contacts/neighbours.h"
 
@@ -333,14 +334,6 @@ void findPoints(const ManifoldInput& input, double margin, PersistentManifold& m
     takeOver(input, pair, old, found.normal, pointsOf(manifold));
 }
 
-/// Within this gap two bodies may touch in the substep however slow they are [m].
-double slackOf(const ManifoldInput& input, BodyPair pair) {
-    const Forces& forces = input.bodies.forces;
-    return slackPart * smallerSize(input.bodies, pair) +
-           input.gravity.norm() * input.duration * input.duration + forces.reach(pair.a, input.duration) +
-           forces.reach(pair.b, input.duration);
-}
-
 /// How fast the surfaces of both come nearer at most because the bodies turn [m/s].
 double surfaceSpeedOf(const ManifoldInput& input, BodyPair pair) {
     double speed = 0;
@@ -372,6 +365,13 @@ double smallerSize(const Bodies& bodies, BodyPair pair) {
     return std::min(a, b);
 }
 
+double slackOf(const ManifoldInput& input, BodyPair pair) {
+    const Forces& forces = input.bodies.forces;
+    return slackPart * smallerSize(input.bodies, pair) +
+           input.gravity.norm() * input.duration * input.duration + forces.reach(pair.a, input.duration) +
+           forces.reach(pair.b, input.duration);
+}
+
 bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap) {
     const double slack = slackOf(input, pair);
     if (gap <= slack) return true;
@@ -395,6 +395,14 @@ bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
 
 namespace {
 
+// What touches again begins without a force.
+void open(PersistentManifold& manifold, double gap) {
+    manifold.open = true;
+    manifold.gap = gap;
+    for (Point& point : pointsOf(manifold)) point.force.setZero();
+    manifold.torque.setZero();
+}
+
 // Updates the manifold of a pair of solids with cores.
 bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
@@ -407,9 +415,7 @@ bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold&
         const double gap = gapAlong(normal, solids.a, solids.b);
         manifold.open = gap > margin || !canMeetAlong(input, pair, normal, gap);
         if (manifold.open) {
-            manifold.gap = gap;
-            for (Point& point : pointsOf(manifold)) point.force.setZero();
-            manifold.torque.setZero();
+            open(manifold, gap);
             if (gap > margin) manifold.count = 0;
             return false;
         }
@@ -451,6 +457,23 @@ bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold
     }
     manifold.open = manifold.count == 0;
     return !manifold.open;
+}
+
+double gapAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal) {
+    const PlacedShape a{&input.bodies.shape[pair.a], &input.state.pose[pair.a]},
+        b{&input.bodies.shape[pair.b], &input.state.pose[pair.b]};
+    if (const Wall* wall = std::get_if<Wall>(a.shape))
+        return distanceTo(*wall, b.pose->position) - extentOf(b, wall->normal);
+    if (const Wall* wall = std::get_if<Wall>(b.shape))
+        return distanceTo(*wall, a.pose->position) - extentOf(a, wall->normal);
+    return gapAlong(normal, a, b);
+}
+
+void openIfApart(const ManifoldInput& input, PersistentManifold& manifold) {
+    if (manifold.open || manifold.round || manifold.count == 0) return;
+    const Vec3 normal = normalOf(input, manifold);
+    const double gap = gapAlong(input, manifold.pair, normal);
+    if (!canMeetAlong(input, manifold.pair, normal, gap)) open(manifold, gap);
 }
 
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {

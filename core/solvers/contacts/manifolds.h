@@ -94,11 +94,16 @@ struct ManifoldInput {
 
 /// The size of the smaller body of a pair, or of the one that is no wall [m].
 double smallerSize(const Bodies& bodies, BodyPair pair);
+/// Within this gap two bodies may touch in the substep however slow they are [m].
+double slackOf(const ManifoldInput& input, BodyPair pair);
 /// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
 /// Exact for spheres; otherwise true if in doubt.
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);
 /// The same of a pair that is at least `gap` metres apart along this normal, from A to B.
 bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap);
+/// How far two bodies are apart at least, if this unit direction points from A to B [m]; of a wall along its
+/// own normal.
+double gapAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal);
 /// From A to B, in the world.
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold);
 /// Updates a manifold to the present poses. If the bodies cannot touch within the substep as they move, it is
@@ -111,6 +116,8 @@ inline constexpr std::size_t fewManifolds = 128;
 /// Updates an open manifold to the present poses, for bodies that were struck; it is no longer open. False,
 /// and still open, if they are further apart than `margin` [m].
 bool closeManifold(const ManifoldInput& input, double margin, PersistentManifold& manifold);
+/// Opens a manifold of the present poses whose bodies cannot touch within the substep as they move.
+void openIfApart(const ManifoldInput& input, PersistentManifold& manifold);
 /// The points in the world.
 PlacedManifold placed(const ManifoldInput& input, const PersistentManifold& manifold);
 

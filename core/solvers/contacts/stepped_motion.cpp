@@ -199,7 +199,7 @@ SteppedReport SteppedMotion::advance(const SteppedInput& input, Manifolds& manif
     for (int k = 0; k < m_division.looks; ++k) {
         look(input, m_step * m_division.steps, manifolds, report);
         for (int i = 0; i < m_division.steps; ++i) {
-            lookAhead(input, m_step, manifolds, report);
+            lookAhead(input, m_step, manifolds, report, false);
             step(input, m_step, manifolds, report);
             if (report.loss) return report;
         }
@@ -306,8 +306,11 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     m_balls.warmStart(m_bodies, input.workers);
     warmStart(m_rows, m_bodies, input.workers);
     sweep(settings, input.workers, report);
-    for (int round = 0; round < mostRounds && addStruck(input, duration, manifolds, report); ++round)
+    for (int round = 0; round < mostRounds; ++round) {
+        const bool isStruck = addStruck(input, duration, manifolds, report);
+        if (!lookAhead(input, duration, manifolds, report, true) && !isStruck) break;
         sweep(settings, input.workers, report);
+    }
     limitEnergy(input, settings, true);
     if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
@@ -330,12 +333,22 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     }
     limitEnergy(input, settings, false);
     if (bounces) rebound(settings, input.workers, report);
+    removeAdded();
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
     forAwake(input.workers, [&](std::uint32_t i) {
         input.state.velocity[m_list[i - 1]] = vectorOf(m_bodies[i].velocity);
         input.state.angularVelocity[m_list[i - 1]] = vectorOf(m_bodies[i].spin);
     });
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
+}
+
+// Stores the bodies as they would be in this step without contacts.
+void SteppedMotion::noteFree(const SteppedInput& input) {
+    m_before = m_bodies;
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        m_before[i].velocity = m_free[i];
+        m_before[i].spin = arrayOf(input.state.angularVelocity[m_list[i - 1]]);
+    }
 }
 
 // Takes bodies back towards the velocities that they would have without contacts, as far as these have given
@@ -345,11 +358,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
 void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects) {
     findParts();
     if (!mayGainEnergy(input, settings)) return;
-    m_before = m_bodies;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        m_before[i].velocity = m_free[i];
-        m_before[i].spin = arrayOf(input.state.angularVelocity[m_list[i - 1]]);
-    }
+    noteFree(input);
     const std::span<const std::uint32_t> part = partOf();
     m_stepEnergy.remember(m_before, part, parts(), input.workers);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))

@@ -19,6 +19,7 @@
 #include "core/solvers/contacts/velocity_solve.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -46,8 +47,9 @@
 // found, and the solve of the step continues with it; this may happen a few times in a step, as impulses are
 // passed on.
 //
-// Where a body turns far within a look, its contacts are found anew in between, where it will be at the end
-// of the step: a rim that is held where it was at the start passes over that point, and sinks in beside it.
+// Where a body turns far within a look, its contacts are found anew in between, where the two will be nearest
+// (stepped_motion_ahead.cpp): a rim that is held where it was at the start passes over that point, and sinks
+// in beside it. Where an impact within the step makes it turn, they are found once more.
 //
 // What contacts do in a step gives an island no more energy than pushing overlaps apart takes, and the speed
 // of rest gives: a step begins with the impulses of the one before, and those of an impact that is over would
@@ -273,6 +275,7 @@ class SteppedMotion {
         std::uint32_t number = 0;
         Pose pose;
         Displacement moved;
+        Vec3 shift = Vec3::Zero(), turn = Vec3::Zero(); ///< in the step [m], [rad]
     };
     /// An entry.
     struct Numbered {
@@ -339,11 +342,19 @@ class SteppedMotion {
     bool isStruck(const Watched& pair) const;
     bool addStruck(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
     std::size_t points() const { return wideLanes * (m_rows.points().size() + m_balls.activeGroups()); }
-    bool foreseeTurned(const SteppedInput& input, double duration);
-    void lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane, Manifolds& manifolds);
+    void foreseeTurned(const SteppedInput& input, double duration);
+    void moveAhead(const SteppedInput& input, const Foreseen& body, double part);
+    bool lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report,
+                   bool isSolved);
+    void removeAdded();
+    bool moveToNearest(const SteppedInput& input, const ManifoldInput& there,
+                       const std::array<std::uint32_t, 2>& numbers, BodyPair pair, const Vec3& normal);
+    double surfaceSpeed(const Bodies& bodies, std::uint32_t number) const;
+    bool findAnew(const SteppedInput& input, const ManifoldInput& there, std::uint32_t group,
+                  std::uint32_t lane, Manifolds& manifolds, bool adds);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
+    void noteFree(const SteppedInput& input);
     void limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects);
     void findCorrection(const StepSettings& settings);
     bool mayGainEnergy(const SteppedInput& input, const StepSettings& settings);
@@ -465,7 +476,9 @@ class SteppedMotion {
     Scratch<std::vector<std::uint32_t>> m_turns;             // numbers of those that turn in the step
     Scratch<std::vector<std::uint8_t>> m_hasTurned; // by number: since the rows had their effective masses
     Scratch<std::vector<Vec3>> m_seenTurn; // by number: how far it had turned when its contacts were found
-    Scratch<std::vector<Foreseen>> m_foreseen;
+    Scratch<std::vector<Foreseen>> m_foreseen;           // ascending
+    Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
+    bool m_hasEmptyRows = false;                         // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
     Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers

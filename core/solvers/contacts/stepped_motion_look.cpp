@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/reserve.h"
 #include "core/dynamics/contact_memory.h"
-#include "core/math/rotation.h"
 #include "core/solvers/contacts/contact_settings.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
@@ -59,6 +58,7 @@ void SteppedMotion::findContacts(const SteppedInput& input, double duration, Man
     m_deepest = m_balls.deepest();
     report.contacts = wideLanes * m_balls.activeGroups();
     m_rows.begin(m_bodies.size(), immobile);
+    m_hasEmptyRows = false;
     m_watched.clear();
     m_touching.clear();
     reserveFor(m_general.size(), m_watched);
@@ -99,7 +99,10 @@ SteppedMotion::Seen SteppedMotion::see(const ManifoldInput& here, std::uint32_t 
     const bool isFresh = std::exchange(entry.isFresh, false);
     if (isFresh || !staysOpen(open, fall)) {
         PersistentManifold& manifold = manifolds[entry.place];
-        if (!isFresh) collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
+        if (isFresh)
+            openIfApart(here, manifold);
+        else
+            collided += updateManifold(here, entry.margin, manifold) ? 1 : 0;
         open.watched.gap = 0;
         if (!manifold.open) {
             const auto [a, b] = numbersOf(manifold.pair);
@@ -151,80 +154,6 @@ void SteppedMotion::addRows(const ManifoldInput& here, Manifolds& manifolds, Wor
         if (m_laws[placed.entry].rolling > 0)
             m_rows.addRolling(rowOf(here, placed.entry, manifolds[m_entries[placed.entry].place]),
                               placed.place, m_bodies);
-}
-
-// Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
-// these are elsewhere, and moves them to where they will be then. Where a cylinder turns about its axis, its
-// surface stays where it is.
-bool SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
-    std::vector<Foreseen>& foreseen = m_foreseen;
-    foreseen.clear();
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        const Vec3 spin = vectorOf(m_bodies[i].spin), turn = duration * spin;
-        Vec3 since = vectorOf(m_moved[i].turn) + turn - m_seenTurn[i];
-        if (!(since.squaredNorm() > m_turnable[i].most)) continue;
-        Pose& pose = input.state.pose[m_list[i - 1]];
-        if (m_turnable[i].hasAxis) {
-            const Vec3 axis = pose.orientation * Vec3::UnitY();
-            since -= axis.dot(since) * axis;
-            if (!(since.squaredNorm() > m_turnable[i].most)) continue;
-        }
-        if (foreseen.empty()) m_hasTurned.assign(m_bodies.size(), 0);
-        m_hasTurned[i] = 1;
-        const Vec3 shift = duration * vectorOf(m_bodies[i].velocity);
-        foreseen.push_back({i, pose, m_moved[i]});
-        pose.position += shift;
-        pose.orientation = (fromRotationVector(turn) * pose.orientation).normalized();
-        add(m_moved[i].shift, shift);
-        add(m_moved[i].turn, turn);
-        m_seenTurn[i] = vectorOf(m_moved[i].turn);
-    }
-    return !foreseen.empty();
-}
-
-// Finds the contacts anew of bodies that turn far: where they will be at the end of the step. Where they are
-// at its start, a rim would pass over the point that the row holds, and sink in beside it.
-void SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
-                              SteppedReport& report) {
-    if (!foreseeTurned(input, duration)) return;
-    const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
-    const std::size_t groups = m_rows.groups().size();
-    for (std::uint32_t group = 0; group < groups; ++group)
-        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
-            const RowGroup& of = m_rows.groups()[group];
-            if (of.source[lane] == ContactRows::noPair) continue;
-            if ((m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
-            ++report.work.pairsCollided;
-            findAnew(there, group, lane, manifolds);
-        }
-    for (const Foreseen& foreseen : m_foreseen) {
-        input.state.pose[m_list[foreseen.number - 1]] = foreseen.pose;
-        m_moved[foreseen.number] = foreseen.moved;
-    }
-    if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
-    updateGaps(m_rows, m_moved, input.workers);
-}
-
-// Finds the contact of a pair with rows anew, which keeps its forces.
-void SteppedMotion::findAnew(const ManifoldInput& there, std::uint32_t group, std::uint32_t lane,
-                             Manifolds& manifolds) {
-    const RowGroup& of = m_rows.groups()[group];
-    const std::uint32_t entry = of.source[lane];
-    PersistentManifold& manifold = manifolds[m_entries[entry].place];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
-        manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
-    manifold.torque = m_rows.torqueOf(group, lane) / m_step;
-    closeManifold(there, m_entries[entry].margin, manifold);
-    PlacedManifold contact = placedAtLook(there, manifold);
-    for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
-    contact.torque *= m_step;
-    const PairInput pair = rowOf(there.bodies, entry, contact);
-    if (pair.points.size() <= of.points) {
-        m_rows.replace(group, lane, pair, m_bodies);
-    } else {
-        m_rows.remove(group, lane);
-        m_rows.add(pair, entry, m_bodies);
-    }
 }
 
 // What is the same for a pair at every look.

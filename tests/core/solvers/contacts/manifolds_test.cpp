@@ -541,6 +541,20 @@ class ManifoldsTest : public QObject {
         QCOMPARE(manifolds.entries().size(), alive.size());
         QVERIFY(entries.empty());
     }
+
+    // A pair that was found with a wide margin needs rows only if it may touch within the substep.
+    void whatIsFoundApartIsOpen() {
+        constexpr double gap = 0.02; // [m]
+        for (const double closing : {0.5 * gap / test::duration, 2 * gap / test::duration}) {
+            Two two(cuboid({1, 1, 1}, 1, {0, 0, 0}), cuboid({1, 1, 1}, 1, {0, 1 + gap, 0}));
+            two.state.velocity[1] = Vec3(0, -closing, 0);
+            QVERIFY(closeManifold(two.input, margin, two.manifold));
+            QVERIFY(two.manifold.count > 0);
+            openIfApart(two.input, two.manifold);
+            QCOMPARE(two.manifold.open, closing * test::duration < gap);
+            if (two.manifold.open) QVERIFY(std::abs(two.manifold.gap - gap) < roundingOfPlaces);
+        }
+    }
 };
 
 } // namespace carom

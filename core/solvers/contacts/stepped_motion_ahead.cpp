@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/math/rotation.h"
+#include "core/solvers/contacts/stepped_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+// Contacts of the base path that are found anew within a look, because a body turns far.
+//
+// Rows foresee that points of a body move along lines. A rod that turns round within a step passes over the
+// point that its row holds, and sinks in beside it. So the contacts of such bodies are found where they are
+// nearest in the step, at the rate at which they turn; there the row's points move along the surface. Where
+// the solve changes that rate, they are found once more, and the solve continues.
+
+namespace carom {
+namespace {
+
+/// Angles between the times at which it is seen where a pair is nearest [rad], and so many times at most. At
+/// half the angle thin rods in a bin overlap by a tenth less, at twice by a sixth more; half or twice as many
+/// times change nothing that their number does not.
+constexpr double turnBetween = 0.25;
+constexpr double mostTimes = 16;
+
+} // namespace
+
+// Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
+// these are elsewhere. Where a cylinder turns about its axis, its surface stays where it is.
+void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
+    m_foreseen.clear();
+    m_hasTurned.assign(m_bodies.size(), 0);
+    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
+        const Vec3 turn = duration * vectorOf(m_bodies[i].spin);
+        Vec3 since = vectorOf(m_moved[i].turn) + turn - m_seenTurn[i];
+        if (!(since.squaredNorm() > m_turnable[i].most)) continue;
+        const Pose& pose = input.state.pose[m_list[i - 1]];
+        if (m_turnable[i].hasAxis) {
+            const Vec3 axis = pose.orientation * Vec3::UnitY();
+            since -= axis.dot(since) * axis;
+            if (!(since.squaredNorm() > m_turnable[i].most)) continue;
+        }
+        m_hasTurned[i] = 1;
+        m_foreseen.push_back({i, pose, m_moved[i], duration * vectorOf(m_bodies[i].velocity), turn});
+        m_seenTurn[i] = vectorOf(m_moved[i].turn) + turn;
+    }
+}
+
+// Moves a body to where it will be after part of the step.
+void SteppedMotion::moveAhead(const SteppedInput& input, const Foreseen& body, double part) {
+    Pose& pose = input.state.pose[m_list[body.number - 1]];
+    Displacement& moved = m_moved[body.number];
+    pose.position = body.pose.position + part * body.shift;
+    pose.orientation = (fromRotationVector(part * body.turn) * body.pose.orientation).normalized();
+    moved = body.moved;
+    add(moved.shift, part * body.shift);
+    add(moved.turn, part * body.turn);
+}
+
+// Once a step is solved, such contacts are added to the others for the rest of it. Impacts are left alone:
+// they turn bodies once more when they rebound.
+bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifolds& manifolds,
+                              SteppedReport& report, bool isSolved) {
+    foreseeTurned(input, duration);
+    if (m_foreseen.empty() && !m_hasEmptyRows) return false;
+    const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
+    const std::size_t groups = m_rows.groups().size();
+    bool any = false;
+    for (std::uint32_t group = 0; group < groups; ++group)
+        for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
+            const RowGroup& of = m_rows.groups()[group];
+            if (of.source[lane] == ContactRows::noPair) continue;
+            const std::span<const RowPoint> rows = m_rows.points().subspan(of.firstPoint, of.points);
+            const bool isEmpty = rows.front().massNormal[lane] == 0;
+            if (!isEmpty && (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
+            const bool isImpact = std::any_of(rows.begin(), rows.end(),
+                                              [&](const RowPoint& row) { return row.approach[lane] > 0; });
+            if (isSolved && isImpact) continue;
+            if (!findAnew(input, there, group, lane, manifolds, isSolved && !isEmpty)) continue;
+            ++report.work.pairsCollided;
+            any = true;
+        }
+    for (const Foreseen& body : m_foreseen) {
+        input.state.pose[m_list[body.number - 1]] = body.pose;
+        m_moved[body.number] = body.moved;
+    }
+    if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
+    updateGaps(m_rows, m_moved, input.workers);
+    return any;
+}
+
+// Moves both bodies of a pair to where they are nearest along this normal, within the step. False if they
+// cannot touch in it.
+bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput& there,
+                                  const std::array<std::uint32_t, 2>& numbers, BodyPair pair,
+                                  const Vec3& normal) {
+    std::array<const Foreseen*, 2> turning{};
+    double most = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (m_hasTurned[numbers[side]] == 0) continue;
+        turning[side] = &*std::lower_bound(
+            m_foreseen.begin(), m_foreseen.end(), numbers[side],
+            [](const Foreseen& body, std::uint32_t number) { return body.number < number; });
+        most = std::max(most, turning[side]->turn.norm());
+    }
+    const auto gapAt = [&](double part) {
+        for (const Foreseen* body : turning)
+            if (body != nullptr) moveAhead(input, *body, part);
+        return gapAlong(there, pair, normal);
+    };
+    const double start = gapAt(0);
+    const SolverBody &a = m_bodies[numbers[0]], &b = m_bodies[numbers[1]];
+    const double closing = normal.dot(vectorOf(a.velocity) - vectorOf(b.velocity)) +
+                           surfaceSpeed(input.bodies, numbers[0]) + surfaceSpeed(input.bodies, numbers[1]);
+    if (start > slackOf(there, pair) + there.duration * std::max(0.0, closing)) return false;
+    const double times = std::clamp(std::ceil(most / turnBetween), 1.0, mostTimes);
+    double nearest = std::numeric_limits<double>::infinity(), at = 1;
+    for (double k = 1; times > 1 && k <= times; ++k)
+        if (const double gap = gapAt(k / times); gap < nearest) {
+            nearest = gap;
+            at = k / times;
+        }
+    gapAt(at);
+    return true;
+}
+
+/// How fast the surface of a body comes nearer to others at most because it turns [m/s].
+double SteppedMotion::surfaceSpeed(const Bodies& bodies, std::uint32_t number) const {
+    if (number == immobile || isSphere(bodies, m_list[number - 1])) return 0;
+    return bodies.boundingRadius[m_list[number - 1]] * vectorOf(m_bodies[number].spin).norm();
+}
+
+// Finds the contact of a pair with rows anew, which keeps its forces unless it is added to them. False if the
+// two cannot touch within the step: then the rows have no points until they can.
+bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& there, std::uint32_t group,
+                             std::uint32_t lane, Manifolds& manifolds, bool adds) {
+    const RowGroup& of = m_rows.groups()[group];
+    const std::uint32_t entry = of.source[lane];
+    PersistentManifold& manifold = manifolds[m_entries[entry].place];
+    const Vec3 normal = laneOf(of.normal, lane);
+    if (!moveToNearest(input, there, {of.a[lane], of.b[lane]}, manifold.pair, normal)) {
+        if (adds) return false;
+        PairInput none = inputOf(there.bodies, entry);
+        none.normal = normal;
+        m_rows.replace(group, lane, none, m_bodies);
+        m_hasEmptyRows = true;
+        return false;
+    }
+    if (adds) {
+        PersistentManifold also = manifold;
+        also.count = 0;
+        if (!closeManifold(there, m_entries[entry].margin, also)) return false;
+        const PlacedManifold contact = placedAtLook(there, also);
+        m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
+        return true;
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k)
+        manifold.points[k].force = m_rows.impulseOf(of, static_cast<int>(lane), k) / m_step;
+    manifold.torque = m_rows.torqueOf(group, lane) / m_step;
+    closeManifold(there, m_entries[entry].margin, manifold);
+    PlacedManifold contact = placedAtLook(there, manifold);
+    for (PointInput& point : contact.points) point.impulse *= m_step; // from forces
+    contact.torque *= m_step;
+    const PairInput pair = rowOf(there.bodies, entry, contact);
+    if (pair.points.size() <= of.points) {
+        m_rows.replace(group, lane, pair, m_bodies);
+    } else {
+        m_rows.remove(group, lane);
+        m_rows.add(pair, entry, m_bodies);
+    }
+    return true;
+}
+
+// After a step, whose last looks added them.
+void SteppedMotion::removeAdded() {
+    for (const LanePacker::Place& place : m_addedRows) m_rows.remove(place.group, place.lane);
+    m_addedRows.clear();
+}
+
+} // namespace carom
