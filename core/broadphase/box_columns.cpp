@@ -88,7 +88,8 @@ CAROM_WIDE std::size_t overlapping(const BoxColumns& columns, const Aabb& box,
             for (std::int64_t k = 0; k < blockSize; k += wideLanes)
                 next = write(comparison.hits(j + k), j + k, next);
         }
-        for (; j < range.end; j += wideLanes) {
+        for (; j + wideLanes <= range.end; j += wideLanes) next = write(comparison.hits(j), j, next);
+        if (j < range.end) {
             const Lanes inside = Lanes{0, 1, 2, 3} + j < std::int64_t(range.end);
             next = write(comparison.hits(j) & inside, j, next);
         }

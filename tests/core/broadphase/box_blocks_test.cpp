@@ -57,6 +57,32 @@ class BoxBlocksTest : public QObject {
         QVERIFY(found > 10'000);
     }
 
+    // Blocks of blocks of blocks; then every third box moves.
+    void whatOverlapsIsFoundAmongMany() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 88);
+        std::vector<Aabb> boxes;
+        for (int i = 0; i < 700; ++i) {
+            const Vec3 centre(random.uniform(0, 8), random.uniform(0, 8), random.uniform(0, 3));
+            boxes.push_back(grown({centre, centre}, random.uniform(0.1, 0.5)));
+        }
+        BoxBlocks blocks;
+        BoxBlocks::Search search;
+        blocks.build(boxes);
+        const auto areFound = [&] {
+            return std::all_of(boxes.begin(), boxes.end(), [&](const Aabb& box) {
+                return sorted(blocks.overlapping(box, search)) == obvious(boxes, box);
+            });
+        };
+        QVERIFY(areFound());
+        for (std::size_t entry = 0; entry < boxes.size(); entry += 3) {
+            const Vec3 shift(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+            boxes[entry] = {boxes[entry].lower + shift, boxes[entry].upper + shift};
+            blocks.set(entry, boxes[entry]);
+        }
+        QVERIFY(areFound());
+    }
+
     void nothingOverlapsAmongNone() {
         BoxBlocks blocks;
         BoxBlocks::Search search;
