@@ -10,8 +10,9 @@
 
 namespace carom {
 
-/// How a body is expected to go on: straight ahead until `ends`, where it then stays.
-struct Course {
+/// How a body is expected to go on: straight ahead until `ends`, where it then stays. Read by four doubles at
+/// a time (meetings.cpp).
+struct alignas(32) Course {
     Vec3 place = Vec3::Zero();    ///< when it begins [m]
     Vec3 velocity = Vec3::Zero(); ///< [m/s]
     double begins = 0, ends = 0;  ///< [s]

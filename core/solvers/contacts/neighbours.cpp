@@ -59,15 +59,18 @@ bool areBoxesWithin(const Bodies& bodies, BodyPair pair, const Pose& a, const Po
 Neighbours::Neighbours(const Bodies& bodies)
     : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
       m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
-      m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_asked(bodies.count(), 0.0),
-      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
+      m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_extent(bodies.count(), 0.0),
+      m_asked(bodies.count(), 0.0), m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
       m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
         m_mobile.push_back(bodies.mobile[i]);
     }
-    for (const BodyIndex i : bodies.bounded)
-        if (bodies.mobile[i] == 0) m_skin[i] = leastMargin * bodies.boundingRadius[i];
+    for (const BodyIndex i : bodies.bounded) {
+        if (bodies.mobile[i] != 0) continue;
+        m_skin[i] = leastMargin * bodies.boundingRadius[i];
+        m_extent[i] = bodies.boundingRadius[i] + m_skin[i];
+    }
     for (const BodyIndex i : bodies.mobileBodies) m_around[i].reserve(usualAround);
     m_outrun.reserve(2 * bodies.count());
 }
@@ -215,6 +218,7 @@ bool Neighbours::areFewOutrun(const Bodies& bodies) const {
 void Neighbours::renewSkin(const Bodies& bodies, const State& state, BodyIndex body) {
     m_room[body] = std::max(m_room[body], roominess * leastMargin * bodies.boundingRadius[body]);
     m_skin[body] = m_room[body] + m_drift[body];
+    m_extent[body] = bodies.boundingRadius[body] + m_skin[body];
     m_moved[body] = 0;
     const double horizon = framesOfCourse * m_frame;
     m_orientation[body] = state.pose[body].orientation;
@@ -252,8 +256,7 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     m_workers->forLists(
         m_anew.size(), fewFound, m_finds,
         [&](std::size_t begin, std::size_t end, Finds& finds) {
-            for (const BodyIndex i : std::span(m_anew).subspan(begin, end - begin))
-                findAround(bodies, i, finds);
+            findAround(bodies, std::span(m_anew).subspan(begin, end - begin), finds);
         },
         [&](const Finds& finds) { addFound(bodies, finds); });
     addFound(bodies, m_finds);
@@ -264,28 +267,35 @@ void Neighbours::searchForOutrun(const Bodies& bodies, const State& state) {
     for (const BodyIndex i : m_anew) m_isOutrun[i] = 0;
 }
 
-// What a body that has moved beyond the list may meet. A pair of two such bodies is found with the smaller
+// What bodies that have moved beyond the list may meet. A pair of two such bodies is found with the smaller
 // one.
-void Neighbours::findAround(const Bodies& bodies, BodyIndex body, Finds& finds) const {
-    for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[body]], finds.search)) {
-        const BodyIndex other = bodies.bounded[entry];
-        if (other == body || (m_isOutrun[other] != 0 && other < body)) continue;
-        const TimeSpan meeting = meetingOfSkins(bodies, body, other);
-        if (!meeting.isEmpty()) finds.pairs.push_back({body, other, meeting});
-    }
+void Neighbours::findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const {
+    for (const BodyIndex i : list)
+        for (const std::uint32_t entry : m_blocks.overlapping(m_boxes[m_number[i]], finds.search)) {
+            const BodyIndex k = bodies.bounded[entry];
+            if (k < i && m_isOutrun[k] == 0) finds.pairs.push_back({k, i});
+            if (k > i) finds.pairs.push_back({i, k});
+        }
+    finds.meetings.resize(finds.pairs.size());
+    meetingsOfSkins().find(finds.pairs, finds.meetings.data());
     for (const BodyIndex w : bodies.walls)
-        if (comesNear(bodies, body, w)) finds.pairs.push_back({body, w, always});
+        for (const BodyIndex i : list) {
+            if (!comesNear(bodies, i, w)) continue;
+            finds.pairs.push_back({std::min(w, i), std::max(w, i)});
+            finds.meetings.push_back(always);
+        }
 }
 
 void Neighbours::addFound(const Bodies& bodies, const Finds& finds) {
-    for (const Found& found : finds.pairs) {
-        m_around[found.body].emplace_back(found.other, found.meeting);
-        ++m_ends;
-        if (bodies.mobile[found.other] == 0) continue;
-        ++m_ends;
-        std::vector<Neighbour>& others = m_around[found.other];
-        others.emplace(m_isOutrun[found.other] != 0 ? others.end() : placeIn(others, found.body), found.body,
-                       found.meeting);
+    for (std::size_t n = 0; n < finds.pairs.size(); ++n) {
+        if (finds.meetings[n].isEmpty()) continue;
+        const BodyPair pair = finds.pairs[n];
+        for (const auto& [i, k] : {pair, BodyPair{pair.b, pair.a}}) {
+            if (bodies.mobile[i] == 0) continue;
+            std::vector<Neighbour>& list = m_around[i];
+            list.emplace(m_isOutrun[i] != 0 ? list.end() : placeIn(list, k), k, finds.meetings[n]);
+            ++m_ends;
+        }
     }
 }
 
@@ -312,8 +322,7 @@ void Neighbours::searchAll(const Bodies& bodies, const State& state, Broadphase&
     const std::span<const BodyPair> pairs = broadphase.pairs(); // ascending, so each body's list is, too
     m_meetings.resize(pairs.size());
     m_workers->forRanges(pairs.size(), fewMeetings, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            m_meetings[k] = meetingOfSkins(bodies, pairs[k].a, pairs[k].b);
+        meetingsOfSkins().find(pairs.subspan(begin, end - begin), m_meetings.data() + begin);
     });
     auto wall = m_wallPairs.begin();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -332,18 +341,11 @@ void Neighbours::addPair(const Bodies& bodies, BodyPair pair, const TimeSpan& me
     }
 }
 
-// When two bodies may be within their skins as both go on.
-TimeSpan Neighbours::meetingOfSkins(const Bodies& bodies, BodyIndex body, BodyIndex other) const {
-    const double within =
-        bodies.boundingRadius[body] + bodies.boundingRadius[other] + m_skin[body] + m_skin[other];
-    return meetingOf(m_course[body], m_course[other], m_now, within);
-}
-
 bool Neighbours::comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const {
     const Course& course = m_course[body];
     const Wall& plane = std::get<Wall>(bodies.shape[wall]);
     return std::min(distanceTo(plane, course.place), distanceTo(plane, course.placeAt(course.ends))) <=
-           bodies.boundingRadius[body] + m_skin[body];
+           m_extent[body];
 }
 
 void Neighbours::findWallPairs(const Bodies& bodies) {

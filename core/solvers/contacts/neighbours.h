@@ -7,6 +7,7 @@
 #include "core/dynamics/parallel.h"
 #include "core/dynamics/state.h"
 #include "core/solvers/contacts/course.h"
+#include "core/solvers/contacts/meetings.h"
 #include "core/solvers/contacts/near.h"
 
 #include <algorithm>
@@ -180,23 +181,20 @@ class Neighbours {
     static constexpr double leastMargin = 0.01;
 
   private:
-    TimeSpan meetingOfSkins(const Bodies& bodies, BodyIndex body, BodyIndex other) const;
+    Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
     bool areFewOutrun(const Bodies& bodies) const;
     void searchAll(const Bodies& bodies, const State& state, Broadphase& broadphase);
     void searchForOutrun(const Bodies& bodies, const State& state);
-    /// A pair that a search for single bodies has found.
-    struct Found {
-        BodyIndex body = 0, other = 0;
-        TimeSpan meeting;
-    };
+    /// What searches for single bodies find: pairs that may meet, and when, which for some is never.
     struct Finds {
-        std::vector<Found> pairs;
+        std::vector<BodyPair> pairs;
+        std::vector<TimeSpan> meetings; // by pair
         BoxBlocks::Search search;
     };
-    void findAround(const Bodies& bodies, BodyIndex body, Finds& finds) const;
+    void findAround(const Bodies& bodies, std::span<const BodyIndex> list, Finds& finds) const;
     void addFound(const Bodies& bodies, const Finds& finds);
     void notePulls(const Bodies& bodies, const State& state, double duration);
     void findWallPairs(const Bodies& bodies);
@@ -207,11 +205,12 @@ class Neighbours {
     std::vector<Aabb> m_boxes;           // of bodies.bounded
     std::vector<double> m_path;          // by body: how far it comes if nothing hits it [m]
     std::vector<double> m_pull;          // by body: how much further springs and force terms take it [m]
-    std::vector<double> m_drift; // by body: how far it leaves its course in a frame, if nothing hits it [m]
-    std::vector<double> m_moved; // by body: at most so far from where the list found it [m]
-    std::vector<double> m_room;  // by body: what its skin is to hold besides the drift [m]
-    std::vector<double> m_skin;  // by body [m]
-    std::vector<double> m_asked; // by body: the most room covers() was asked for since its skin was made [m]
+    std::vector<double> m_drift;  // by body: how far it leaves its course in a frame, if nothing hits it [m]
+    std::vector<double> m_moved;  // by body: at most so far from where the list found it [m]
+    std::vector<double> m_room;   // by body: what its skin is to hold besides the drift [m]
+    std::vector<double> m_skin;   // by body [m]
+    std::vector<double> m_extent; // by body: the radius of its bounding ball and its skin [m]
+    std::vector<double> m_asked;  // by body: the most room covers() was asked for since its skin was made [m]
     std::vector<Quat> m_orientation; // by body: when the list found it
     std::vector<Course> m_course;    // by body, from where the list found it
     double m_now = 0;                // [s]

@@ -4,12 +4,14 @@
 
 #include "core/math/random.h"
 #include "core/solvers/contacts/course.h"
+#include "core/solvers/contacts/meetings.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 // Two courses meet if they come within a distance, against their distances at many times.
 
@@ -105,6 +107,40 @@ class CourseTest : public QObject {
         }
         qInfo("%d begin later, %d end", begin, end);
         QVERIFY(begin > 50 && end > 100);
+    }
+
+    void pairsFourAtATimeMeetAsEachDoes() {
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        Random random(test::seed, 87);
+        constexpr BodyIndex bodies = 40;
+        const auto isSame = [](double one, double other) {
+            return one == other || std::abs(one - other) < 1e-9;
+        };
+        int meet = 0, pass = 0;
+        for (int trial = 0; trial < 200; ++trial) {
+            std::vector<Course> courses;
+            std::vector<double> extents;
+            for (BodyIndex i = 0; i < bodies; ++i) {
+                courses.push_back(courseOf(random));
+                if (trial % 2 == 0) courses.back().ends = 2; // most end together
+                extents.push_back(random.uniform(0.5, 2));
+            }
+            std::vector<BodyPair> pairs;
+            for (std::size_t k = random.below(40); k > 0; --k) {
+                const BodyIndex a = static_cast<BodyIndex>(random.below(bodies - 1));
+                pairs.push_back({a, a + 1 + static_cast<BodyIndex>(random.below(bodies - 1 - a))});
+            }
+            std::vector<TimeSpan> meetings(pairs.size());
+            const double time = random.uniform(1, 3);
+            Meetings{courses.data(), extents.data(), time}.find(pairs, meetings.data());
+            for (std::size_t k = 0; k < pairs.size(); ++k) {
+                const auto [a, b] = pairs[k];
+                const TimeSpan one = meetingOf(courses[a], courses[b], time, extents[a] + extents[b]);
+                QVERIFY(isSame(meetings[k].from, one.from) && isSame(meetings[k].until, one.until));
+                ++(one.isEmpty() ? pass : meet);
+            }
+        }
+        QVERIFY(meet > 300 && pass > 300);
     }
 
     // Resting bodies crawl by speeds of which squares are 0.
