@@ -83,12 +83,13 @@ bool Candidates::noteReach(const Bodies& bodies, const State& state, std::span<c
     return covered;
 }
 
-// What pairs of this body give a larger reach.
-void Candidates::findLarger(const Bodies& bodies, const State& state, BodyIndex i,
+// What pairs of this body give a larger reach; where `isOfAll`, those that no smaller one gives.
+void Candidates::findLarger(const Bodies& bodies, const State& state, BodyIndex i, bool isOfAll,
                             const Neighbours& neighbours, std::vector<Larger>& larger) const {
     const Body& body = m_body[i];
     for (const BodyIndex k : neighbours.around(i)) {
         if (m_kind[k] == Kind::Immobile || m_kind[k] == Kind::Left) continue;
+        if (isOfAll && m_kind[k] == Kind::Member && k < i) continue;
         if (!mayBeWithin(body, m_body[k])) continue;
         const double reachI = neighbours.reach(i), reachK = neighbours.reach(k);
         const BodyIndex slower = reachI < reachK ? i : k, faster = slower == i ? k : i;
@@ -104,11 +105,12 @@ void Candidates::findLarger(const Bodies& bodies, const State& state, BodyIndex 
 bool Candidates::shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
                             Neighbours& neighbours, Workers& workers) {
     const std::size_t first = m_changed.size();
+    const bool isOfAll = from.size() == m_free.size();
     m_larger.clear();
     workers.forLists(from.size(), fewLookedAt, m_larger,
                      [&](std::size_t begin, std::size_t end, std::vector<Larger>& larger) {
                          for (const BodyIndex i : from.subspan(begin, end - begin))
-                             findLarger(bodies, state, i, neighbours, larger);
+                             findLarger(bodies, state, i, isOfAll, neighbours, larger);
                      });
     for (const Larger& larger : m_larger) {
         if (!(m_body[larger.body].reach < larger.reach)) continue;

@@ -71,8 +71,8 @@ class Candidates {
                    Neighbours& neighbours);
     bool shareReach(const Bodies& bodies, const State& state, std::span<const BodyIndex> from,
                     Neighbours& neighbours, Workers& workers);
-    void findLarger(const Bodies& bodies, const State& state, BodyIndex i, const Neighbours& neighbours,
-                    std::vector<Larger>& larger) const;
+    void findLarger(const Bodies& bodies, const State& state, BodyIndex i, bool isOfAll,
+                    const Neighbours& neighbours, std::vector<Larger>& larger) const;
     bool areWithin(const Bodies& bodies, const State& state, BodyPair pair, double margin) const;
     double leastMarginOf(BodyPair pair) const;
 
