@@ -29,11 +29,19 @@ double leastRoom(const Bodies& bodies, BodyIndex body) {
     return Neighbours::leastMargin * bodies.boundingRadius[body];
 }
 
-/// How far what flies comes by gravity in a frame [m].
-double fallInFrame(const SolverInput& input) {
-    const double time = input.parts * input.substep;
-    return 0.5 * input.gravity.norm() * time * time;
+/// Takes `some`, at least one, from a list that has all of them; both ascend.
+void remove(std::span<const BodyIndex> some, std::vector<BodyIndex>& from) {
+    auto to = std::lower_bound(from.begin(), from.end(), some.front()), next = to;
+    for (const BodyIndex body : some) {
+        const auto at = std::lower_bound(next, from.end(), body);
+        to = std::copy(next, at, to);
+        next = at + 1;
+    }
+    from.erase(std::copy(next, from.end(), to), from.end());
 }
+
+/// How far what flies comes by gravity in this time [m].
+double fallIn(const SolverInput& input, double time) { return 0.5 * input.gravity.norm() * time * time; }
 
 } // namespace
 
@@ -59,8 +67,7 @@ double FreeFlight::turnInFrame(const SolverInput& input, BodyIndex body) const {
 
 // What the boxes of one that flies must hold besides its way through a substep, seen as straight [m].
 double FreeFlight::roomOf(const SolverInput& input, BodyIndex body) const {
-    return m_turn[body] + leastRoom(input.bodies, body) +
-           0.5 * input.gravity.norm() * input.substep * input.substep;
+    return m_turn[body] + leastRoom(input.bodies, body) + m_fall;
 }
 
 // Where a body that flies is when a substep begins.
@@ -100,9 +107,8 @@ double FreeFlight::timeOfMeeting(const SolverInput& input, BodyIndex body, BodyI
 
 double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body, BodyIndex other) const {
     const double h = input.substep, time = input.parts * h;
-    const auto fallIn = [&](double duration) { return 0.5 * input.gravity.norm() * duration * duration; };
     if (const Wall* wall = std::get_if<Wall>(&input.bodies.shape[other])) {
-        const double within = input.bodies.boundingRadius[body] + leastRoom(input.bodies, body) + fallIn(h);
+        const double within = input.bodies.boundingRadius[body] + leastRoom(input.bodies, body) + m_fall;
         for (int part = 0; part < input.parts; ++part)
             if (distanceTo(*wall, placeIn(input, body, part)) <= within ||
                 distanceTo(*wall, placeIn(input, body, part + 1)) <= within)
@@ -111,7 +117,7 @@ double FreeFlight::timeOfMeetingUnmoved(const SolverInput& input, BodyIndex body
     }
     const auto meetingOf = [&](const Vec3& place, const Vec3& velocity, double duration) {
         return firstWithin(place - input.state.pose[other].position, velocity, duration,
-                           touching(input.bodies, body, other) + fallIn(duration));
+                           touching(input.bodies, body, other) + fallIn(input, duration));
     };
     if (!(meetingOf(m_start[body].position, m_start[body].velocity, time) < noMeeting)) return noMeeting;
     for (int part = 0; part < input.parts; ++part) {
@@ -134,7 +140,8 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
         m_part[i] = -1;
     }
     if (!input.motion.isExactInFreeFall || !input.motion.isExactInFreeRotation) return;
-    const double time = input.parts * input.substep;
+    const double time = input.parts * input.substep, fall = fallIn(input, time);
+    m_fall = fallIn(input, input.substep);
     bool covered = true;
     for (const BodyIndex i : members) {
         if (isOnSpring[i] != 0 || isPlaced[i] != 0 || input.bodies.forces.actOn(i)) continue;
@@ -143,8 +150,7 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
         m_turn[i] = turnInFrame(input, i);
         m_due[i] = noMeeting;
         m_bodies.push_back(i);
-        covered =
-            neighbours.coversFlight(input.state, i, roomOf(input, i), time, fallInFrame(input)) && covered;
+        covered = neighbours.coversFlight(input.state, i, roomOf(input, i), time, fall) && covered;
     }
     if (!covered) neighbours.search(input.bodies, input.state, input.broadphase);
     input.workers.forRanges(m_bodies.size(), fewStarts, [&](std::size_t begin, std::size_t end) {
@@ -165,9 +171,12 @@ void FreeFlight::start(const SolverInput& input, std::span<const std::uint8_t> i
 }
 
 void FreeFlight::advance(const SolverInput& input) {
-    for (const BodyIndex i : m_bodies) {
-        input.state.pose[i].position = placeIn(input, i, input.part);
-        input.state.velocity[i] = m_start[i].velocity + input.part * input.substep * input.gravity;
+    const double time = input.part * input.substep;
+    const Vec3 gained = time * input.gravity, gainedInMean = 0.5 * time * input.gravity;
+    for (const BodyIndex i : m_bodies) { // placeIn(), where the time is the same for all
+        const Start& start = m_start[i];
+        input.state.pose[i].position = start.position + time * (start.velocity + gainedInMean);
+        input.state.velocity[i] = start.velocity + gained;
     }
 }
 
@@ -280,7 +289,7 @@ void FreeFlight::take(const SolverInput& input, const Hit& hit, std::vector<Body
 void FreeFlight::land(const SolverInput& input, std::vector<BodyIndex>& landed) {
     if (landed.empty()) return;
     std::sort(landed.begin(), landed.end());
-    std::erase_if(m_bodies, [this](BodyIndex i) { return !has(i); });
+    remove(landed, m_bodies);
     finish(input, input.part, landed);
 }
 

@@ -126,6 +126,7 @@ class FreeFlight {
     std::vector<double> m_speed; // of those that may have been struck [m/s]
     std::vector<Start> m_start;  // of those that fly
 
+    double m_fall = 0; // how far what flies comes by gravity in a substep [m]
     std::vector<BodyIndex> m_bodies;
     std::vector<Strike> m_strikes;
     std::vector<Hit> m_hits;         // of a round of strikes
