@@ -247,10 +247,10 @@ void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours
         block.forEachEntry([&](Entry& entry) {
             if (!isRenewed(entry)) return;
             entry.margin = std::max(entry.margin, marginOf(input, entry.pair));
-            m_present.push_back(entry.pair);
+            m_present.push_back({entry.pair});
         });
     }
-    std::sort(m_present.begin(), m_present.end());
+    m_sort.sort(m_present, input.bodies.count());
     m_missing.entries.clear();
     m_missing.parting.clear();
     input.workers.forLists(
@@ -287,7 +287,7 @@ void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbo
         const BodyPair pair{std::min(i, k), std::max(i, k)};
         const double margin = marginOf(input, pair);
         if (!areWithin(input.bodies, input.state, pair, margin) ||
-            std::binary_search(m_present.begin(), m_present.end(), pair))
+            std::ranges::binary_search(m_sort.of(pair.a, m_present), pair, {}, &Present::pair))
             continue;
         if (mobile && m_block[i] != m_block[k])
             missing.parting.insert(missing.parting.end(), {i, k});

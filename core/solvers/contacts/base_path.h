@@ -3,6 +3,7 @@
 
 #include "core/solvers/contacts/islands.h"
 #include "core/solvers/contacts/neighbours.h"
+#include "core/solvers/contacts/pair_sort.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
 #include <algorithm>
@@ -172,6 +173,9 @@ class BasePath {
         BodyIndex body = 0;
         double reach = 0; // [m]
     };
+    struct Present {
+        BodyPair pair;
+    };
     /// Pairs of bodies that enter: from each to those of larger index, and to others that are here.
     using Paired = UpAndDown<Entry>;
     /// Pairs that bodies with a new reach need, and bodies of different blocks that may meet.
@@ -238,8 +242,9 @@ class BasePath {
     Scratch<std::vector<std::uint8_t>> m_isOutrun;                     // by body of a block
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     std::vector<Renewed> m_renewed;
-    std::vector<std::uint32_t> m_renewal;     // by body: its number in m_renewed and 1, or 0
-    Scratch<std::vector<BodyPair>> m_present; // pairs of renewed bodies that are here
+    std::vector<std::uint32_t> m_renewal;    // by body: its number in m_renewed and 1, or 0
+    Scratch<std::vector<Present>> m_present; // pairs of renewed bodies that are here
+    Scratch<PairSort<Present>> m_sort;
 };
 
 } // namespace carom

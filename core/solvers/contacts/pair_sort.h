@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,9 +33,14 @@ class PairSort {
         }
         std::swap(entries, m_sorted);
     }
+    /// Those of which this is the first body, of the entries sorted last.
+    std::span<const Entry> of(BodyIndex first, const std::vector<Entry>& entries) const {
+        const std::uint32_t begin = first > 0 ? m_first[first - 1] : 0;
+        return std::span(entries).subspan(begin, m_first[first] - begin);
+    }
 
   private:
-    std::vector<std::uint32_t> m_first; // by body: where its next pair goes
+    std::vector<std::uint32_t> m_first; // by body: where its next pair goes; when sorted, where they end
     std::vector<Entry> m_sorted;
 };
 

@@ -63,6 +63,13 @@ class PairSortTest : public QObject {
             QCOMPARE(pairs.size(), expected.size());
             for (std::size_t i = 0; i < pairs.size(); ++i)
                 QVERIFY(pairs[i].pair == expected[i].pair && pairs[i].number == expected[i].number);
+            std::size_t next = 0;
+            for (BodyIndex first = 0; first < bodies; ++first)
+                for (const Numbered& entry : sort.of(first, pairs)) {
+                    QVERIFY(entry.pair.a == first);
+                    QVERIFY(&entry == &pairs[next++]);
+                }
+            QCOMPARE(next, pairs.size());
         }
     }
 
