@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/dynamics/state.h"
 
+#include <cmath>
+
 namespace carom {
 namespace {
 
@@ -16,25 +18,19 @@ constexpr std::size_t turningBytes = sizeof(Pose::orientation) + bytesOf<decltyp
 static_assert(movingBytes <= 64);
 static_assert(movingBytes + turningBytes <= 3 * 64);
 
-// 0 while every number is finite, else not a number: 0 · inf and 0 · NaN are NaN. A multiplication and an
-// addition a number, where a test of each would be a branch. Only what can change is looked at.
-double traceOfLoss(const Bodies& bodies, const State& state) {
-    double x = 0, y = 0, z = 0;
-    for (const BodyIndex i : bodies.mobileBodies) {
-        const Vec3& position = state.pose[i].position;
-        const Vec3& velocity = state.velocity[i];
-        x += 0.0 * position.x() + 0.0 * velocity.x();
-        y += 0.0 * position.y() + 0.0 * velocity.y();
-        z += 0.0 * position.z() + 0.0 * velocity.z();
-    }
+// Finite only if every number is, because no sum with inf or NaN is; and not finite either where numbers are
+// so large that their sum overflows. An addition a number, where a test of each would be a branch. Only what
+// can change is looked at.
+double sumOfAll(const Bodies& bodies, const State& state) {
+    Vec3 moving = Vec3::Zero(), turning = Vec3::Zero();
+    double last = 0;
+    for (const BodyIndex i : bodies.mobileBodies) moving += state.pose[i].position + state.velocity[i];
     for (const BodyIndex i : bodies.rotating) {
         const Quat& q = state.pose[i].orientation;
-        const Vec3& spin = state.angularVelocity[i];
-        x += 0.0 * q.x() + 0.0 * spin.x();
-        y += 0.0 * q.y() + 0.0 * spin.y();
-        z += 0.0 * q.z() + 0.0 * spin.z() + 0.0 * q.w();
+        turning += q.vec() + state.angularVelocity[i];
+        last += q.w();
     }
-    return x + y + z;
+    return moving.sum() + turning.sum() + last;
 }
 
 bool finite(const State& state, BodyIndex body) {
@@ -76,7 +72,7 @@ State initialStateOf(const Scene& scene) {
 }
 
 Loss findLoss(const Bodies& bodies, const State& state) {
-    if (traceOfLoss(bodies, state) == 0) return {};
+    if (std::isfinite(sumOfAll(bodies, state))) return {};
     for (const BodyIndex i : bodies.mobileBodies)
         if (!finite(state, i)) return {i, lostQuantity(state, i)};
     return {};
