@@ -28,6 +28,9 @@ constexpr int tooFew = 4;
 /// substep, otherwise when the next frame begins. At half, that happens more often; at twice, passes go
 /// through more pairs out of order.
 constexpr std::size_t fewRenewed = 4;
+/// A body whose reach is this many times what it needs gets a new one when a frame begins. At half, more
+/// bodies do; at twice, heaps that came to rest keep a fifth more pairs.
+constexpr double tooFar = 3;
 /// Bodies that one thread looks at least at; one takes some 30 ns. At half, waking a thread costs nearly what
 /// it saves; at twice, a thousand bodies are looked at by one.
 constexpr std::size_t fewBodies = 512;
@@ -107,7 +110,8 @@ std::size_t BasePath::islands() const {
 // How far the surface of a body can move within `time` [m].
 double BasePath::pathOf(const SteppedInput& input, BodyIndex body, double time,
                         const Neighbours& neighbours) const {
-    return Neighbours::surfaceSpeed(input.bodies, input.state, body) * time +
+    return input.state.velocity[body].norm() * time +
+           Neighbours::turnIn(input.bodies, input.state, body, time) +
            0.5 * input.gravity.norm() * time * time + neighbours.pull(body, time);
 }
 
@@ -157,7 +161,7 @@ void BasePath::orderWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
         outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islandNumbers(), 0);
-    for (const auto& [body, reach] : m_renewed) {
+    for (const auto& [body, reach, isNarrowed] : m_renewed) {
         const std::uint32_t island = blockWith(body).islandOf(body);
         if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island))
             blockWith(body).orderSoon();
@@ -185,28 +189,41 @@ void BasePath::findOutrun(const SteppedInput& input, double substep, double time
         });
         for (std::size_t n = 0; n < bodies.size(); ++n) {
             const BodyIndex i = bodies[n];
-            if (m_isOutrun[n] == 0 || block.isMarked(i)) continue;
-            m_renewed.push_back({i, ownReach(input, i, time, skin, neighbours)});
+            if (block.isMarked(i)) continue;
+            const bool isOutrun = m_isOutrun[n] != 0;
+            if (!isOutrun && !input.isFirst) continue;
+            const double reach = ownReach(input, i, time, skin, neighbours);
+            if (!isOutrun && m_reach[i] <= tooFar * reach) continue;
+            m_renewed.push_back({i, reach, !isOutrun});
             m_renewal[i] = static_cast<std::uint32_t>(m_renewed.size());
         }
     }
 }
 
 // How much further a body may come in the substep in which `striker` strikes it than it would by itself [m].
-// In the next one it is renewed.
+// In the next one it is renewed. An impact changes its velocity by no more than (1 + e) of the closing speed,
+// by its part of the masses.
 double BasePath::kickOf(const SteppedInput& input, BodyIndex body, BodyIndex striker,
                         const Neighbours& neighbours) {
+    const Bodies& bodies = input.bodies;
     const double own = neighbours.reach(body);
-    return Neighbours::reachAfter(input.bodies, body, own, striker, neighbours.reach(striker)) - own;
+    const double part = bodies.inverseMass[body] / (bodies.inverseMass[body] + bodies.inverseMass[striker]);
+    const double restitution = pairRestitution(bodies.elastic[body], bodies.elastic[striker]);
+    const double byImpact = Neighbours::reachFactor * (1 + restitution) * part *
+                            neighbours.approach(bodies, input.state, body, striker);
+    return std::min(byImpact,
+                    Neighbours::reachAfter(bodies, body, own, striker, neighbours.reach(striker)) - own);
 }
 
 // Extends the reach of bodies that one of these may strike, as prepare() would. False if the neighbours must
 // be searched and this function be called again.
 bool BasePath::findStruck(const SteppedInput& input, double time, double skin, Neighbours& neighbours) {
     for (std::size_t n = 0, outrun = m_renewed.size(); n < outrun; ++n) {
-        const auto [i, reach] = m_renewed[n];
+        const auto [i, reach, isNarrowed] = m_renewed[n];
         for (const BodyIndex k : neighbours.around(i)) {
             if (input.bodies.mobile[k] == 0 || !has(k)) continue;
+            if (isNarrowed && areWithin(input.bodies, input.state, {i, k}, reach + m_reach[k]))
+                raiseTo(m_renewed[n].reach, reach + kickOf(input, i, k, neighbours));
             const double kick = kickOf(input, k, i, neighbours);
             if (!(kick > 0)) continue;
             const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : roomOf(input, k);
@@ -229,7 +246,7 @@ bool BasePath::findStruck(const SteppedInput& input, double time, double skin, N
 // Adds the missing pairs of bodies with a new reach and removes those that can no longer meet. Marks islands
 // of different blocks that such a pair would join.
 void BasePath::loadPairs(const SteppedInput& input, const Neighbours& neighbours, Manifolds& manifolds) {
-    for (const auto& [body, reach] : m_renewed) {
+    for (const auto& [body, reach, isNarrowed] : m_renewed) {
         m_reach[body] = reach;
         m_origin[body] = input.state.pose[body];
     }

@@ -23,8 +23,9 @@
 //              steps: bodies that turn touch at other points, and an impact passes through a chain of bodies
 //              by a few of them a pass. So there is a block of bodies for every division of the substep.
 //     renewal  if some bodies of an island may move beyond their reach, their pairs are found anew; at the
-//              start of a frame, pairs that can no longer meet are removed, and all pairs of such an island
-//              are sorted again, or at once where more than a quarter of its bodies have new pairs
+//              start of a frame also those of bodies that need far less than they have, pairs that can no
+//              longer meet are removed, and all pairs of such an island are sorted again, or at once where
+//              more than a quarter of its bodies have new pairs
 //     leaving  single islands leave, and may enter again: those that refinement is to try again, that have
 //              too many contacts for their block's division, or that meet another block. Bodies at rest stay
 //              for many frames.
@@ -171,7 +172,8 @@ class BasePath {
     };
     struct Renewed {
         BodyIndex body = 0;
-        double reach = 0; // [m]
+        double reach = 0;        // [m]
+        bool isNarrowed = false; // it had more than it needs
     };
     struct Present {
         BodyPair pair;

@@ -61,8 +61,8 @@ double FreeFlight::turnInFrame(const SolverInput& input, BodyIndex body) const {
     if (isSphere(input.bodies, body)) return 0;
     const Vec3& inverse = input.bodies.inverseInertia[body];
     const double time = (input.parts + Neighbours::reachFactor) * input.substep;
-    return time * inverse.maxCoeff() / inverse.minCoeff() * input.state.angularVelocity[body].norm() *
-           input.bodies.boundingRadius[body];
+    const double spin = inverse.maxCoeff() / inverse.minCoeff() * input.state.angularVelocity[body].norm();
+    return std::min(2.0, time * spin) * input.bodies.boundingRadius[body];
 }
 
 // What the boxes of one that flies must hold besides its way through a substep, seen as straight [m].

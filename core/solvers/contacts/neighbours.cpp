@@ -15,6 +15,9 @@ namespace {
 /// A skin has this many times the room that was asked for. At twice, lists hold more pairs; at 1, they are
 /// made anew for the least that is needed more.
 constexpr double roominess = 1.2;
+/// A skin this many times as wide as what is asked for is made anew. At 1.5, lists are a twentieth shorter;
+/// at twice, a quarter longer.
+constexpr double tooWide = 2;
 /// Frames for which a body's course goes on. At half, bodies that nothing strikes are found anew twice as
 /// often; at twice, lists hold more that a body will meet much later, or never.
 constexpr int framesOfCourse = 4;
@@ -60,7 +63,8 @@ Neighbours::Neighbours(const Bodies& bodies)
     : m_number(bodies.count(), 0), m_boxes(bodies.bounded.size()), m_path(bodies.count(), 0.0),
       m_pull(bodies.count(), 0.0), m_drift(bodies.count(), 0.0), m_moved(bodies.count(), 0.0),
       m_room(bodies.count(), 0.0), m_skin(bodies.count(), -1.0), m_extent(bodies.count(), 0.0),
-      m_asked(bodies.count(), 0.0), m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
+      m_asked(bodies.count(), 0.0), m_askedLately(bodies.count(), 0.0),
+      m_orientation(bodies.count(), Quat::Identity()), m_course(bodies.count()),
       m_isOutrun(bodies.count(), 0), m_around(bodies.count()) {
     for (const BodyIndex i : bodies.bounded) {
         m_number[i] = static_cast<std::uint32_t>(m_mobile.size());
@@ -78,6 +82,7 @@ Neighbours::Neighbours(const Bodies& bodies)
 void Neighbours::update(const Bodies& bodies, const State& state, std::span<const BodyIndex> list,
                         const Vec3& gravity, double duration, double frame, Broadphase& broadphase) {
     m_frame = frame;
+    narrow(bodies, list);
     if (follow(bodies, state, list, gravity, duration)) return;
     // A neighbour may need a larger skin of a body than the body itself: a skin that was asked for will be
     // asked for again.
@@ -93,10 +98,30 @@ void Neighbours::update(const Bodies& bodies, const State& state, std::span<cons
     searchAll(bodies, state, broadphase);
 }
 
+// Lets the skins be made anew of bodies that have needed little of theirs for a while: what fell on a heap
+// asked for much, and rests.
+void Neighbours::narrow(const Bodies& bodies, std::span<const BodyIndex> list) {
+    if (m_now < m_narrowed + framesOfCourse * m_frame) return;
+    m_narrowed = m_now;
+    for (const BodyIndex i : list) {
+        const double least = leastMargin * bodies.boundingRadius[i];
+        if (m_skin[i] > tooWide * (roominess * std::max(m_askedLately[i], least) + m_drift[i])) {
+            m_asked[i] = m_askedLately[i];
+            m_outrun.push_back(i);
+        }
+        m_askedLately[i] = 0;
+    }
+}
+
 double Neighbours::surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body) {
     const double speed = state.velocity[body].norm();
     if (std::holds_alternative<Sphere>(bodies.shape[body])) return speed;
     return speed + state.angularVelocity[body].norm() * bodies.boundingRadius[body];
+}
+
+double Neighbours::turnIn(const Bodies& bodies, const State& state, BodyIndex body, double time) {
+    if (std::holds_alternative<Sphere>(bodies.shape[body])) return 0;
+    return std::min(2.0, state.angularVelocity[body].norm() * time) * bodies.boundingRadius[body];
 }
 
 double Neighbours::displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to) {
@@ -150,14 +175,12 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
     bool serves = m_outrun.empty() && !m_isForgotten;
     for (const BodyIndex i : list) {
         const double radius = bodies.boundingRadius[i];
-        const double speed = surfaceSpeed(bodies, state, i);
-        const double turns = speed - state.velocity[i].norm();
-        m_path[i] = speed * duration + fall + m_pull[i];
-        m_drift[i] = turns * m_frame + fallInFrame + pull(i, m_frame);
+        const double turns = turnIn(bodies, state, i, duration);
+        m_path[i] = state.velocity[i].norm() * duration + turns + fall + m_pull[i];
+        m_drift[i] = turnIn(bodies, state, i, m_frame) + fallInFrame + pull(i, m_frame);
         m_moved[i] = movedFrom(bodies, state, i);
         const double leaves =
-            ((state.velocity[i] - m_course[i].velocityAt(m_now)).norm() + turns) * duration + fall +
-            m_pull[i];
+            (state.velocity[i] - m_course[i].velocityAt(m_now)).norm() * duration + turns + fall + m_pull[i];
         if (m_moved[i] + leaves + leastMargin * radius <= m_skin[i]) continue;
         m_outrun.push_back(i);
         serves = false;
@@ -167,7 +190,11 @@ bool Neighbours::follow(const Bodies& bodies, const State& state, std::span<cons
 
 void Neighbours::stay(std::span<const BodyIndex> list) {
     for (const BodyIndex i : list)
-        if (m_course[i].velocityAt(m_now) != Vec3::Zero()) m_outrun.push_back(i);
+        if (m_course[i].velocityAt(m_now) != Vec3::Zero() ||
+            m_skin[i] > tooWide * roominess * leastMargin * (m_extent[i] - m_skin[i])) {
+            m_asked[i] = 0;
+            m_outrun.push_back(i);
+        }
 }
 
 void Neighbours::forget() {
@@ -176,7 +203,7 @@ void Neighbours::forget() {
 }
 
 bool Neighbours::covers(BodyIndex body, double room) {
-    m_asked[body] = std::max(m_asked[body], room);
+    ask(body, room);
     if (m_moved[body] + room <= m_skin[body]) return true;
     m_room[body] = roominess * room;
     m_outrun.push_back(body);
@@ -195,8 +222,9 @@ bool Neighbours::coversFlight(const State& state, BodyIndex body, double room, d
     const Course& course = m_course[body];
     const double leaves = time * (state.velocity[body] - course.velocityAt(m_now)).norm() + fall;
     // By gravity alone it is so far from its course in the end.
-    const double since = (m_now + time - course.begins) / time, fallen = since * since * fall;
-    m_asked[body] = std::max(m_asked[body], room + fallen);
+    const double since = std::min(m_now - course.begins, framesOfCourse * m_frame) / time + 1;
+    const double fallen = since * since * fall;
+    ask(body, room + fallen);
     if (m_now + time <= course.ends && m_moved[body] + leaves + room <= m_skin[body]) return true;
     m_room[body] = std::max(m_room[body], roominess * (room + fallen));
     m_outrun.push_back(body);

@@ -27,8 +27,9 @@
 //     leaves  how much further it leaves it in the substep at hand, if nothing strikes it; what it may need
 //             beyond that is asked for by covers(), where it may be struck
 //
-// Where only some have used it up, these are found anew, and the rest of the lists stays. With each pair
-// stands when its skins touch (near.h): what a body passes later, or has passed, is not looked at.
+// Where only some have used it up, these are found anew, and the rest of the lists stays; so are, now and
+// then, those that have far more than was asked for lately. With each pair stands when its skins touch
+// (near.h): what a body passes later, or has passed, is not looked at.
 //
 // Users of the list test its pairs at their present poses: the motion depends neither on the skins nor on
 // when they were renewed, only the time does.
@@ -124,6 +125,9 @@ class Neighbours {
 
     /// An upper bound of the speed of a body's surface [m/s]; a sphere's spin does not count.
     static double surfaceSpeed(const Bodies& bodies, const State& state, BodyIndex body);
+    /// An upper bound of the way of a body's surface by turning [m], in a time [s] in which its centre stays:
+    /// no point is further from that than the bounding radius. A sphere's spin does not count.
+    static double turnIn(const Bodies& bodies, const State& state, BodyIndex body, double time);
 
     /// An upper bound of the displacement of any point of a body [m].
     static double displacement(const Bodies& bodies, BodyIndex body, const Pose& from, const Pose& to);
@@ -137,6 +141,12 @@ class Neighbours {
         return m_pull[body] * times * times;
     }
 
+    /// How far two bodies can come nearer in the last given duration, at most [m].
+    double approach(const Bodies& bodies, const State& state, BodyIndex a, BodyIndex b) const {
+        return (state.velocity[a] - state.velocity[b]).norm() * m_duration +
+               turnIn(bodies, state, a, m_duration) + turnIn(bodies, state, b, m_duration) + m_pull[a] +
+               m_pull[b];
+    }
     /// The limit by momentum of a body's speed or distance, which is `own` before a striker with `other` and
     /// `part` of the mass of both has struck it.
     static double momentumLimit(double part, double own, double other) {
@@ -183,6 +193,11 @@ class Neighbours {
   private:
     Meetings meetingsOfSkins() const { return {m_course.data(), m_extent.data(), m_now}; }
     bool comesNear(const Bodies& bodies, BodyIndex body, BodyIndex wall) const;
+    void ask(BodyIndex body, double room) {
+        m_asked[body] = std::max(m_asked[body], room);
+        m_askedLately[body] = std::max(m_askedLately[body], room);
+    }
+    void narrow(const Bodies& bodies, std::span<const BodyIndex> list);
     void renewSkin(const Bodies& bodies, const State& state, BodyIndex body);
     double movedFrom(const Bodies& bodies, const State& state, BodyIndex body) const;
     bool areFewOutrun(const Bodies& bodies) const;
@@ -211,11 +226,13 @@ class Neighbours {
     std::vector<double> m_skin;   // by body [m]
     std::vector<double> m_extent; // by body: the radius of its bounding ball and its skin [m]
     std::vector<double> m_asked;  // by body: the most room covers() was asked for since its skin was made [m]
-    std::vector<Quat> m_orientation; // by body: when the list found it
-    std::vector<Course> m_course;    // by body, from where the list found it
-    double m_now = 0;                // [s]
-    double m_frame = 0;              // [s]
-    double m_duration = 1;           // noted last [s]
+    std::vector<double> m_askedLately; // by body: the same since narrow() looked last [m]
+    std::vector<Quat> m_orientation;   // by body: when the list found it
+    std::vector<Course> m_course;      // by body, from where the list found it
+    double m_now = 0;                  // [s]
+    double m_frame = 0;                // [s]
+    double m_narrowed = 0;             // when narrow() looked last [s]
+    double m_duration = 1;             // noted last [s]
     std::uint64_t m_searches = 0;
     bool m_isForgotten = false;
     std::vector<BodyIndex> m_outrun;      // since the last search; some may be named twice

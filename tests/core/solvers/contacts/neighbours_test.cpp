@@ -202,6 +202,56 @@ class NeighboursTest : public QObject {
         QCOMPARE(soon, std::vector<BodyIndex>{0});
     }
 
+    // What fell on a heap was asked for far more room than it needs when it rests, awake or asleep.
+    void listsAreShortAgainWhereLittleIsAskedFor() {
+        constexpr double radius = 0.1, apart = 0.3, far = 3, little = 0.001; // [m]
+        constexpr BodyIndex awake = 10, asleep = 15;
+        Scene scene;
+        for (int i = 0; i < 20; ++i) scene.bodies.push_back(test::sphere(radius, 1, Vec3(apart * i, 0, 0)));
+        const Bodies bodies = bodiesOf(scene);
+        const State state = initialStateOf(scene);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(bodies);
+        std::vector<BodyIndex> followed = bodies.mobileBodies;
+        const auto update = [&] {
+            neighbours.update(bodies, state, followed, Vec3::Zero(), stepTime, 4 * stepTime, *broadphase);
+            neighbours.pass(stepTime);
+        };
+        update();
+        QVERIFY(!neighbours.covers(awake, far) && !neighbours.covers(asleep, far));
+        neighbours.search(bodies, state, *broadphase);
+        QVERIFY(neighbours.covers(awake, far) && neighbours.listed(awake).size() > 10);
+        QVERIFY(neighbours.listed(asleep).size() > 8);
+        neighbours.stay(std::vector<BodyIndex>{asleep});
+        followed.erase(followed.begin() + asleep);
+        for (int i = 0; i < 60; ++i) {
+            update();
+            QVERIFY(neighbours.covers(awake, little));
+        }
+        QVERIFY(neighbours.listed(awake).empty());
+        QVERIFY(neighbours.listed(asleep).empty());
+        QVERIFY(neighbours.covers(awake, little));
+    }
+
+    // A body that has flown on its course for long is at most as far from the next one as that is long.
+    void whatHasFlownForLongAsksForNoMore() {
+        constexpr double frame = 4 * stepTime, fall = 0.008; // [s], [m]
+        Scene scene;
+        for (int i = 0; i < 40; ++i) scene.bodies.push_back(test::sphere(0.1, 1, Vec3(0.5 * i, 0, 0)));
+        const Bodies bodies = bodiesOf(scene);
+        const State state = initialStateOf(scene);
+        const std::unique_ptr<Broadphase> broadphase = findBroadphase("all_pairs")->create();
+        Neighbours neighbours(bodies);
+        for (int i = 0; i < 200; ++i) {
+            neighbours.update(bodies, state, bodies.mobileBodies, Vec3::Zero(), stepTime, frame, *broadphase);
+            neighbours.pass(stepTime);
+        }
+        if (!neighbours.coversFlight(state, 20, 0.01, frame, fall))
+            neighbours.search(bodies, state, *broadphase);
+        QVERIFY(neighbours.coversFlight(state, 20, 0.01, frame, fall));
+        QVERIFY(neighbours.listed(20).size() <= 2); // (1 + 4)² falls: .2 m
+    }
+
     // After a jump to another time even those that are not followed are somewhere else.
     void whatIsForgottenIsSearchedFor() {
         Random random(seed);
