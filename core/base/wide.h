@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// CAROM_WIDE before a function whose loops are plain enough to vectorise: the compiler makes one version for
-// processors with 256-bit registers and one for any other, and the loader takes the better. Both give the
-// same bits, since we forbid contraction (-ffp-contract=off). Sanitizers cannot instrument the choice.
+// CAROM_WIDE before a function whose loops vectorise, or which computes much with few calls: the compiler
+// makes one version for processors with 256-bit registers and one for others, and the loader takes the
+// better. Both give the same bits (-ffp-contract=off). Sanitizers cannot instrument the choice.
 
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&             \
     !defined(CAROM_SANITIZE_ADDRESS) && !defined(CAROM_SANITIZE_THREAD)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/core_direction.h"
 
+#include "core/base/wide.h"
 #include "core/narrowphase/contact_features.h"
 #include "core/narrowphase/cylinder_cylinder.h"
 
@@ -200,61 +201,73 @@ Vec3 nearestOfSegment(Simplex& simplex) {
     return a + part / whole * along;
 }
 
-// The same of a triangle (C. Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5).
-Vec3 nearestOfTriangle(Simplex& simplex) {
-    const Vec3 a = simplex.points[0], b = simplex.points[1], c = simplex.points[2];
+/// Where a triangle is nearest the origin.
+struct OnTriangle {
+    Vec3 point;
+    std::array<std::uint8_t, 3> corners; ///< numbers of those of the part it is in
+    int count = 0;                       ///< of these: 3 inside the triangle
+};
+
+// C. Ericson, "Real-Time Collision Detection", 2005, chapter 5.1.5.
+[[gnu::always_inline]] inline OnTriangle nearestOn(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a;
-    const auto keep = [&](const Vec3& one) {
-        simplex.points[0] = one;
-        simplex.count = 1;
-        return one;
-    };
-    const auto keepEdge = [&](const Vec3& one, const Vec3& other, double part) {
-        simplex.points[0] = one;
-        simplex.points[1] = other;
-        simplex.count = 2;
-        return Vec3(one + part * (other - one));
-    };
     const double d1 = -ab.dot(a), d2 = -ac.dot(a);
-    if (d1 <= 0 && d2 <= 0) return keep(a);
+    if (d1 <= 0 && d2 <= 0) return {a, {0}, 1};
     const double d3 = -ab.dot(b), d4 = -ac.dot(b);
-    if (d3 >= 0 && d4 <= d3) return keep(b);
+    if (d3 >= 0 && d4 <= d3) return {b, {1}, 1};
     const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return keepEdge(a, b, d1 / (d1 - d3));
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, {0, 1}, 2};
     const double d5 = -ab.dot(c), d6 = -ac.dot(c);
-    if (d6 >= 0 && d5 <= d6) return keep(c);
+    if (d6 >= 0 && d5 <= d6) return {c, {2}, 1};
     const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return keepEdge(a, c, d2 / (d2 - d6));
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, {0, 2}, 2};
     const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return keepEdge(b, c, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+        return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), {1, 2}, 2};
     const double sum = va + vb + vc;
-    return a + (vb / sum) * ab + (vc / sum) * ac;
+    return {a + (vb / sum) * ab + (vc / sum) * ac, {0, 1, 2}, 3};
 }
 
-// The same of a tetrahedron; zero if the origin is inside.
-Vec3 nearestOfTetrahedron(Simplex& simplex) {
-    constexpr std::array<std::array<std::size_t, 4>, 4> faces{
-        {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
-    const Simplex whole = simplex;
-    Vec3 nearest = Vec3::Zero();
+// The same of a triangle.
+[[gnu::always_inline]] inline Vec3 nearestOfTriangle(Simplex& simplex) {
+    const std::array<Vec3, 4> points = simplex.points;
+    const OnTriangle on = nearestOn(points[0], points[1], points[2]);
+    simplex.count = on.count;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(on.count); ++k)
+        simplex.points[k] = points[on.corners[k]];
+    return on.point;
+}
+
+// The same of a tetrahedron; zero if the origin is inside. Its last corner is new: the face of the others is
+// across the vector to the nearest point so far, and the last corner and the origin are on the same side of
+// it. Where the origin is straight across from the inside of another face, no other part is nearer.
+[[gnu::always_inline]] inline Vec3 nearestOfTetrahedron(Simplex& simplex) {
+    constexpr std::array<std::array<std::size_t, 4>, 3> faces{{{0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}}};
+    const std::array<Vec3, 4> points = simplex.points;
+    OnTriangle nearest{Vec3::Zero(), {}, 0};
+    const std::array<std::size_t, 4>* on = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const std::array<std::size_t, 4>& face : faces) {
-        const Vec3 &a = whole.points[face[0]], &b = whole.points[face[1]], &c = whole.points[face[2]];
+        const Vec3 &a = points[face[0]], &b = points[face[1]], &c = points[face[2]];
         const Vec3 normal = (b - a).cross(c - a);
-        const double inside = normal.dot(whole.points[face[3]] - a), origin = -normal.dot(a);
+        const double inside = normal.dot(points[face[3]] - a), origin = -normal.dot(a);
         if (inside * origin > 0) continue; // the origin is on the side of the fourth point
-        Simplex part{{a, b, c}, 3};
-        const Vec3 point = nearestOfTriangle(part);
-        if (const double squared = point.squaredNorm(); squared < least) {
-            least = squared;
-            nearest = point;
-            simplex = part;
-        }
+        const OnTriangle here = nearestOn(a, b, c);
+        const double squared = here.point.squaredNorm();
+        if (!(squared < least)) continue;
+        least = squared;
+        nearest = here;
+        on = &face;
+        if (here.count == 3) break;
     }
-    return nearest;
+    if (on == nullptr) return Vec3::Zero();
+    simplex.count = nearest.count;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(nearest.count); ++k)
+        simplex.points[k] = points[(*on)[nearest.corners[k]]];
+    return nearest.point;
 }
 
-Vec3 nearestOf(Simplex& simplex) {
+[[gnu::always_inline]] inline Vec3 nearestOf(Simplex& simplex) {
     switch (simplex.count) {
     case 1:
         return simplex.points[0];
@@ -269,7 +282,7 @@ Vec3 nearestOf(Simplex& simplex) {
 
 /// The vector between the nearest points of two cores, from A to B; zero if they touch or overlap. Where it
 /// is known to be longer than `far` the search ends.
-Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, double far) {
+CAROM_WIDE Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, double far) {
     const double small = 1e-6 * (a.half.maxCoeff() + b.half.maxCoeff());
     Simplex simplex;
     Vec3 v = guess;
@@ -325,8 +338,8 @@ Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, c
     return cosine < 0 ? Vec3(-now) : now;
 }
 
-bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess, double margin,
-                 Manifold& manifold, DirectionSource& source) {
+CAROM_WIDE bool findByCores(const Solid& a, const Solid& b, const Vec3& origin, const Vec3& guess,
+                            double margin, Manifold& manifold, DirectionSource& source) {
     const double rims = rimOf(a) + rimOf(b);
     SolidPair pair(a, b);
     const auto isFound = [&] {
