@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/contact_features.h"
 
+#include "core/base/wide.h"
 #include "core/narrowphase/contact_region.h"
 
 #include <algorithm>
@@ -103,8 +104,8 @@ ContactFeature featureTowards(const Solid& solid, const Vec3& n) {
     return solid.isCylinder ? ofCylinder(solid, n) : ofCuboid(solid, n);
 }
 
-void fillManifold(const Solid& a, const Solid& b, const Vec3& origin, const BestAxis& axis, double margin,
-                  Manifold& manifold) {
+CAROM_WIDE void fillManifold(const Solid& a, const Solid& b, const Vec3& origin, const BestAxis& axis,
+                             double margin, Manifold& manifold) {
     const double tolerance = toleranceFor(a, b);
     const ContactFeature featureA = featureTowards(a, axis.normal),
                          featureB = featureTowards(b, -axis.normal);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/contact_region.h"
 
+#include "core/base/wide.h"
 #include "core/math/polygon_clip.h"
 #include "core/math/rotation.h"
 #include "core/math/segment.h"
@@ -106,11 +107,7 @@ void ContactRegion::add(const Sides& sides, const Vec3& onFirst, const Vec3& onS
     m_points.push_back({onA, onB, m_normal.dot(onB - onA), name});
 }
 
-Vec3 ContactRegion::alongNormalOnto(const ContactFeature& feature, const Vec3& point) const {
-    return point + feature.normal.dot(feature.centre - point) / feature.normal.dot(m_normal) * m_normal;
-}
-
-void ContactRegion::meetFaces(const Sides& sides) {
+CAROM_WIDE void ContactRegion::meetFaces(const Sides& sides) {
     const Plane plane = planeAlong(sides.first, m_normal, Vec3::Zero());
     std::array<Vec2, 4> corners;
     ClipPolygon polygon;
@@ -200,7 +197,7 @@ void ContactRegion::meetDiscs(const Sides& sides) {
     shootRay(middle, Vec2(0, -smaller), 3);
 }
 
-void ContactRegion::meetLineAndFace(const Sides& sides) {
+CAROM_WIDE void ContactRegion::meetLineAndFace(const Sides& sides) {
     const Plane plane = planeAlong(sides.second, m_normal, Vec3::Zero());
     std::array<Vec2, 4> corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = plane.flatten(sides.second.corners[k]);

@@ -37,7 +37,9 @@ class ContactRegion {
     void meetLineAndDisc(const Sides& sides);
     void meetLines(const Sides& sides);
     void add(const Sides& sides, const Vec3& onFirst, const Vec3& onSecond, std::uint32_t name);
-    Vec3 alongNormalOnto(const ContactFeature& feature, const Vec3& point) const;
+    Vec3 alongNormalOnto(const ContactFeature& feature, const Vec3& point) const {
+        return point + feature.normal.dot(feature.centre - point) / feature.normal.dot(m_normal) * m_normal;
+    }
 
     Vec3 m_normal;
     double m_slack;
