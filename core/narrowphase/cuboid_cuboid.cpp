@@ -4,7 +4,9 @@
 #include "core/math/segment.h"
 #include "core/narrowphase/contact_features.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace carom {
@@ -66,17 +68,27 @@ std::pair<unsigned, unsigned> endsOfEdge(unsigned edge) {
     return {first, first | 1U << axis};
 }
 
-void considerEdges(const CuboidPair& pair, Nearest& nearest) {
+// Edges whose projections on `axis`, which points from A to B, are further apart than the nearest features so
+// far are left out.
+void considerEdges(const CuboidPair& pair, const Vec3& axis, Nearest& nearest) {
+    /// Of the size: far above the rounding of a projection, so that a pair as near as the nearest one is
+    /// never left out. Twice or half changes only how many are tried.
+    constexpr double rounding = 1e-14;
+    const double tolerance = rounding * pair.size();
     std::array<Segment, 12> ofB;
+    std::array<double, 12> least; // of the projection [m]
     for (unsigned edge = 0; edge < 12; ++edge) {
         const auto [from, to] = endsOfEdge(edge);
         ofB[edge] = {pair.cornerOfB(signsOf(from)), pair.cornerOfB(signsOf(to))};
+        least[edge] = std::min(axis.dot(ofB[edge].from), axis.dot(ofB[edge].to)) - tolerance;
     }
     for (unsigned edge = 0; edge < 12; ++edge) {
         const auto [from, to] = endsOfEdge(edge);
         const Segment ofA = {pair.cornerOfA(signsOf(from)), pair.cornerOfA(signsOf(to))};
-        for (const Segment& other : ofB) {
-            const SegmentPair points = nearestPoints(ofA, other);
+        const double largest = std::max(axis.dot(ofA.from), axis.dot(ofA.to));
+        for (unsigned other = 0; other < 12; ++other) {
+            if (least[other] - largest > std::sqrt(nearest.squared)) continue;
+            const SegmentPair points = nearestPoints(ofA, ofB[other]);
             nearest.consider(points.onB - points.onA);
         }
     }
@@ -90,7 +102,7 @@ void considerNearestFeatures(AxisSearch<CuboidPair>& search, const CuboidPair& p
     // Where the gap between projections is as wide as the distance of two points, both are optimal.
     const double enough = search.best().separation * (1 + 1e-14);
     if (nearest.squared <= enough * enough) return;
-    considerEdges(pair, nearest);
+    considerEdges(pair, search.best().normal, nearest);
     search.considerEitherWay(nearest.between);
 }
 
