@@ -32,13 +32,20 @@ CAROM_INLINE Wide halfProduct(const Motion& one, const Motion& other) {
     return half * (moving + turning);
 }
 
-CAROM_WIDE void halfProducts(const SolverBody* one, const SolverBody* other, std::size_t count, double* to) {
+using Four = std::array<std::uint32_t, wideLanes>;
+
+/// ½ v · M v' of `count` bodies, with the velocities v of `one` and v' of `other`.
+template<class One, class Other>
+CAROM_INLINE void halfProducts(const SolverBody* bodies, const One* one, const Other* other,
+                               std::size_t count, double* to) {
     for (std::size_t i = 0; i < count; i += wideLanes) {
-        std::array<std::uint32_t, 4> four;
+        Four four;
         for (std::size_t lane = 0; lane < wideLanes; ++lane)
             four[lane] = static_cast<std::uint32_t>(std::min(i + lane, count - 1));
-        Motion a, b;
-        gather(one, four, a);
+        Motion a;
+        gather(bodies, four, a);
+        Motion b = a;
+        gatherVelocity(one, four, a);
         gatherVelocity(other, four, b);
         const Wide product = halfProduct(a, b);
         for (std::size_t lane = 0; lane < wideLanes && i + lane < count; ++lane)
@@ -46,11 +53,45 @@ CAROM_WIDE void halfProducts(const SolverBody* one, const SolverBody* other, std
     }
 }
 
+CAROM_WIDE void productsNow(const SolverBody* bodies, std::size_t count, double* to) {
+    halfProducts(bodies, bodies, bodies, count, to);
+}
+
+CAROM_WIDE void productsBefore(const SolverBody* bodies, const BodyVelocity* before, std::size_t count,
+                               double* to) {
+    halfProducts(bodies, before, before, count, to);
+}
+
+CAROM_WIDE void productsBetween(const SolverBody* bodies, const BodyVelocity* before, std::size_t count,
+                                double* to) {
+    halfProducts(bodies, before, bodies, count, to);
+}
+
+CAROM_WIDE void gains(const SolverBody* bodies, const BodyVelocity* before,
+                      std::span<const std::uint32_t> list, double resting, double* to) {
+    const Wide zero{}, three = wideOf(3);
+    for (std::size_t i = 0; i < list.size(); i += wideLanes) {
+        Four four;
+        for (std::size_t lane = 0; lane < wideLanes; ++lane)
+            four[lane] = list[std::min(i + lane, list.size() - 1)];
+        Motion then, now;
+        gatherVelocity(before, four, then);
+        gather(bodies, four, now);
+        const Wide moving = dot(now.velocity, now.velocity) - dot(then.velocity, then.velocity);
+        const Wide turning = dot(now.spin, now.spin) - dot(then.spin, then.spin);
+        const Wide inverse = now.xx + now.yy + now.zz;
+        const Wide gain = (moving - wideOf(resting)) / now.inverseMass +
+                          (inverse > zero ? three / inverse * turning : zero);
+        for (std::size_t lane = 0; lane < wideLanes && i + lane < list.size(); ++lane)
+            to[i + lane] = gain[static_cast<int>(lane)];
+    }
+}
+
 } // namespace
 
 double kineticEnergyOf(const SolverBody& body) {
     double energy = 0;
-    halfProducts(&body, &body, 1, &energy);
+    productsNow(&body, 1, &energy);
     return energy;
 }
 
@@ -60,30 +101,57 @@ double kineticEnergyOf(std::span<const SolverBody> bodies) {
     return sum;
 }
 
-void EnergyLimit::addUp(std::span<const SolverBody> one, std::span<const SolverBody> other,
+void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to) {
+    to.resize(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        to[i] = {.velocity = bodies[i].velocity, .spin = bodies[i].spin};
+}
+
+void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
+               std::span<const std::uint32_t> list, double resting, std::vector<double>& to) {
+    to.resize(list.size());
+    gains(bodies.data(), before.data(), list, resting, to.data());
+}
+
+void EnergyLimit::addUp(Times times, std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
                         std::span<const std::uint32_t> islandOf, Workers& workers, double Sums::*to) {
-    m_products.resize(one.size());
-    workers.forRanges(one.size(), fewProducts, [&](std::size_t begin, std::size_t end) {
-        halfProducts(one.data() + begin, other.data() + begin, end - begin, m_products.data() + begin);
+    m_products.resize(bodies.size());
+    workers.forRanges(bodies.size(), fewProducts, [&](std::size_t begin, std::size_t end) {
+        const SolverBody* const first = bodies.data() + begin;
+        double* const products = m_products.data() + begin;
+        switch (times) {
+        case Times::Now:
+            return productsNow(first, end - begin, products);
+        case Times::Before:
+            return productsBefore(first, before.data() + begin, end - begin, products);
+        case Times::Between:
+            return productsBetween(first, before.data() + begin, end - begin, products);
+        }
     });
-    for (std::size_t i = 0; i < one.size(); ++i)
-        if (one[i].inverseMass > 0) m_sums[islandOf[i]].*to += m_products[i];
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (bodies[i].inverseMass > 0) m_sums[islandOf[i]].*to += m_products[i];
 }
 
 void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
                            std::size_t islands, Workers& workers) {
     m_sums.assign(islands, {});
-    addUp(bodies, bodies, islandOf, workers, &Sums::limit);
+    addUp(Times::Now, bodies, {}, islandOf, workers, &Sums::limit);
 }
 
-bool EnergyLimit::keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
+void EnergyLimit::remember(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
+                           std::span<const std::uint32_t> islandOf, std::size_t islands, Workers& workers) {
+    m_sums.assign(islands, {});
+    addUp(Times::Before, bodies, before, islandOf, workers, &Sums::limit);
+}
+
+bool EnergyLimit::keep(std::span<const BodyVelocity> before, std::span<const std::uint32_t> islandOf,
                        std::span<SolverBody> bodies, Workers& workers) {
     for (Sums& sums : m_sums) sums = {.limit = sums.limit};
-    addUp(bodies, bodies, islandOf, workers, &Sums::after);
+    addUp(Times::Now, bodies, before, islandOf, workers, &Sums::after);
     const auto isBeyond = [](const Sums& sums) { return sums.after > sums.limit; };
     if (std::none_of(m_sums.begin(), m_sums.end(), isBeyond)) return false;
-    addUp(before, before, islandOf, workers, &Sums::before);
-    addUp(before, bodies, islandOf, workers, &Sums::between);
+    addUp(Times::Before, bodies, before, islandOf, workers, &Sums::before);
+    addUp(Times::Between, bodies, before, islandOf, workers, &Sums::between);
     for (Sums& sums : m_sums) {
         if (!isBeyond(sums)) continue; // T(s) = T(0) + b s + c s²
         const double b = 2 * (sums.between - sums.before), c = sums.after - sums.before - b;

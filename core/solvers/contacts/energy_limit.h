@@ -23,16 +23,27 @@ double kineticEnergyOf(const SolverBody& body);
 /// Of all bodies that can move [J].
 double kineticEnergyOf(std::span<const SolverBody> bodies);
 
+/// The velocities of all bodies.
+void copyVelocities(std::span<const SolverBody> bodies, std::vector<BodyVelocity>& to);
+/// About twice the energy that each body of a list has gained since it had the velocities `before`, less that
+/// of the speed whose square is `resting` [J]: as if it were a ball.
+void findGains(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
+               std::span<const std::uint32_t> list, double resting, std::vector<double>& to);
+
 class EnergyLimit {
   public:
     /// The limit of an island is the kinetic energy its bodies have now. `islandOf` is by body.
     void remember(std::span<const SolverBody> bodies, std::span<const std::uint32_t> islandOf,
                   std::size_t islands, Workers& workers = Workers::alone());
+    /// The same with the velocities they had `before`.
+    void remember(std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
+                  std::span<const std::uint32_t> islandOf, std::size_t islands,
+                  Workers& workers = Workers::alone());
     /// Raises the limit of an island by what springs do to it [J].
     void allow(std::uint32_t island, double work) { m_sums[island].limit += work; }
     /// Takes bodies back towards `before`, by as little as keeps every island within its limit. True if any
     /// had to go back.
-    bool keep(std::span<const SolverBody> before, std::span<const std::uint32_t> islandOf,
+    bool keep(std::span<const BodyVelocity> before, std::span<const std::uint32_t> islandOf,
               std::span<SolverBody> bodies, Workers& workers = Workers::alone());
     /// How much of its change of velocity the last call left an island: s.
     double partOf(std::uint32_t island) const { return m_sums[island].part; }
@@ -42,8 +53,10 @@ class EnergyLimit {
         double limit = 0, before = 0, between = 0, after = 0; // [J]; between: ½ Σ v · M (v + Δv)
         double part = 1;                                      // s
     };
-    /// Adds ½ v · M v' of every body that can move, with the velocities it has in each, to its island's sum.
-    void addUp(std::span<const SolverBody> one, std::span<const SolverBody> other,
+    /// The velocities of a product: now in both places, before in both, or one in each.
+    enum class Times { Now, Before, Between };
+    /// Adds ½ v · M v' of every body that can move to its island's sum.
+    void addUp(Times times, std::span<const SolverBody> bodies, std::span<const BodyVelocity> before,
                std::span<const std::uint32_t> islandOf, Workers& workers, double Sums::*to);
 
     std::vector<Sums> m_sums;       // by island

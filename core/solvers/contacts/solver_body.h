@@ -21,6 +21,14 @@ struct alignas(32) SolverBody {
 };
 static_assert(sizeof(SolverBody) == 128);
 
+/// The velocities of a body at another time, in the same places as there.
+struct alignas(32) BodyVelocity {
+    std::array<double, 3> velocity{}; ///< [m/s]
+    double unused0 = 0;
+    std::array<double, 3> spin{}; ///< [rad/s]
+    double unused1 = 0;
+};
+
 /// How far a body has come since the rows were made.
 struct alignas(32) Displacement {
     std::array<double, 3> shift{}; ///< [m]

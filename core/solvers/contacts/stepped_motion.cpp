@@ -224,7 +224,7 @@ void SteppedMotion::foreseeStruck(double duration, Workers& workers) {
     forAwake(workers, [&](std::uint32_t i) {
         const SolverBody& body = m_bodies[i];
         Coming& to = m_coming[i];
-        to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i];
+        to.isStruck = m_struck[i] != 0 || body.velocity != m_free[i].velocity;
         to.shift = vectorOf(m_moved[i].shift) + duration * vectorOf(body.velocity);
         to.turn = body.roundInverse > 0
                       ? 0
@@ -294,7 +294,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     const bool bounces = recordApproach(m_rows, m_bodies, settings, input.workers) || ballsBounce;
     forAwake(input.workers, [&](std::uint32_t i) {
         add(m_bodies[i].velocity, fall);
-        m_free[i] = m_bodies[i].velocity;
+        m_free[i] = {.velocity = m_bodies[i].velocity, .spin = m_bodies[i].spin};
     });
     if (!input.bodies.forces.empty()) applyTerms(input, duration);
     prepareSprings(input.bodies, input.state, m_links, m_local, immobile, duration, m_bodies, m_springs);
@@ -311,7 +311,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         if (!lookAhead(input, duration, manifolds, report, true) && !isStruck) break;
         sweep(settings, input.workers, report);
     }
-    limitEnergy(input, settings, true);
+    limitEnergy(settings, input.workers, true);
     if (!m_links.empty()) limitSprings(input, settings);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
@@ -331,7 +331,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         report.work.rowsSwept += points();
         if (report.residual <= input.tolerance) break;
     }
-    limitEnergy(input, settings, false);
+    limitEnergy(settings, input.workers, false);
     if (bounces) rebound(settings, input.workers, report);
     removeAdded();
     if (!m_links.empty()) m_springLimit.keep(springIslands(input), 0, m_bodies);
@@ -342,25 +342,15 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
     if (input.ledger != nullptr && !m_forced.isEmpty()) recordTerms(input);
 }
 
-// Stores the bodies as they would be in this step without contacts.
-void SteppedMotion::noteFree(const SteppedInput& input) {
-    m_before = m_bodies;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        m_before[i].velocity = m_free[i];
-        m_before[i].spin = arrayOf(input.state.angularVelocity[m_list[i - 1]]);
-    }
-}
-
 // Takes bodies back towards the velocities that they would have without contacts, as far as these have given
 // an island more energy than its bodies have at the speed of rest; impulses by the same part, so that the
 // next step begins with what is left. Where an impact is over, a step begins with impulses that throw bodies
 // up again, and passes hardly solve for light bodies below heavy ones.
-void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects) {
+void SteppedMotion::limitEnergy(const StepSettings& settings, Workers& workers, bool corrects) {
     findParts();
-    if (!mayGainEnergy(input, settings)) return;
-    noteFree(input);
+    if (!mayGainEnergy(settings)) return;
     const std::span<const std::uint32_t> part = partOf();
-    m_stepEnergy.remember(m_before, part, parts(), input.workers);
+    m_stepEnergy.remember(m_bodies, m_free, part, parts(), workers);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake))
         m_stepEnergy.allow(part[i], 0.5 * settings.resting * settings.resting / m_bodies[i].inverseMass);
     for (const SpringRow& spring : m_springs) // m_springLimit is theirs
@@ -369,7 +359,7 @@ void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings& s
         findCorrection(settings);
         for (std::size_t i = 1; i < m_corrected.size(); ++i) m_stepEnergy.allow(part[i], m_corrected[i]);
     }
-    if (!m_stepEnergy.keep(m_before, part, m_bodies, input.workers)) return;
+    if (!m_stepEnergy.keep(m_free, part, m_bodies, workers)) return;
     const auto partLeft = [&](std::uint32_t a, std::uint32_t b) {
         return m_stepEnergy.partOf(part[a == immobile || m_still.is(a) ? b : a]);
     };
@@ -378,20 +368,11 @@ void SteppedMotion::limitEnergy(const SteppedInput& input, const StepSettings& s
 }
 
 // Whether contacts may have given some island that much energy: as if all bodies were balls.
-bool SteppedMotion::mayGainEnergy(const SteppedInput& input, const StepSettings& settings) {
+bool SteppedMotion::mayGainEnergy(const StepSettings& settings) {
+    findGains(m_bodies, m_free, m_awake, settings.resting * settings.resting, m_gains);
     m_gained.assign(parts(), 0);
     const std::span<const std::uint32_t> part = partOf();
-    const auto gained = [](const Vec3& before, const Vec3& after) {
-        return after.squaredNorm() - before.squaredNorm();
-    };
-    const double resting = settings.resting * settings.resting;
-    for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
-        const SolverBody& body = m_bodies[i];
-        double sum = (gained(vectorOf(m_free[i]), vectorOf(body.velocity)) - resting) / body.inverseMass;
-        if (const double inverse = body.xx + body.yy + body.zz; inverse > 0)
-            sum += 3 / inverse * gained(input.state.angularVelocity[m_list[i - 1]], vectorOf(body.spin));
-        m_gained[part[i]] += sum;
-    }
+    for (std::size_t k = 0; k < m_awake.size(); ++k) m_gained[part[m_awake[k]]] += m_gains[k];
     return std::any_of(m_gained.begin(), m_gained.end(), [](double sum) { return sum > 0; });
 }
 
@@ -404,7 +385,7 @@ void SteppedMotion::applyTerms(const SteppedInput& input, double duration) {
     m_forced.solve(input.bodies.forces, input.gravity, duration);
     m_halfWays.assign(m_bodies.size(), 0.5 * duration * duration * input.gravity);
     for (const ForcedSteps::Step& step : m_forced.steps()) {
-        m_bodies[step.owner].velocity = m_free[step.owner] = arrayOf(step.after);
+        m_bodies[step.owner].velocity = m_free[step.owner].velocity = arrayOf(step.after);
         m_halfWays[step.owner] = 0.5 * duration * (step.after - step.before);
     }
 }
@@ -429,7 +410,7 @@ void SteppedMotion::rebound(const StepSettings& settings, Workers& workers, Step
     report.work.impacts += static_cast<std::uint64_t>(impacts);
     for (const SpringRow& spring : m_springs)
         m_energy.allow(partOf()[std::max(spring.a, spring.b)], workOf(spring, m_bodies));
-    m_before = m_bodies;
+    copyVelocities(m_bodies, m_before);
     const int passes = m_balls.rebound(m_bodies, m_moved, settings, mostStrikes, active, workers);
     report.work.rowsSwept +=
         wideLanes * (static_cast<std::size_t>(passes) * m_balls.activeGroups() +
@@ -473,7 +454,7 @@ void SteppedMotion::move(const SteppedInput& input, double duration) {
         const SolverBody& from = m_bodies[i];
         Displacement& moved = m_moved[i];
         Vec3 shift = duration * vectorOf(from.velocity);
-        if (from.velocity == m_free[i])
+        if (from.velocity == m_free[i].velocity)
             shift -= m_forced.isEmpty() ? half : m_halfWays[i];
         else
             m_struck[i] = 1;

@@ -354,10 +354,9 @@ class SteppedMotion {
                   std::uint32_t lane, Manifolds& manifolds, bool adds);
     void sweep(const StepSettings& settings, Workers& workers, SteppedReport& report);
     void step(const SteppedInput& input, double duration, Manifolds& manifolds, SteppedReport& report);
-    void noteFree(const SteppedInput& input);
-    void limitEnergy(const SteppedInput& input, const StepSettings& settings, bool corrects);
+    void limitEnergy(const StepSettings& settings, Workers& workers, bool corrects);
     void findCorrection(const StepSettings& settings);
-    bool mayGainEnergy(const SteppedInput& input, const StepSettings& settings);
+    bool mayGainEnergy(const StepSettings& settings);
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
@@ -432,10 +431,10 @@ class SteppedMotion {
     Scratch<std::vector<double>> m_given; // by number: speed that a strike may give what stands still [m/s]
     Scratch<std::vector<std::uint32_t>> m_struckStill; // numbers of these
     std::vector<std::uint32_t> m_island;
-    std::vector<std::uint8_t> m_slab;            // of the island, when it was put in order last
-    std::vector<std::array<double, 3>> m_free;   // velocities that only gravity and force terms have changed
-    std::vector<std::uint8_t> m_struck;          // by anything since the last look
-    Scratch<std::vector<SolverBody>> m_before;   // the rebound of an impact
+    std::vector<std::uint8_t> m_slab;   // of the island, when it was put in order last
+    std::vector<BodyVelocity> m_free;   // before the step's impulses: as gravity and force terms leave them
+    std::vector<std::uint8_t> m_struck; // by anything since the last look
+    Scratch<std::vector<BodyVelocity>> m_before; // the rebound of an impact
     Scratch<std::vector<std::uint8_t>> m_active; // by it
 
     std::vector<Group> m_groups; // by what islandOf() returns, and by what has been joined to another
@@ -480,6 +479,7 @@ class SteppedMotion {
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
     bool m_hasEmptyRows = false;                         // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
+    Scratch<std::vector<double>> m_gains;        // the same by body that does not stand still
     Scratch<EnergyLimit> m_stepEnergy, m_energy; // of the step, and of the rebound
     Scratch<ForcedSteps> m_forced; // of the bodies that force terms act on; owners are their numbers
     Scratch<std::vector<Vec3>>

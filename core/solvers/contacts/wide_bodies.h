@@ -60,6 +60,16 @@ CAROM_INLINE void gatherFour(const double* first, std::size_t stride,
 template<class Record>
 inline constexpr std::size_t strideOf = sizeof(Record) / sizeof(double);
 
+CAROM_INLINE void gatherVelocity(const BodyVelocity* bodies, const std::array<std::uint32_t, 4>& index,
+                                 Motion& motion) {
+    constexpr std::size_t stride = strideOf<BodyVelocity>;
+    Wide unused, other;
+    gatherFour(bodies->velocity.data(), stride, index, motion.velocity.x, motion.velocity.y,
+               motion.velocity.z, unused);
+    gatherFour(bodies->velocity.data() + 4, stride, index, motion.spin.x, motion.spin.y, motion.spin.z,
+               other);
+}
+
 CAROM_INLINE void gatherVelocity(const SolverBody* bodies, const std::array<std::uint32_t, 4>& index,
                                  Motion& motion) {
     constexpr std::size_t stride = strideOf<SolverBody>;
