@@ -177,15 +177,17 @@ void BasePath::orderWhereMany() {
 // Finds the bodies that may move beyond their reach, and gives them a new one.
 void BasePath::findOutrun(const SteppedInput& input, double substep, double time, double skin,
                           const Neighbours& neighbours) {
+    m_room.resize(input.bodies.count());
     for (const SteppedMotion& block : m_blocks) {
         const std::span<const BodyIndex> bodies = block.bodies();
         m_isOutrun.resize(bodies.size());
         input.workers.forRanges(bodies.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t n = begin; n < end; ++n)
-                m_isOutrun[n] = Neighbours::reachFactor * pathOf(input, bodies[n], substep, neighbours) >
-                                        roomOf(input, bodies[n])
-                                    ? 1
-                                    : 0;
+            for (std::size_t n = begin; n < end; ++n) {
+                const BodyIndex i = bodies[n];
+                m_room[i] = roomOf(input, i);
+                const double path = pathOf(input, i, substep, neighbours);
+                m_isOutrun[n] = Neighbours::reachFactor * path > m_room[i] ? 1 : 0;
+            }
         });
         for (std::size_t n = 0; n < bodies.size(); ++n) {
             const BodyIndex i = bodies[n];
@@ -226,7 +228,7 @@ bool BasePath::findStruck(const SteppedInput& input, double time, double skin, N
                 raiseTo(m_renewed[n].reach, reach + kickOf(input, i, k, neighbours));
             const double kick = kickOf(input, k, i, neighbours);
             if (!(kick > 0)) continue;
-            const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : roomOf(input, k);
+            const double room = m_renewal[k] > 0 ? m_renewed[m_renewal[k] - 1].reach : m_room[k];
             const double after = ownReach(input, k, time, skin, neighbours) + kick;
             if (room >= after || !areWithin(input.bodies, input.state, {i, k}, reach + room)) continue;
             if (m_renewal[k] == 0) {
@@ -302,10 +304,9 @@ void BasePath::findMissing(const SteppedInput& input, BodyIndex i, const Neighbo
         const bool mobile = input.bodies.mobile[k] != 0;
         if (mobile && (!has(k) || (m_renewal[k] > 0 && k < i) || blockWith(k).isMarked(k))) continue;
         const BodyPair pair{std::min(i, k), std::max(i, k)};
+        if (std::ranges::binary_search(m_sort.of(pair.a, m_present), pair, {}, &Present::pair)) continue;
         const double margin = marginOf(input, pair);
-        if (!areWithin(input.bodies, input.state, pair, margin) ||
-            std::ranges::binary_search(m_sort.of(pair.a, m_present), pair, {}, &Present::pair))
-            continue;
+        if (!areWithin(input.bodies, input.state, pair, margin)) continue;
         if (mobile && m_block[i] != m_block[k])
             missing.parting.insert(missing.parting.end(), {i, k});
         else
@@ -319,6 +320,7 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
     const Bodies& bodies = input.bodies;
     bool covered = coversThoseHere(input, neighbours);
     m_kick.resize(bodies.count());
+    m_room.resize(bodies.count());
     input.workers.forRanges(list.size(), fewBodies, [&](std::size_t begin, std::size_t end) {
         for (const BodyIndex i : list.subspan(begin, end - begin)) {
             m_block[i] = entering;
@@ -351,7 +353,7 @@ bool BasePath::prepare(const SteppedInput& input, std::span<const BodyIndex> lis
 // How far the surface of a body may still move [m]; for bodies that enter or have a new reach, all of it.
 double BasePath::roomLeft(const SteppedInput& input, BodyIndex body) const {
     if (input.bodies.mobile[body] == 0) return 0;
-    return isHere(m_block[body]) && m_renewal[body] == 0 ? std::max(0.0, roomOf(input, body)) : m_reach[body];
+    return isHere(m_block[body]) && m_renewal[body] == 0 ? std::max(0.0, m_room[body]) : m_reach[body];
 }
 
 double BasePath::marginOf(const SteppedInput& input, BodyPair pair) const {
@@ -433,7 +435,10 @@ void BasePath::enter(const SteppedInput& input, std::span<const BodyIndex> list,
                     loadMember(input, m_islands[i].bodies.front(), m_numbers[i], m_entering[index],
                                manifolds);
     for (std::size_t i = 0; i < m_islands.count(); ++i)
-        for (const BodyIndex body : m_islands[i].bodies) m_block[body] = m_numbers[i];
+        for (const BodyIndex body : m_islands[i].bodies) {
+            m_block[body] = m_numbers[i];
+            m_room[body] = roomOf(input, body);
+        }
 }
 
 void BasePath::enterBriefly(const SteppedInput& input, std::span<const Island> islands,

@@ -243,6 +243,7 @@ class BasePath {
     Scratch<std::array<std::vector<std::size_t>, divisions>> m_outrun; // by block and island: bodies
     Scratch<std::vector<std::uint8_t>> m_isOutrun;                     // by body of a block
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
+    Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;
     std::vector<std::uint32_t> m_renewal;    // by body: its number in m_renewed and 1, or 0
     Scratch<std::vector<Present>> m_present; // pairs of renewed bodies that are here
