@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/manifold_following.h"
 
+#include "core/base/wide.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +57,7 @@ struct TurnAboutY {
 
 } // namespace
 
-void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold& manifold) {
+CAROM_WIDE void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold& manifold) {
     const auto& [a, b] = solids;
     manifold.position = a.inBody(place);
     manifold.positionInB = b.inBody(place - b.centre);
@@ -71,7 +73,7 @@ void beginFollowing(const Solids& solids, const Vec3& place, PersistentManifold&
     manifold.rollsB = static_cast<std::uint8_t>(rollsB);
 }
 
-void follow(const Solids& solids, PersistentManifold& manifold) {
+CAROM_WIDE void follow(const Solids& solids, PersistentManifold& manifold) {
     const auto& [a, b] = solids;
     const Vec3 normal = followedDirection(a, b, manifold.source, a.turn * manifold.normal);
     const Vec3 inA = a.inBody(normal), inB = b.inBody(normal);

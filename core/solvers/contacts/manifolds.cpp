@@ -3,6 +3,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/fixed_list.h"
+#include "core/base/wide.h"
 #include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
@@ -250,8 +251,8 @@ void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> 
 using OldPoints = FixedList<Point, manifoldPoints>;
 
 // Finds the points of a pair of solids with cores anew, and gives them the forces of the old ones.
-void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
-                PersistentManifold& manifold) {
+CAROM_WIDE void findPoints(const ManifoldInput& input, double margin, const Solids& solids,
+                           PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     const auto& [a, b] = solids;
     const Vec3 guess = manifold.hasNormal ? Vec3(a.turn * manifold.normal) : Vec3(b.centre.normalized());
@@ -404,7 +405,7 @@ void open(PersistentManifold& manifold, double gap) {
 }
 
 // Updates the manifold of a pair of solids with cores.
-bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+CAROM_WIDE bool updateSolids(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     if (!manifold.hasNormal && manifold.count == 0 && openByBalls(input, manifold)) return false;
     const Solids solids = solidsOf(input, pair);
