@@ -477,6 +477,7 @@ class SteppedMotion {
     Scratch<std::vector<Vec3>> m_seenTurn; // by number: how far it had turned when its contacts were found
     Scratch<std::vector<Foreseen>> m_foreseen;           // ascending
     Scratch<std::vector<LanePacker::Place>> m_addedRows; // for the rest of a step
+    Scratch<std::vector<std::uint32_t>> m_changedGroups; // of rows, by looking ahead
     bool m_hasEmptyRows = false;                         // pairs have rows without points
     Scratch<std::vector<double>> m_gained;       // by part: about twice the energy that contacts give [J]
     Scratch<std::vector<double>> m_gains;        // the same by body that does not stand still

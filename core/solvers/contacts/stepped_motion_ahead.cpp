@@ -66,6 +66,7 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
     const ManifoldInput there{input.bodies, input.state, input.gravity, duration};
     const std::size_t groups = m_rows.groups().size();
     bool any = false;
+    m_changedGroups.clear();
     for (std::uint32_t group = 0; group < groups; ++group)
         for (std::uint32_t lane = 0; lane < wideLanes; ++lane) {
             const RowGroup& of = m_rows.groups()[group];
@@ -76,7 +77,9 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
             const bool isImpact = std::any_of(rows.begin(), rows.end(),
                                               [&](const RowPoint& row) { return row.approach[lane] > 0; });
             if (isSolved && isImpact) continue;
-            if (!findAnew(input, there, group, lane, manifolds, isSolved && !isEmpty)) continue;
+            const bool adds = isSolved && !isEmpty;
+            if (!adds) m_changedGroups.push_back(group);
+            if (!findAnew(input, there, group, lane, manifolds, adds)) continue;
             ++report.work.pairsCollided;
             any = true;
         }
@@ -85,7 +88,9 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
         m_moved[body.number] = body.moved;
     }
     if (m_rows.groups().size() > groups) m_rows.end(m_bodies);
-    updateGaps(m_rows, m_moved, input.workers);
+    for (std::size_t group = groups; group < m_rows.groups().size(); ++group)
+        m_changedGroups.push_back(static_cast<std::uint32_t>(group));
+    updateGaps(m_rows, m_changedGroups, m_moved);
     return any;
 }
 

@@ -216,6 +216,12 @@ void updateGaps(ContactRows& rows, std::span<const Displacement> moved, Workers&
     });
 }
 
+void updateGaps(ContactRows& rows, std::span<const std::uint32_t> groups,
+                std::span<const Displacement> moved) {
+    for (const std::uint32_t group : groups)
+        passGaps(rows.groups().subspan(group, 1), rows.points().data(), moved.data());
+}
+
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
                      Workers& workers) {
     rows.sections().forEach(rows.groups(), back, workers, [&](std::span<const RowGroup> groups) {

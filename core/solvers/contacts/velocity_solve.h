@@ -70,6 +70,9 @@ bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const
 void warmStart(const ContactRows& rows, std::span<SolverBody> bodies, Workers& workers = Workers::alone());
 /// Updates the gaps by `moved`, the displacements of all bodies since the rows were made.
 void updateGaps(ContactRows& rows, std::span<const Displacement> moved, Workers& workers = Workers::alone());
+/// The same of single groups.
+void updateGaps(ContactRows& rows, std::span<const std::uint32_t> groups,
+                std::span<const Displacement> moved);
 /// One pass through the groups, forwards or `back`.
 void solveVelocities(ContactRows& rows, std::span<SolverBody> bodies, const StepSettings& settings, bool back,
                      Workers& workers = Workers::alone());
