@@ -53,15 +53,11 @@ void IslandMotion::recordTurning(const MotionInput& input, const Island& island)
         spinEnergy(input.bodies, island.bodies, input.state) - before;
 }
 
-// Positions are corrected without velocities: only heights and orientations can change the energy.
-void IslandMotion::recordPositionCorrection(const MotionInput& input, const Island& island,
-                                            double spinBefore) {
-    Ledger& ledger = *input.ledger;
+// Kinetic energies stay (turnWithVelocity), so only heights can change the energy.
+void IslandMotion::recordPositionCorrection(const MotionInput& input, const Island& island) {
     for (std::size_t i = 0; i < island.bodies.size(); ++i)
-        ledger.lifted -= input.bodies.mass[island.bodies[i]] *
-                         input.gravity.dot(m_correction.bodies[i].velocity.head<3>());
-    ledger[LedgerAccount::PositionCorrection].energy +=
-        spinEnergy(input.bodies, island.bodies, input.state) - spinBefore;
+        input.ledger->lifted -= input.bodies.mass[island.bodies[i]] *
+                                input.gravity.dot(m_correction.bodies[i].velocity.head<3>());
 }
 
 // Records the closed form of a lone ball. Along the normal, gravity did the work of the change of height, and

@@ -47,6 +47,7 @@ double closingTime(double gap, double u0, double u1, double duration) {
 // Time of the first impact of an open contact, or `duration` if there is none.
 double IslandMotion::firstImpact(const MotionInput& input, double duration) {
     markHeld();
+    m_rollsOn = false;
     double first = duration;
     for (std::uint32_t p = 0; p < m_contacts.pairs.size(); ++p) {
         const ContactPair& pair = m_contacts.pairs[p];
@@ -146,6 +147,22 @@ double IslandMotion::fastestApproach(const MotionInput& input, const ContactPair
     return std::max(before.norm(), after.norm()) + turning;
 }
 
+// Whether bodies are deeper in each other at a time of a part than they were at its start.
+bool IslandMotion::isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration) {
+    m_work += collideWork(input.bodies, pair);
+    ++report.work.pairsCollided;
+    return overlapAt(input, pair, time, duration) > overlapOf(pair) + deepRoll * pair.size;
+}
+
+// A part of `time`, at whose end they are not, or half of it so often as is looked for.
+double IslandMotion::lessDeep(const MotionInput& input, const ContactPair& pair, double time,
+                              double duration) {
+    m_rollsOn = true;
+    time *= 0.5;
+    for (int look = 1; look < mostLooks && isDeep(input, pair, time, duration); ++look) time *= 0.5;
+    return time;
+}
+
 // When two bodies that nothing holds together meet, at `first` or before; infinite if they do not.
 double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pair, double first,
                                  double duration) {
@@ -171,10 +188,10 @@ double IslandMotion::nextContact(const MotionInput& input, const ContactPair& pa
             std::any_of(m_waits.begin() + pair.first, m_waits.begin() + pair.first + pair.count,
                         [](std::uint8_t wait) { return wait != 0; });
         if (!waits && closing <= gentleClosing(pair)) {
-            m_work += collideWork(input.bodies, pair);
-            ++report.work.pairsCollided;
-            if (!(overlapAt(input, pair, first, duration) > overlapOf(pair) + deepRoll * pair.size))
-                return never;
+            if (!isDeep(input, pair, first, duration)) return never;
+            // Touching at the start, with nothing to stop: the contact could be followed, but without a force
+            // at the end, where the rim has turned away. In less time it has one.
+            if (t < rolledOn * first) return lessDeep(input, pair, first, duration);
         }
         if (!(closing > 0) || std::abs(near.distance) <= reached * touchingWithin(pair)) break;
         t = std::clamp(t + near.distance / closing, 0.0, duration);

@@ -22,7 +22,7 @@
 // Moves the bodies of one island through a substep. The order of operations:
 //
 //     until the substep is used up
-//         positions  overlaps are corrected, without any change of velocities
+//         positions  overlaps are corrected, without any change of kinetic energies
 //         impacts    contacts that touch and close at a speed change velocities at once (impacts.h)
 //         velocities v̂ = v + T g, contact forces keep bodies apart: v₁
 //         events     if an open contact closes with an impact before T, or a sliding one stops, T ends there
@@ -114,6 +114,7 @@ class IslandMotion {
     void takeEnergy(const MotionInput& input, const Island& island, double energy);
     void impacts(const MotionInput& input, double duration, bool findsImpacts);
     void solveVelocities(const MotionInput& input, double duration, bool findsImpacts);
+    double solvePart(const MotionInput& input, double duration, bool findsImpacts);
     void beginPart(const MotionInput& input, double duration);
     Vec3 endMomentum(std::size_t body) const;
     void chooseRows(const MotionInput& input, double duration, bool findsImpacts);
@@ -167,7 +168,7 @@ class IslandMotion {
     void recordForces(const MotionInput& input, double duration);
     void swapPushes();
     void recordTurning(const MotionInput& input, const Island& island);
-    void recordPositionCorrection(const MotionInput& input, const Island& island, double spinBefore);
+    void recordPositionCorrection(const MotionInput& input, const Island& island);
     void recordBounce(const MotionInput& input, const Vec6& before, const Vec3& normal, double rise);
 
     bool findStop(Braked& first) const;
@@ -176,6 +177,8 @@ class IslandMotion {
     double gentleClosing(const ContactPair& pair) const;
     double gentleOpening(const ContactPair& pair) const;
     double fastestApproach(const MotionInput& input, const ContactPair& pair) const;
+    bool isDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
+    double lessDeep(const MotionInput& input, const ContactPair& pair, double time, double duration);
     double nextContact(const MotionInput& input, const ContactPair& pair, double first, double duration);
     double nextCorner(const MotionInput& input, const ContactPair& pair, double first, double duration) const;
     double impactTime(const MotionInput& input, const ContactPair& pair, double time, double duration) const;
@@ -194,12 +197,13 @@ class IslandMotion {
     double m_overlap = 0;  // the deepest in this substep, relative to the smaller body
     struct Uncorrected {
         Pose pose;
-        Vec3 velocity;
+        Vec3 velocity, angularVelocity, angularMomentum;
     };
     std::vector<Uncorrected> m_uncorrected; // by body of the island: before its position was corrected
     bool m_isCorrected = false;             // in this substep
     bool m_unsolved = false;                // the forces of this part were not found
     bool m_turnsTooFar = false;             // contacts cannot be followed through this part
+    bool m_rollsOn = false;                 // a contact without a force sinks in from the start of this part
     bool m_rattles = false;                 // most of the events of this substep are used up
     double m_scale = 0;                     // |g| h, or the speed of the problem without gravity [m/s]
     double m_tolerance = 0;                 // of velocities [m/s]
