@@ -78,18 +78,25 @@ void SpringLimit::findEnergies(const SpringIslands& input, double duration,
     }
 }
 
-void SpringLimit::keep(const SpringIslands& input, double duration, std::span<SolverBody> bodies) {
+bool SpringLimit::isExceeded(const SpringIslands& input, double duration,
+                             std::span<const SolverBody> bodies) {
     for (Sums& sums : m_sums) sums.part = 1;
     findEnergies(input, duration, bodies);
     bool any = false;
     for (Sums& sums : m_sums) {
         sums.exceeds = sums.hasSprings && sums.energy > (1 + rounding) * sums.limit;
         any = any || sums.exceeds;
+    }
+    return any;
+}
+
+void SpringLimit::keep(const SpringIslands& input, double duration, std::span<SolverBody> bodies) {
+    if (!isExceeded(input, duration, bodies)) return;
+    for (Sums& sums : m_sums) {
         sums.mass = sums.least = 0;
         sums.most = 1;
         sums.drift.setZero();
     }
-    if (!any) return;
     for (std::size_t i = 1; i < bodies.size(); ++i) {
         Sums& sums = m_sums[input.islandOf[i]];
         if (!sums.exceeds || sums.isHeld) continue;

@@ -10,8 +10,8 @@
 #include <vector>
 
 // A few passes do not solve for springs that share bodies, and where these are stiff, the remaining error
-// moves the bodies to where the springs store many times the energy that there was. So an island with springs
-// moves in a step only as far as its energy allows:
+// moves the bodies to where the springs store many times the energy that there was. After some passes more,
+// an island with springs moves in a step only as far as its energy allows:
 //
 //     x + h (v̄ + s (v − v̄))   the largest s ≤ 1 with  T(s) + V(s) <= T₀ + V₀ + W
 //
@@ -41,6 +41,8 @@ class SpringLimit {
     void allow(const SpringIslands& input, std::span<const double> added);
     /// Something fixed touches a body of the island.
     void hold(std::uint32_t island) { m_sums[island].isHeld = true; }
+    /// Whether an island would exceed its limit when it has moved for `duration` [s].
+    bool isExceeded(const SpringIslands& input, double duration, std::span<const SolverBody> bodies);
     /// Slows bodies down until no island exceeds its limit when it has moved for `duration` [s].
     void keep(const SpringIslands& input, double duration, std::span<SolverBody> bodies);
 

@@ -20,6 +20,9 @@ namespace {
 /// How often a step is solved on with contacts of bodies that were struck within it. At half, an impact
 /// passes on through half as many bodies that were apart; at twice, such a step costs up to twice as much.
 constexpr int mostRounds = 4;
+/// Further sweeps of a step whose springs would have more energy than there is. Without, a net of stiff
+/// springs with a ball on it stands still; at twice or four times as many, it moves as with these.
+constexpr int mostSpringSweeps = 8;
 /// How often impacts of balls go through all that is active in a step. In a break of fifteen balls, of
 /// restitution .95, half as often loses twice the energy it should, and twice as often changes nothing.
 constexpr int mostStrikes = 4;
@@ -312,7 +315,7 @@ void SteppedMotion::step(const SteppedInput& input, double duration, Manifolds& 
         sweep(settings, input.workers, report);
     }
     limitEnergy(settings, input.workers, true);
-    if (!m_links.empty()) limitSprings(input, settings);
+    if (!m_links.empty()) limitSprings(input, settings, report);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
         const Vec3 velocity = vectorOf(m_bodies[i].velocity), spin = vectorOf(m_bodies[i].spin);
         if (velocity.allFinite() && spin.allFinite()) continue;
@@ -438,11 +441,16 @@ void SteppedMotion::findCorrection(const StepSettings& settings) {
     m_balls.addCorrection(m_moved, forBalls(settings), m_corrected);
 }
 
-// Slows islands with springs down to what the energy allows, with what position correction may add to it.
-void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& settings) {
+// Solves on while islands with springs have more energy than there is, and slows them down to what it allows,
+// with what position correction may add to it.
+void SteppedMotion::limitSprings(const SteppedInput& input, const StepSettings& settings,
+                                 SteppedReport& report) {
     const SpringIslands islands = springIslands(input);
     findCorrection(settings);
     m_springLimit.allow(islands, m_corrected);
+    for (int more = 0;
+         more < mostSpringSweeps && m_springLimit.isExceeded(islands, settings.duration, m_bodies); ++more)
+        sweep(settings, input.workers, report);
     m_springLimit.keep(islands, settings.duration, m_bodies);
 }
 

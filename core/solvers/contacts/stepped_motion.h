@@ -360,7 +360,7 @@ class SteppedMotion {
     void rebound(const StepSettings& settings, Workers& workers, SteppedReport& report);
     SpringIslands springIslands(const SteppedInput& input) const;
     void rememberSprings(const SteppedInput& input);
-    void limitSprings(const SteppedInput& input, const StepSettings& settings);
+    void limitSprings(const SteppedInput& input, const StepSettings& settings, SteppedReport& report);
     void applyTerms(const SteppedInput& input, double duration);
     void recordTerms(const SteppedInput& input);
     void move(const SteppedInput& input, double duration);
