@@ -161,10 +161,11 @@ void BasePath::orderWhereMany() {
     std::array<std::vector<std::size_t>, divisions>& outrun = m_outrun;
     for (std::size_t number = 0; number < divisions; ++number)
         outrun[number].assign(block(number).isEmpty() ? 0 : block(number).islandNumbers(), 0);
-    for (const auto& [body, reach, isNarrowed] : m_renewed) {
-        const std::uint32_t island = blockWith(body).islandOf(body);
-        if (fewRenewed * ++outrun[m_block[body] - 1u][island] > blockWith(body).bodiesOf(island))
-            blockWith(body).orderSoon();
+    for (const Renewed& renewed : m_renewed) {
+        SteppedMotion& block = blockWith(renewed.body);
+        const std::uint32_t island = block.islandOf(renewed.body);
+        if (fewRenewed * ++outrun[m_block[renewed.body] - 1u][island] > block.bodiesOf(island))
+            block.orderSoon();
     }
     const auto leaves = [this](const Renewed& renewed) {
         const bool is = blockWith(renewed.body).isMarked(renewed.body);

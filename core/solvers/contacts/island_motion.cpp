@@ -99,8 +99,7 @@ void IslandMotion::move(const MotionInput& input, const Island& island) {
         loadBodies(input, island);
         impacts(input, left, findsImpacts);
         if (remaining(input) <= 0) return giveUp();
-        double duration = findsImpacts ? std::min(left, longest) : left;
-        duration = solvePart(input, duration, findsImpacts);
+        double duration = solvePart(input, findsImpacts ? std::min(left, longest) : left, findsImpacts);
         longest = 2 * duration;
         if (duration < left) ++events;
         if (findsImpacts && !m_unsolved && remaining(input) > 0) {

@@ -4,12 +4,12 @@
 #include "core/base/assert.h"
 #include "core/base/fixed_list.h"
 #include "core/base/wide.h"
-#include "core/dynamics/contact_memory.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/core_direction.h"
 #include "core/narrowphase/narrowphase.h"
 #include "core/narrowphase/separating_axis.h"
 #include "core/solvers/contacts/manifold_following.h"
+#include "core/solvers/contacts/manifold_forces.h"
 #include "core/solvers/contacts/neighbours.h"
 
 #include <algorithm>
@@ -19,9 +19,6 @@
 namespace carom {
 namespace {
 
-/// A point within this part of the smaller body's size of an old one has its force. At half, more points
-/// begin with forces that shareOut estimates; at twice, forces go to points where their torque is another.
-constexpr double sameWithin = 0.05;
 /// Orientation of B in the frame of A.
 Quat relativeOrientation(const State& state, BodyPair pair) {
     return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
@@ -79,77 +76,10 @@ void reduce(Manifold& manifold) {
     for (const std::size_t k : chosen) manifold.add(points[k]);
 }
 
-/// Passes of shareOut. The error of a square of points falls to a hundredth in four.
-constexpr int sharePasses = 8;
-/// Points belong to the same contact where the middle of all has moved by no more than this part of the size.
-/// At twice, a contact at the opposite end of a body takes over forces; at half, more contacts begin without
-/// any.
-constexpr double sameContactWithin = 0.5;
-
 using Point = PersistentManifold::Point;
 
 std::span<Point> pointsOf(PersistentManifold& manifold) {
     return std::span(manifold.points).first(static_cast<std::size_t>(manifold.count));
-}
-
-Vec3 middleOf(std::span<const Point> points) {
-    Vec3 sum = Vec3::Zero();
-    for (const Point& point : points) sum += point.onB;
-    return sum / static_cast<double>(points.size());
-}
-
-// Distributes the force of old points that no new one has taken over among the new ones, so that the pair's
-// force and moment stay the same. Projected Gauss–Seidel on
-//
-//     Σ fₖ = N      Σ fₖ yₖ = M₁      Σ fₖ zₖ = M₂      fₖ ≥ 0
-//
-//     legend   fₖ  normal force of a new point      yₖ, zₖ  its place across the normal, in the frame of B
-//
-// Friction is distributed like the normal forces. Points change where edges are parallel or where regions
-// have more than four corners; a heap that lost forces with them would never come to rest.
-void shareOut(std::span<const Point> old, const Vec3& normal, const Tangents& across, double size,
-              std::span<Point> fresh) {
-    const Vec3 middle = middleOf(fresh);
-    if (!((middleOf(old) - middle).norm() <= sameContactWithin * size)) return;
-    const auto columnOf = [&](const Point& point) -> Vec3 {
-        const Vec3 arm = (point.onB - middle) / size;
-        return {1, across.first.dot(arm), across.second.dot(arm)};
-    };
-    Vec3 missing = Vec3::Zero(), force = Vec3::Zero(); // N, M₁, M₂; world [N]
-    for (const Point& point : old) {
-        missing += point.force.dot(normal) * columnOf(point);
-        force += point.force;
-    }
-    std::array<Vec3, manifoldPoints> columns;
-    std::array<double, manifoldPoints> bears{};
-    for (std::size_t k = 0; k < fresh.size(); ++k) {
-        columns[k] = columnOf(fresh[k]);
-        bears[k] = fresh[k].force.dot(normal);
-        missing -= bears[k] * columns[k];
-    }
-    for (int pass = 0; pass < sharePasses; ++pass)
-        for (std::size_t k = 0; k < fresh.size(); ++k) {
-            const double now = std::max(0.0, bears[k] + columns[k].dot(missing) / columns[k].squaredNorm());
-            missing -= (now - bears[k]) * columns[k];
-            bears[k] = now;
-        }
-    double sum = 0;
-    for (const double normalForce : bears) sum += normalForce;
-    if (!(sum > 0)) return;
-    const Vec3 friction = force - force.dot(normal) * normal;
-    for (std::size_t k = 0; k < fresh.size(); ++k)
-        fresh[k].force = bears[k] * normal + bears[k] / sum * friction;
-}
-
-/// The same for a contact of `pair`, whose places on B are in the frame of B, or in the world on a wall.
-void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
-              std::span<Point> fresh) {
-    Tangents across = tangentsOf(normal);
-    if (!isWall(input.bodies.shape[pair.b])) {
-        const Pose& pose = input.state.pose[pair.b];
-        across = {pose.directionToBody(across.first), pose.directionToBody(across.second)};
-    }
-    shareOut(old, normal, across, smallerSize(input.bodies, pair), fresh);
 }
 
 // Orders points so that opposite ones are solved one after the other: a stack rocks less than with neighbours
@@ -163,30 +93,6 @@ void putOppositesFirst(Manifold& manifold) {
     for (std::size_t k = 2; k < static_cast<std::size_t>(manifold.count); ++k)
         if (distanceOf(k) > distanceOf(furthest)) furthest = k;
     std::swap(manifold.points[1], manifold.points[furthest]);
-}
-
-// Gives forces of old points to the nearest new ones. False if a force is left.
-bool inherit(std::span<const Point> old, double within, std::span<Point> fresh) {
-    std::array<bool, manifoldPoints> taken{};
-    const bool alone = old.size() == 1 && fresh.size() == 1; // the same point, however far it has rolled
-    for (Point& point : fresh) {
-        double nearest = within * within;
-        std::size_t best = manifoldPoints;
-        for (std::size_t k = 0; k < old.size(); ++k) {
-            if (taken[k]) continue;
-            const double distance =
-                std::min((old[k].onB - point.onB).squaredNorm(), (old[k].onA - point.onA).squaredNorm());
-            if (!(distance < nearest || alone)) continue;
-            nearest = distance;
-            best = k;
-        }
-        if (best == manifoldPoints) continue;
-        taken[best] = true;
-        point.force = old[best].force;
-    }
-    for (std::size_t k = 0; k < old.size(); ++k)
-        if (!taken[k] && old[k].force != Vec3::Zero()) return false;
-    return true;
 }
 
 /// Where two spheres will be when they meet within the substep, or when they are nearest.
@@ -238,14 +144,6 @@ Solids solidsOf(const ManifoldInput& input, BodyPair pair) {
 void collideNow(const ManifoldInput& input, BodyPair pair, double margin, Manifold& found) {
     collide({&input.bodies.shape[pair.a], &input.state.pose[pair.a]},
             {&input.bodies.shape[pair.b], &input.state.pose[pair.b]}, margin, found);
-}
-
-// Gives new points the forces of the old ones.
-void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const Point> old, const Vec3& normal,
-              std::span<Point> fresh) {
-    if (old.empty()) return;
-    if (!inherit(old, sameWithin * smallerSize(input.bodies, pair), fresh))
-        shareOut(input, pair, old, normal, fresh);
 }
 
 using OldPoints = FixedList<Point, manifoldPoints>;
@@ -344,6 +242,20 @@ double surfaceSpeedOf(const ManifoldInput& input, BodyPair pair) {
     return speed;
 }
 
+/// Within this gap two bodies may touch in the substep however slow they are [m].
+double slackOf(const ManifoldInput& input, BodyPair pair) {
+    const Forces& forces = input.bodies.forces;
+    return slackPart * smallerSize(input.bodies, pair) +
+           input.gravity.norm() * input.duration * input.duration + forces.reach(pair.a, input.duration) +
+           forces.reach(pair.b, input.duration);
+}
+
+/// How fast the surfaces come nearer along a normal from A to B at most [m/s].
+double closingAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal) {
+    const Vec3 velocity = input.state.velocity[pair.b] - input.state.velocity[pair.a];
+    return surfaceSpeedOf(input, pair) - normal.dot(velocity);
+}
+
 // Whether the bounding balls of two bodies show that these cannot touch within the substep: then the manifold
 // is open.
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
@@ -366,18 +278,8 @@ double smallerSize(const Bodies& bodies, BodyPair pair) {
     return std::min(a, b);
 }
 
-double slackOf(const ManifoldInput& input, BodyPair pair) {
-    const Forces& forces = input.bodies.forces;
-    return slackPart * smallerSize(input.bodies, pair) +
-           input.gravity.norm() * input.duration * input.duration + forces.reach(pair.a, input.duration) +
-           forces.reach(pair.b, input.duration);
-}
-
-bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap) {
-    const double slack = slackOf(input, pair);
-    if (gap <= slack) return true;
-    const Vec3 velocity = input.state.velocity[pair.b] - input.state.velocity[pair.a];
-    return gap <= (surfaceSpeedOf(input, pair) - normal.dot(velocity)) * input.duration + slack;
+bool canMeetAlong(const ManifoldInput& input, BodyPair pair, double gap, double closing) {
+    return gap <= slackOf(input, pair) + input.duration * std::max(0.0, closing);
 }
 
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap) {
@@ -414,7 +316,7 @@ CAROM_WIDE bool updateSolids(const ManifoldInput& input, double margin, Persiste
         // A lower bound of the gap, along the normal of before.
         const Vec3 normal = solids.a.turn * manifold.normal;
         const double gap = gapAlong(normal, solids.a, solids.b);
-        manifold.open = gap > margin || !canMeetAlong(input, pair, normal, gap);
+        manifold.open = gap > margin || !canMeetAlong(input, pair, gap, closingAlong(input, pair, normal));
         if (manifold.open) {
             open(manifold, gap);
             if (gap > margin) manifold.count = 0;
@@ -474,7 +376,8 @@ void openIfApart(const ManifoldInput& input, PersistentManifold& manifold) {
     if (manifold.open || manifold.round || manifold.count == 0) return;
     const Vec3 normal = normalOf(input, manifold);
     const double gap = gapAlong(input, manifold.pair, normal);
-    if (!canMeetAlong(input, manifold.pair, normal, gap)) open(manifold, gap);
+    if (!canMeetAlong(input, manifold.pair, gap, closingAlong(input, manifold.pair, normal)))
+        open(manifold, gap);
 }
 
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {

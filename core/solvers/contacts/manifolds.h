@@ -94,13 +94,12 @@ struct ManifoldInput {
 
 /// The size of the smaller body of a pair, or of the one that is no wall [m].
 double smallerSize(const Bodies& bodies, BodyPair pair);
-/// Within this gap two bodies may touch in the substep however slow they are [m].
-double slackOf(const ManifoldInput& input, BodyPair pair);
 /// Whether a pair `gap` metres apart may touch within the substep as the two move, if nothing strikes them.
 /// Exact for spheres; otherwise true if in doubt.
 bool canMeet(const ManifoldInput& input, BodyPair pair, double gap);
-/// The same of a pair that is at least `gap` metres apart along this normal, from A to B.
-bool canMeetAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal, double gap);
+/// The same of a pair that is at least `gap` metres apart along a normal along which it closes with `closing`
+/// m/s at most.
+bool canMeetAlong(const ManifoldInput& input, BodyPair pair, double gap, double closing);
 /// How far two bodies are apart at least, if this unit direction points from A to B [m]; of a wall along its
 /// own normal.
 double gapAlong(const ManifoldInput& input, BodyPair pair, const Vec3& normal);

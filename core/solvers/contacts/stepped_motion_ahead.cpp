@@ -74,11 +74,11 @@ bool SteppedMotion::lookAhead(const SteppedInput& input, double duration, Manifo
             const std::span<const RowPoint> rows = m_rows.points().subspan(of.firstPoint, of.points);
             const bool isEmpty = rows.front().massNormal[lane] == 0;
             if (!isEmpty && (m_hasTurned[of.a[lane]] | m_hasTurned[of.b[lane]]) == 0) continue;
-            const bool isImpact = std::any_of(rows.begin(), rows.end(),
-                                              [&](const RowPoint& row) { return row.approach[lane] > 0; });
-            if (isSolved && isImpact) continue;
+            const auto isStruck = [lane](const RowPoint& row) { return row.approach[lane] > 0; };
+            if (isSolved && std::any_of(rows.begin(), rows.end(), isStruck)) continue;
             const bool adds = isSolved && !isEmpty;
-            if (!adds) m_changedGroups.push_back(group);
+            if (!adds && (m_changedGroups.empty() || m_changedGroups.back() != group))
+                m_changedGroups.push_back(group);
             if (!findAnew(input, there, group, lane, manifolds, adds)) continue;
             ++report.work.pairsCollided;
             any = true;
@@ -117,7 +117,7 @@ bool SteppedMotion::moveToNearest(const SteppedInput& input, const ManifoldInput
     const SolverBody &a = m_bodies[numbers[0]], &b = m_bodies[numbers[1]];
     const double closing = normal.dot(vectorOf(a.velocity) - vectorOf(b.velocity)) +
                            surfaceSpeed(input.bodies, numbers[0]) + surfaceSpeed(input.bodies, numbers[1]);
-    if (start > slackOf(there, pair) + there.duration * std::max(0.0, closing)) return false;
+    if (!canMeetAlong(there, pair, start, closing)) return false;
     const double times = std::clamp(std::ceil(most / turnBetween), 1.0, mostTimes);
     double nearest = std::numeric_limits<double>::infinity(), at = 1;
     for (double k = 1; times > 1 && k <= times; ++k)
