@@ -291,6 +291,39 @@ class TurningContactsTest : public QObject {
         qInfo("sunk in by at most %.1e of the radius", deepest);
         QVERIFY(deepest < allowed);
     }
+
+    // Rows that are added for what has turned within a step begin with the torque of rolling resistance that
+    // the pair's other rows have, as if nothing did: where a spring lets an island have any energy, that of
+    // nine rods at 100 rad/s grew without bound under `fast`.
+    void rollingResistanceOfTurningRodsGivesNoEnergy_data() {
+        QTest::addColumn<QByteArray>("preset");
+        for (const char* preset : {"fast", "default", "accurate"})
+            QTest::newRow(preset) << QByteArray(preset);
+    }
+    void rollingResistanceOfTurningRodsGivesNoEnergy() {
+        QFETCH(QByteArray, preset);
+        qInfo("seed %llu", static_cast<unsigned long long>(test::seed));
+        constexpr double rolling = 1e-3; // [m]
+        Random random(test::seed);
+        Scene scene = sceneOf({rough(floorOf(0.5, 0.2), 0.5, 0.2, rolling)}, downwards());
+        for (const Vec3& inward : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+            scene.bodies.push_back(rough(wall(inward, -0.3), 0.5, 0.2, rolling));
+        for (int i = 0; i < 9; ++i) {
+            const Body rod =
+                cuboid(Vec3(0.16, 0.03, 0.03), 1, Vec3(0.18 * (i % 3 - 1), 0.1, 0.18 * (i / 3 - 1)));
+            scene.bodies.push_back(
+                rough(moving(rod, Vec3::Zero(), 100 * uniformDirection(random)), 0.5, 0.2, rolling));
+        }
+        Spring spring;
+        spring.from = 5;
+        spring.to = 6;
+        spring.stiffness = 1;
+        scene.springs.push_back(spring);
+        World world = worldOf(scene, contacts(preset));
+        const WorstOfRun worst = worstOf(world, 40);
+        qInfo("gained %.1e, sunk in by %.1e m", worst.gained, worst.overlap);
+        QVERIFY(worst.gained < 1e-2);
+    }
 };
 
 } // namespace carom

@@ -154,6 +154,7 @@ bool SteppedMotion::findAnew(const SteppedInput& input, const ManifoldInput& the
     if (adds) {
         PersistentManifold also = manifold;
         also.count = 0;
+        also.torque.setZero(); // the rows that are there have it
         if (!closeManifold(there, m_entries[entry].margin, also)) return false;
         const PlacedManifold contact = placedAtLook(there, also);
         m_addedRows.push_back(m_rows.add(rowOf(there.bodies, entry, contact), entry, m_bodies));
