@@ -135,21 +135,20 @@ bool BasePath::renew(const SteppedInput& input, double substep, double time, dou
     }
     std::size_t all = 0;
     for (const SteppedMotion& block : m_blocks) all += block.bodies().size();
-    const auto forget = [&] {
-        for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
-        m_renewed.clear();
-    };
-    forget();
+    for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
+    m_renewed.clear();
     findOutrun(input, substep, time, skin, neighbours);
     if (m_renewed.empty()) return !anyMarked();
     if (partHere * all < input.bodies.mobileBodies.size()) {
         markIslands([](BodyIndex) { return true; });
         return false;
     }
+    m_fromOutrun = m_renewed;
     while (!findStruck(input, time, skin, neighbours)) { // so that the pairs depend on the poses only
         neighbours.search(input.bodies, input.state, broadphase);
-        forget();
-        findOutrun(input, substep, time, skin, neighbours);
+        for (const Renewed& renewed : m_renewed) m_renewal[renewed.body] = 0;
+        m_renewed = m_fromOutrun;
+        for (std::uint32_t n = 0; n < m_renewed.size(); ++n) m_renewal[m_renewed[n].body] = n + 1;
     }
     orderWhereMany();
     loadPairs(input, neighbours, manifolds);

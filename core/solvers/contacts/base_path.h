@@ -245,8 +245,9 @@ class BasePath {
     Scratch<std::vector<double>> m_kick;                               // by body, of those that enter [m]
     Scratch<std::vector<double>> m_room; // by body: what is left of its reach in this substep [m]
     std::vector<Renewed> m_renewed;
-    std::vector<std::uint32_t> m_renewal;    // by body: its number in m_renewed and 1, or 0
-    Scratch<std::vector<Present>> m_present; // pairs of renewed bodies that are here
+    Scratch<std::vector<Renewed>> m_fromOutrun; // m_renewed as findOutrun() leaves it
+    std::vector<std::uint32_t> m_renewal;       // by body: its number in m_renewed and 1, or 0
+    Scratch<std::vector<Present>> m_present;    // pairs of renewed bodies that are here
     Scratch<PairSort<Present>> m_sort;
 };
 
