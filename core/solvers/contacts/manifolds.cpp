@@ -256,6 +256,13 @@ double closingAlong(const ManifoldInput& input, BodyPair pair, const Vec3& norma
     return surfaceSpeedOf(input, pair) - normal.dot(velocity);
 }
 
+// Whether a pair that is at least `gap` metres apart along a normal cannot touch within the substep. Most
+// pairs with points are so near that their motion does not matter.
+bool staysApart(const ManifoldInput& input, BodyPair pair, double gap, const Vec3& normal) {
+    return gap > slackPart * smallerSize(input.bodies, pair) &&
+           !canMeetAlong(input, pair, gap, closingAlong(input, pair, normal));
+}
+
 // Whether the bounding balls of two bodies show that these cannot touch within the substep: then the manifold
 // is open.
 bool openByBalls(const ManifoldInput& input, PersistentManifold& manifold) {
@@ -316,7 +323,7 @@ CAROM_WIDE bool updateSolids(const ManifoldInput& input, double margin, Persiste
         // A lower bound of the gap, along the normal of before.
         const Vec3 normal = solids.a.turn * manifold.normal;
         const double gap = gapAlong(normal, solids.a, solids.b);
-        manifold.open = gap > margin || !canMeetAlong(input, pair, gap, closingAlong(input, pair, normal));
+        manifold.open = gap > margin || staysApart(input, pair, gap, normal);
         if (manifold.open) {
             open(manifold, gap);
             if (gap > margin) manifold.count = 0;
@@ -376,8 +383,7 @@ void openIfApart(const ManifoldInput& input, PersistentManifold& manifold) {
     if (manifold.open || manifold.round || manifold.count == 0) return;
     const Vec3 normal = normalOf(input, manifold);
     const double gap = gapAlong(input, manifold.pair, normal);
-    if (!canMeetAlong(input, manifold.pair, gap, closingAlong(input, manifold.pair, normal)))
-        open(manifold, gap);
+    if (staysApart(input, manifold.pair, gap, normal)) open(manifold, gap);
 }
 
 Vec3 normalOf(const ManifoldInput& input, const PersistentManifold& manifold) {
