@@ -22,6 +22,7 @@
 namespace carom {
 
 using Wide = double __attribute__((vector_size(32)));
+using WideMask = decltype(Wide{} < Wide{}); ///< of each lane: all bits or none
 inline constexpr int wideLanes = 4;
 
 /// Four doubles from memory that is aligned to 32 bytes, and back.

@@ -112,8 +112,8 @@ struct BallRows::Refresh {
     store(group.tangent, choose(changes, t, oldT));
     group.gap = changes ? (used | (fixed.isHeld > zero) ? now : zero) : group.gap;
     const auto solved = row.massNormal > zero;
-    group.idle = !anyLane(solved ? one : zero);
-    group.watched = anyLane(used & (row.massNormal == zero) ? one : zero);
+    group.idle = !anyLane(solved);
+    group.watched = anyLane(used & (row.massNormal == zero));
 }
 
 CAROM_WIDE BallRows::Count BallRows::refreshAll(const Refresh& with) {

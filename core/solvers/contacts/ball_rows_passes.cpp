@@ -82,7 +82,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     for (std::size_t lane = 0; lane < wideLanes; ++lane)
         activeIn[lane] = std::max(active.bodies[group.a[lane]], active.bodies[group.b[lane]]);
     const auto isActive = activeIn >= wideOf(pass);
-    if (!anyLane(isActive ? one : zero)) return zero;
+    if (!anyLane(isActive)) return zero;
     Motion a, b;
     gatherVelocity(bodies, group.a, a);
     gatherVelocity(bodies, group.b, b);
@@ -92,7 +92,7 @@ CAROM_INLINE Wide strike(const BallGroup& group, SolverBody* bodies, const Displ
     const auto touches = gapNow(group, n, moved) <= openBeyond * (group.radiusA + group.radiusB);
     const auto meets = isActive & touches & (closing > zero) & (group.row.massNormal > zero);
     const auto bounces = meets & (closing > resting) & (group.restitution > zero);
-    if (!anyLane(meets ? one : zero)) return zero;
+    if (!anyLane(meets)) return zero;
     const Wide normal =
         meets ? group.row.massNormal * closing * (bounces ? one + group.restitution : one) : zero;
     const Wide q1 = -group.row.massTangent * dot(t1, u), q2 = -group.row.massTangent * dot(t2, u);
@@ -116,7 +116,7 @@ CAROM_INLINE void forgetImpact(BallGroup& group, const SolverBody* bodies, doubl
     const Wide separation = dot(load(group.normal), b.velocity - a.velocity);
     BallRow& row = group.row;
     const auto leaves = (separation > wideOf(resting)) & (row.normal > zero) & (group.restitution > zero);
-    if (!anyLane(leaves ? one : zero)) return;
+    if (!anyLane(leaves)) return;
     const Wide part = leaves ? smaller(row.carried / row.normal, one) : one;
     row.normal = part * row.normal;
     row.along1 = part * row.along1;

@@ -47,7 +47,7 @@ CAROM_INLINE Wide3 solvePoint(const Wide3& velocity, const Wide& gap, const Grou
     const Wide most = group.friction * row.normal, square = q1 * q1 + q2 * q2;
     const auto slips = square > most * most;
     Wide part = one;
-    if (anyLane(slips ? one : zero)) part = slips ? most / rootOf(square) : one;
+    if (anyLane(slips)) part = slips ? most / rootOf(square) : one;
     const Wide d1 = part * q1 - row.along1, d2 = part * q2 - row.along2;
 
     Wide speed = velocity.x;

@@ -106,6 +106,7 @@ struct alignas(32) RowGroup {
     std::uint32_t firstPoint = 0, points = 0;
     std::array<std::uint32_t, wideLanes> source{}; ///< which input pair; noPair in an empty lane
     bool bounces = false;                          ///< restitution in some lane
+    bool approaches = false;                       ///< some point has a closing speed, or had one
 };
 
 /// The carried points of the pairs of a group.

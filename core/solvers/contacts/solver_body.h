@@ -4,7 +4,9 @@
 #include "core/math/types.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 // A body in the velocity solve: one record of 128 bytes, loaded as registers of four doubles.
 
@@ -36,6 +38,9 @@ struct alignas(32) Displacement {
     std::array<double, 3> turn{};  ///< rotation vector [rad]
     double angle = 0;              ///< of all that it has turned through [rad]
 };
+
+/// Compares bits, which is cheaper than numbers: 0 is never negative here.
+inline bool canMove(const SolverBody& body) { return std::bit_cast<std::uint64_t>(body.inverseMass) != 0; }
 
 inline Vec3 vectorOf(const std::array<double, 3>& from) { return {from[0], from[1], from[2]}; }
 inline std::array<double, 3> arrayOf(const Vec3& from) { return {from.x(), from.y(), from.z()}; }

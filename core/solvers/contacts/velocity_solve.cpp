@@ -79,12 +79,15 @@ CAROM_INLINE Wide approachGroup(const RowGroup& group, RowPoint* points, const S
 }
 
 // True if the closing speed of any row was stored.
-CAROM_WIDE bool passApproach(const RowGroup* groups, std::size_t count, RowPoint* points,
-                             const SolverBody* bodies, const StepSettings& settings) {
-    Wide any{};
-    for (std::size_t i = 0; i < count; ++i)
-        if (groups[i].bounces) any = larger(any, approachGroup(groups[i], points, bodies, settings));
-    return anyLane(any);
+CAROM_WIDE bool passApproach(std::span<RowGroup> groups, RowPoint* points, const SolverBody* bodies,
+                             const StepSettings& settings) {
+    bool any = false;
+    for (RowGroup& group : groups) {
+        if (!group.bounces) continue;
+        group.approaches = anyLane(approachGroup(group, points, bodies, settings));
+        any |= group.approaches;
+    }
+    return any;
 }
 
 struct Sweep {
@@ -136,7 +139,7 @@ CAROM_WIDE int passActivate(std::span<const RowGroup> groups, const RowPoint* po
                             const ActiveBodies& active) {
     int struck = 0;
     for (const RowGroup& group : groups) {
-        if (!group.bounces) continue;
+        if (!group.approaches) continue;
         for (std::uint32_t k = 0; k < group.points; ++k) {
             const Wide lanes = isImpact(points[group.firstPoint + k]) ? wideOf(1) : Wide{};
             if (!anyLane(lanes)) continue;
@@ -149,7 +152,7 @@ CAROM_WIDE int passActivate(std::span<const RowGroup> groups, const RowPoint* po
 
 CAROM_WIDE void passForget(std::span<const RowGroup> groups, RowPoint* points, double resting) {
     for (const RowGroup& group : groups) {
-        if (!group.bounces) continue;
+        if (!group.approaches) continue;
         for (std::uint32_t k = 0; k < group.points; ++k)
             forgetImpulse(group, points[group.firstPoint + k], resting);
     }
@@ -193,7 +196,7 @@ bool recordApproach(ContactRows& rows, std::span<const SolverBody> bodies, const
                     Workers& workers) {
     std::atomic<bool> any = false;
     workers.forRanges(rows.groups().size(), fewShared, [&](std::size_t begin, std::size_t end) {
-        if (passApproach(rows.groups().data() + begin, end - begin, rows.points().data(), bodies.data(),
+        if (passApproach(rows.groups().subspan(begin, end - begin), rows.points().data(), bodies.data(),
                          settings))
             any = true;
     });

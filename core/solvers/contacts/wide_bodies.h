@@ -94,7 +94,7 @@ CAROM_INLINE void scatter(SolverBody* bodies, const std::array<std::uint32_t, 4>
     SolverBody unused;
     std::array<double*, 4> to;
     for (std::size_t lane = 0; lane < 4; ++lane)
-        to[lane] = recordOf(bodies[index[lane]].inverseMass != 0 ? bodies[index[lane]] : unused);
+        to[lane] = recordOf(canMove(bodies[index[lane]]) ? bodies[index[lane]] : unused);
     Wide a = motion.velocity.x, b = motion.velocity.y, c = motion.velocity.z, d = motion.inverseMass;
     transpose(a, b, c, d);
     storeWide(to[0], a);
@@ -149,7 +149,12 @@ CAROM_INLINE void apply(Motion& motion, const Wide3& arm, const Wide3& p, double
     motion.spin = motion.spin + factor * change;
 }
 
-CAROM_INLINE bool anyLane(const Wide& a) { return a[0] != 0 || a[1] != 0 || a[2] != 0 || a[3] != 0; }
+/// Whether a comparison holds in some lane.
+CAROM_INLINE bool anyLane(const WideMask& is) {
+    const auto two = __builtin_shufflevector(is, is, 0, 1) | __builtin_shufflevector(is, is, 2, 3);
+    return (two[0] | two[1]) != 0;
+}
+CAROM_INLINE bool anyLane(const Wide& a) { return anyLane(a != Wide{}); }
 CAROM_INLINE Wide absolute(const Wide& a) { return larger(a, -a); }
 
 } // namespace carom
