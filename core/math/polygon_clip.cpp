@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/polygon_clip.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 
 namespace carom {
@@ -13,7 +15,7 @@ std::uint32_t crossingName(std::uint32_t sideOfPolygon, std::uint32_t sideOfHalf
 
 } // namespace
 
-void clip(ClipPolygon& polygon, const HalfPlane& half, double slack) {
+CAROM_WIDE void clip(ClipPolygon& polygon, const HalfPlane& half, double slack) {
     const std::size_t count = polygon.count;
     std::array<double, ClipPolygon::capacity> depths;
     double least = 0;

@@ -35,7 +35,8 @@ struct Plane {
 };
 
 // The plane across `normal` through `origin`, its first direction along the side of a face that fits best.
-Plane planeAlong(const ContactFeature& face, const Vec3& normal, const Vec3& origin) {
+[[gnu::always_inline]] inline Plane planeAlong(const ContactFeature& face, const Vec3& normal,
+                                               const Vec3& origin) {
     const auto across = [&](std::size_t corner) -> Vec3 {
         const Vec3 side = (face.corners[corner + 1] - face.corners[corner]).normalized();
         return side - side.dot(normal) * normal;
@@ -48,7 +49,8 @@ Plane planeAlong(const ContactFeature& face, const Vec3& normal, const Vec3& ori
 }
 
 // The sides of a flattened face as half-planes; side k runs from corner k and is called `firstSide` + k.
-std::array<HalfPlane, 4> sidesOf(const std::array<Vec2, 4>& corners, std::uint32_t firstSide) {
+[[gnu::always_inline]] inline std::array<HalfPlane, 4> sidesOf(const std::array<Vec2, 4>& corners,
+                                                               std::uint32_t firstSide) {
     const auto cross = [](const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); };
     const double turn = cross(corners[1] - corners[0], corners[2] - corners[1]) < 0 ? -1 : 1;
     std::array<HalfPlane, 4> sides;
@@ -150,7 +152,7 @@ void ContactRegion::meetDiscAndFace(const Sides& sides) {
 
 // In the first disc's plane, along rays from a point in both discs to where they leave the first of them. The
 // rays' directions take the second for round there; where they end is exact at any angle between the two.
-void ContactRegion::meetDiscs(const Sides& sides) {
+CAROM_WIDE void ContactRegion::meetDiscs(const Sides& sides) {
     const ContactFeature& first = sides.first;
     const ContactFeature& second = sides.second;
     const auto planeOf = [&](const ContactFeature& disc) -> Plane {
@@ -225,7 +227,7 @@ CAROM_WIDE void ContactRegion::meetLineAndFace(const Sides& sides) {
     add(sides, line.at(leave), alongNormalOnto(sides.second, line.at(leave)), leaveName);
 }
 
-void ContactRegion::meetLineAndDisc(const Sides& sides) {
+CAROM_WIDE void ContactRegion::meetLineAndDisc(const Sides& sides) {
     const ContactFeature& disc = sides.second;
     const Segment line = {sides.first.corners[0], sides.first.corners[1]};
     const Vec3 from = alongNormalOnto(disc, line.from) - disc.centre;
@@ -243,7 +245,7 @@ void ContactRegion::meetLineAndDisc(const Sides& sides) {
 
 // Two cylinders side by side: the ends of the stretch along which they lie together, each with the separation
 // found there, and their crossing where it is deeper.
-void ContactRegion::meetLines(const Sides& sides) {
+CAROM_WIDE void ContactRegion::meetLines(const Sides& sides) {
     const ContactFeature& first = sides.first;
     const ContactFeature& second = sides.second;
     const auto axisOfLine = [](const ContactFeature& line) -> Segment {

@@ -63,7 +63,7 @@ constexpr double leastFollowed = 0.02;
 
 /// Of two cylinders, across the side of one and as far as can be from a rim of the other; zero where their
 /// axes are parallel.
-Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource::Kind side) {
+[[gnu::always_inline]] inline Vec3 fromSideToRim(const Solid& a, const Solid& b, DirectionSource::Kind side) {
     const Vec3 axisA = a.turn.col(1), axisB = b.turn.col(1), across = axisA.cross(axisB);
     const double sine = across.norm();
     if (!(sine > smallestSine)) return Vec3::Zero();
@@ -307,7 +307,8 @@ CAROM_WIDE Vec3 betweenCores(const Solid& a, const Solid& b, const Vec3& guess, 
 
 } // namespace
 
-Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source, const Vec3& before) {
+CAROM_WIDE Vec3 followedDirection(const Solid& a, const Solid& b, DirectionSource source,
+                                  const Vec3& before) {
     using Kind = DirectionSource::Kind;
     Vec3 now = before;
     switch (source.kind) {

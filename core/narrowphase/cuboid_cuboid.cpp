@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/cuboid_cuboid.h"
 
+#include "core/base/wide.h"
 #include "core/math/segment.h"
 #include "core/narrowphase/contact_features.h"
 
@@ -106,7 +107,7 @@ void considerNearestFeatures(AxisSearch<CuboidPair>& search, const CuboidPair& p
     search.considerEitherWay(nearest.between);
 }
 
-BestAxis searchAxes(const CuboidPair& pair, double margin) {
+CAROM_WIDE BestAxis searchAxes(const CuboidPair& pair, double margin) {
     AxisSearch<CuboidPair> search(pair);
     for (int i = 0; i < 3; ++i) search.considerEitherWay(Vec3::Unit(i));
     for (int i = 0; i < 3; ++i) search.considerEitherWay(pair.turnB.col(i));

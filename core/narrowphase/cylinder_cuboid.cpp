@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/cylinder_cuboid.h"
 
+#include "core/base/wide.h"
 #include "core/math/polygon_clip.h"
 #include "core/narrowphase/contact_features.h"
 #include "core/narrowphase/rim_line.h"
@@ -102,7 +103,7 @@ void considerEdges(Search& search, const CylinderCuboidPair& pair, int i) {
     }
 }
 
-BestAxis searchAxes(const CylinderCuboidPair& pair, double margin) {
+CAROM_WIDE BestAxis searchAxes(const CylinderCuboidPair& pair, double margin) {
     Search search(pair);
     for (int i = 0; i < 3; ++i) search.considerEitherWay(Vec3::Unit(i));
     search.considerEitherWay(pair.axis);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/cylinder_cylinder.h"
 
+#include "core/base/wide.h"
 #include "core/math/rotation.h"
 #include "core/narrowphase/contact_features.h"
 #include "core/narrowphase/rim_climb.h"
@@ -178,7 +179,7 @@ BestAxis searchAxes(const CylinderPair& pair, double margin) {
 
 } // namespace
 
-Vec3 sideToRim(const Vec3& side, const AxisOfCylinder& other, const Vec3& offset, const Vec3& x) {
+CAROM_WIDE Vec3 sideToRim(const Vec3& side, const AxisOfCylinder& other, const Vec3& offset, const Vec3& x) {
     const Vec3 y = x.cross(side); // with x a basis of the plane across the side
     const double k = std::abs(y.dot(other.axis));
     const double alongX = offset.dot(x);

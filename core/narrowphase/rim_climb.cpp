@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/rim_climb.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ struct RimPoint {
     Vec3 tangent = Vec3::Zero(); // unit, along the rim
 };
 
-RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
+[[gnu::always_inline]] inline RimPoint furthestOn(const Vec3& axis, const Vec3& n) {
     RimPoint point;
     const Vec3 cross = axis.cross(n);
     point.sine = cross.norm();
@@ -80,7 +82,7 @@ bool isGreatestGap(const RimPair& rims, const Vec3& n) {
     return (between - gap * n).norm() <= certain * gap;
 }
 
-Vec3 climb(const RimPair& rims, const Vec3& start) {
+CAROM_WIDE Vec3 climb(const RimPair& rims, const Vec3& start) {
     Vec3 n = start;
     double gap = gapAlong(rims, n);
     for (int i = 0; i < maxIterations; ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/rim_line.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +19,7 @@ constexpr double converged = 4e-16;
 
 } // namespace
 
-PlaneAngle steepestAngle(const RimLine& problem) {
+CAROM_WIDE PlaneAngle steepestAngle(const RimLine& problem) {
     const auto& [c1, c2, radius, k, m] = problem;
     const double bend = radius * k * k; // the slope of the last term of H at t = 0; it never exceeds that
     // Two bounds on the root: the last term is at most bend/m, and at most bend·t.

@@ -2,13 +2,14 @@
 #include "core/narrowphase/solid.h"
 
 #include "core/base/assert.h"
+#include "core/base/wide.h"
 #include "core/narrowphase/point_distance.h"
 
 #include <variant>
 
 namespace carom {
 
-Solid solidOf(const PlacedShape& placed, const Vec3& origin) {
+CAROM_WIDE Solid solidOf(const PlacedShape& placed, const Vec3& origin) {
     Solid solid;
     if (const Cylinder* cylinder = std::get_if<Cylinder>(placed.shape)) {
         solid.isCylinder = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/narrowphase/wall_pairs.h"
 
+#include "core/base/wide.h"
 #include "core/math/rotation.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ struct CylinderOverWall {
     bool turned;    // the axis is minus the body's own
 };
 
-CylinderOverWall measure(const Wall& wall, const Cylinder& cylinder, const Pose& pose) {
+[[gnu::always_inline]] inline CylinderOverWall measure(const Wall& wall, const Cylinder& cylinder,
+                                                       const Pose& pose) {
     CylinderOverWall result;
     result.axis = axisOf(pose);
     result.cosine = wall.normal.dot(result.axis);
@@ -68,7 +70,8 @@ int mostAlignedAxis(const Vec3& direction) {
 
 } // namespace
 
-bool collideWallCylinder(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
+CAROM_WIDE bool collideWallCylinder(const PlacedShape& a, const PlacedShape& b, double margin,
+                                    Manifold& manifold) {
     const Wall& wall = *std::get_if<Wall>(a.shape);
     const Cylinder& cylinder = *std::get_if<Cylinder>(b.shape);
     const CylinderOverWall over = measure(wall, cylinder, *b.pose);
@@ -101,7 +104,8 @@ bool collideWallCylinder(const PlacedShape& a, const PlacedShape& b, double marg
     return true;
 }
 
-bool collideWallCuboid(const PlacedShape& a, const PlacedShape& b, double margin, Manifold& manifold) {
+CAROM_WIDE bool collideWallCuboid(const PlacedShape& a, const PlacedShape& b, double margin,
+                                  Manifold& manifold) {
     const Wall& wall = *std::get_if<Wall>(a.shape);
     const Cuboid& cuboid = *std::get_if<Cuboid>(b.shape);
     const Vec3 normalInBody = b.pose->directionToBody(wall.normal);

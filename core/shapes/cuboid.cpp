@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/cuboid.h"
 
+#include "core/base/wide.h"
+
 namespace carom {
 namespace {
 
@@ -12,7 +14,7 @@ Vec3 facesOf(const Cuboid& cuboid) {
 
 } // namespace
 
-Aabb boundsOf(const Cuboid& cuboid, const Pose& worldFromBody) {
+CAROM_WIDE Aabb boundsOf(const Cuboid& cuboid, const Pose& worldFromBody) {
     const Mat3 rotation = worldFromBody.orientation.toRotationMatrix();
     const Vec3 half = rotation.cwiseAbs() * cuboid.halfSize;
     return {worldFromBody.position - half, worldFromBody.position + half};

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/shapes/cylinder.h"
 
+#include "core/base/wide.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace carom {
 
-Aabb boundsOf(const Cylinder& cylinder, const Pose& worldFromBody) {
+CAROM_WIDE Aabb boundsOf(const Cylinder& cylinder, const Pose& worldFromBody) {
     const Vec3 axis = axisOf(worldFromBody);
     Vec3 half;
     for (int i = 0; i < 3; ++i) {

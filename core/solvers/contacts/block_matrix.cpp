@@ -2,6 +2,7 @@
 #include "core/solvers/contacts/block_matrix.h"
 
 #include "core/base/assert.h"
+#include "core/base/wide.h"
 
 #include <Eigen/LU>
 
@@ -30,7 +31,7 @@ void eraseSorted(std::vector<int>& sorted, int value) {
 // treat such a block as one of any size, pack it for each product, and take twice the time.
 
 /// Overwrites the lower half of H = L Lᵀ by L; false if H is not positive definite.
-bool takeRoot(Mat6& h) {
+[[gnu::always_inline]] inline bool takeRoot(Mat6& h) {
     for (int j = 0; j < 6; ++j) {
         double square = 0;
         for (int k = 0; k < j; ++k) square += h(j, k) * h(j, k);
@@ -47,7 +48,7 @@ bool takeRoot(Mat6& h) {
 }
 
 /// L⁻¹ of the lower half.
-Mat6 inverseOfLower(const Mat6& lower) {
+[[gnu::always_inline]] inline Mat6 inverseOfLower(const Mat6& lower) {
     Mat6 inverse = Mat6::Zero();
     for (int i = 0; i < 6; ++i) {
         const double reciprocal = 1 / lower(i, i);
@@ -205,7 +206,7 @@ void BlockMatrix::addToEdge(std::size_t edge, const Mat6& value, const Mat6& mir
     m_upper[where.lower] += where.transposed ? value : mirror;
 }
 
-bool BlockMatrix::factor() {
+CAROM_WIDE bool BlockMatrix::factor() {
     m_general = false;
     for (std::size_t j = 0; j < m_columns.size(); ++j) {
         if (!takeRoot(m_diagonal[j])) return false;
@@ -227,7 +228,7 @@ bool BlockMatrix::factor() {
     return true;
 }
 
-bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
+CAROM_WIDE bool BlockMatrix::factorGeneral(std::span<const double> lengths) {
     m_general = true;
     const auto divideRotation = [](Mat6& block, double length) {
         block.bottomRows<3>() /= length;

@@ -99,7 +99,8 @@ CAROM_WIDE void follow(const Solids& solids, PersistentManifold& manifold) {
 
 // Compares the places at the contact, not the centres: the centre of a large body moves far when it turns a
 // little.
-bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation, double size) {
+CAROM_WIDE bool holds(const Solids& solids, const PersistentManifold& manifold, const Quat& orientation,
+                      double size) {
     const bool follows = manifold.source.kind != Kind::Other;
     const double within = (follows ? followedWithin : PersistentManifold::keptWithin) * size;
     const auto& [a, b] = solids;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/manifold_forces.h"
 
+#include "core/base/wide.h"
 #include "core/math/rotation.h"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ void shareOut(std::span<const CarriedPoint> old, const Vec3& normal, const Tange
 }
 
 // Gives forces of old points to the nearest new ones. False if a force is left.
-bool inherit(std::span<const CarriedPoint> old, double within, std::span<CarriedPoint> fresh) {
+[[gnu::always_inline]] inline bool inherit(std::span<const CarriedPoint> old, double within,
+                                           std::span<CarriedPoint> fresh) {
     std::array<bool, manifoldPoints> taken{};
     const bool alone = old.size() == 1 && fresh.size() == 1; // the same point, however far it has rolled
     for (CarriedPoint& point : fresh) {
@@ -104,8 +106,8 @@ void shareOut(const ManifoldInput& input, BodyPair pair, std::span<const Carried
     shareOut(old, normal, across, smallerSize(input.bodies, pair), fresh);
 }
 
-void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const CarriedPoint> old,
-              const Vec3& normal, std::span<CarriedPoint> fresh) {
+CAROM_WIDE void takeOver(const ManifoldInput& input, BodyPair pair, std::span<const CarriedPoint> old,
+                         const Vec3& normal, std::span<CarriedPoint> fresh) {
     if (old.empty()) return;
     if (!inherit(old, sameWithin * smallerSize(input.bodies, pair), fresh))
         shareOut(input, pair, old, normal, fresh);

@@ -20,7 +20,7 @@ namespace carom {
 namespace {
 
 /// Orientation of B in the frame of A.
-Quat relativeOrientation(const State& state, BodyPair pair) {
+[[gnu::always_inline]] inline Quat relativeOrientation(const State& state, BodyPair pair) {
     return state.pose[pair.a].orientation.conjugate() * state.pose[pair.b].orientation;
 }
 
@@ -44,7 +44,7 @@ constexpr double gapCounts = 50;
 
 // Keeps four of more points: the deepest, the one furthest from it, the one furthest from the line of both,
 // and the one furthest on the other side of that line; separations count against these distances.
-void reduce(Manifold& manifold) {
+CAROM_WIDE void reduce(Manifold& manifold) {
     const std::size_t count = static_cast<std::size_t>(manifold.count);
     if (count <= manifoldPoints) return;
     const std::array<ContactPoint, Manifold::capacity> points = manifold.points;
@@ -84,7 +84,7 @@ std::span<Point> pointsOf(PersistentManifold& manifold) {
 
 // Orders points so that opposite ones are solved one after the other: a stack rocks less than with neighbours
 // in sequence (velocity_solve.h).
-void putOppositesFirst(Manifold& manifold) {
+CAROM_WIDE void putOppositesFirst(Manifold& manifold) {
     if (manifold.count < 3) return;
     std::size_t furthest = 1;
     const auto distanceOf = [&](std::size_t k) {
@@ -208,7 +208,7 @@ void setRound(const ManifoldInput& input, const Manifold& found, const Vec3& for
 }
 
 // The same for a pair with a sphere or a wall.
-void findPoints(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
+CAROM_WIDE void findPoints(const ManifoldInput& input, double margin, PersistentManifold& manifold) {
     const BodyPair pair = manifold.pair;
     Manifold found;
     collideNow(input, pair, margin, found);

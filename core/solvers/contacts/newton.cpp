@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/solvers/contacts/newton.h"
 
+#include "core/base/wide.h"
 #include "core/solvers/contacts/work_budget.h"
 
 #include <algorithm>
@@ -314,7 +315,7 @@ bool NewtonSolver::stepCoupled(ContactProblem& problem, double error, int& steps
     return false;
 }
 
-void NewtonSolver::evaluateRows(const ContactProblem& problem) {
+CAROM_WIDE void NewtonSolver::evaluateRows(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];
         m_rows[i].u = relativeVelocity(problem, row);
@@ -326,7 +327,7 @@ void NewtonSolver::evaluateRows(const ContactProblem& problem) {
 }
 
 // Computes z and p at the velocities v + along · step.
-void NewtonSolver::project(const ContactProblem& problem, double along) {
+CAROM_WIDE void NewtonSolver::project(const ContactProblem& problem, double along) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ContactRow& row = problem.rows[i];
         RowState& state = m_rows[i];
@@ -338,7 +339,7 @@ void NewtonSolver::project(const ContactProblem& problem, double along) {
 }
 
 // Computes G; returns the largest change of velocity M⁻¹ G [m/s].
-double NewtonSolver::gradient(const ContactProblem& problem) {
+CAROM_WIDE double NewtonSolver::gradient(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_gradient.size(); ++i)
         m_gradient[i] =
             momentumChange(problem.bodies[i], problem.bodies[i].velocity - problem.bodies[i].freeVelocity);
@@ -388,10 +389,11 @@ bool NewtonSolver::factor(const ContactProblem& problem, bool coupled) {
 
 // Adds the products left · right of both bodies of a row to their blocks.
 template<int rows>
-void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, rows>& leftA,
-                             const Eigen::Matrix<double, 6, rows>& leftB,
-                             const Eigen::Matrix<double, rows, 6>& rightA,
-                             const Eigen::Matrix<double, rows, 6>& rightB) {
+[[gnu::always_inline]] inline void NewtonSolver::addBlocks(const Place& place,
+                                                           const Eigen::Matrix<double, 6, rows>& leftA,
+                                                           const Eigen::Matrix<double, 6, rows>& leftB,
+                                                           const Eigen::Matrix<double, rows, 6>& rightA,
+                                                           const Eigen::Matrix<double, rows, 6>& rightB) {
     if (place.a != immobile) m_matrix.addToDiagonal(place.a, leftA * rightA);
     if (place.b != immobile) m_matrix.addToDiagonal(place.b, leftB * rightB);
     if (place.edge < 0) return;
@@ -401,7 +403,7 @@ void NewtonSolver::addBlocks(const Place& place, const Eigen::Matrix<double, 6, 
         m_matrix.addToEdge(at(place.edge), leftB * rightA, leftA * rightB);
 }
 
-void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
+CAROM_WIDE void NewtonSolver::addContact(const ContactRow& row, const RowState& state, bool coupled) {
     if (!(state.z.x() > 0)) return;
     const double rho = m_kappa * m_units.perMass * row.effectiveMass;
     Mat3 slope = Mat3::Zero();
@@ -444,7 +446,7 @@ double NewtonSolver::slope(const ContactProblem& problem, double along, double q
 
 // The step length at which the slope vanishes. Near the solution, differences of the objective are lost in
 // rounding; the slope is not.
-double NewtonSolver::lineSearch(const ContactProblem& problem) {
+CAROM_WIDE double NewtonSolver::lineSearch(const ContactProblem& problem) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].du = velocityAlong(problem.rows[i], m_step);
         if (problem.rows[i].rolling > 0) m_rows[i].droll = spinAlong(problem.rows[i], m_step);

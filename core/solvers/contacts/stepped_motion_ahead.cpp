@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/wide.h"
 #include "core/math/rotation.h"
 #include "core/solvers/contacts/stepped_motion.h"
 
@@ -27,7 +28,7 @@ constexpr double mostTimes = 16;
 
 // Marks the bodies that will have turned, at the end of a step, so far since their contacts were found that
 // these are elsewhere. Where a cylinder turns about its axis, its surface stays where it is.
-void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
+CAROM_WIDE void SteppedMotion::foreseeTurned(const SteppedInput& input, double duration) {
     m_foreseen.clear();
     m_hasTurned.assign(m_bodies.size(), 0);
     for (const std::uint32_t i : std::span<const std::uint32_t>(m_awake)) {
